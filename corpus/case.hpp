@@ -1,0 +1,76 @@
+// Case files, format plumb/case-1: the one reader and writer. Format and meaning: contract in corpus/README.md.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "solver/contact.hpp"
+
+namespace plumb {
+
+using Json = nlohmann::ordered_json;
+
+/// What a case promises; every field may be absent.
+struct Expect {
+  std::optional<std::string> method;   ///< the method that the expectations are about; default auto
+  std::optional<std::string> status;
+  std::optional<std::string> verdict;
+  std::optional<std::string> finding;
+  std::optional<std::array<double, 2>> overlap;  ///< [lower, upper]
+  std::optional<Vec3<double>> normal;
+  std::optional<double> normal_radius;           ///< rad
+  std::optional<std::array<Vec3<double>, 2>> points;
+
+  [[nodiscard]] bool empty() const;
+};
+
+struct Case {
+  std::string name;
+  Pair pair;
+  std::optional<Vec3<double>> motion;
+  Expect expect;
+  Json provenance;  ///< anything; null when absent
+  Json extra;       ///< the fields whose names begin with "x_", as an object; null when there are none
+};
+
+/// Unusable input: what() is the one line "FILE:LINE: FIELD: REASON" (line in .jsonl only).
+class InputFailure : public std::runtime_error {
+ public:
+  InputFailure(const std::string& file, int line, const std::string& field, const std::string& reason);
+};
+
+/// Reads one case from JSON text; `file` and `line` (0: none) name the source in errors. Euler angles and placement are
+/// evaluated in 50 digits and each component is rounded once to the nearest double.
+[[nodiscard]] Case parse_case(const std::string& text, const std::string& file, int line = 0);
+
+/// The case as one line of JSON: position and quaternion only, each number the shortest that reads back the same.
+[[nodiscard]] std::string format_case(const Case& c);
+
+/// A source of cases read one after the other: a .json file holds one, a .jsonl file one a line, "-" is standard input (.jsonl).
+/// The cases before a bad line are handed out before it throws.
+class CaseReader {
+ public:
+  explicit CaseReader(const std::string& path);
+  ~CaseReader();
+  CaseReader(const CaseReader&) = delete;
+  CaseReader& operator=(const CaseReader&) = delete;
+  /// nullopt at the end; throws InputFailure.
+  [[nodiscard]] std::optional<Case> next();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Every case file (.json, .jsonl) at or under the paths, sorted by path. Throws InputFailure for a path that is missing.
+[[nodiscard]] std::vector<std::filesystem::path> find_case_files(const std::vector<std::string>& paths);
+
+/// Writes text to a file by way of a temporary beside it, so that a full disk or Ctrl-C loses nothing; throws InputFailure.
+void write_file(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace plumb

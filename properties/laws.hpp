@@ -1,0 +1,88 @@
+// What must be true of an answer. Each law is one function from the evidence to a finding, written here once and used by
+// the test suite, the fuzzers, the campaign and replay alike.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "solver/contact.hpp"
+#include "solver/reference/reference.hpp"
+
+namespace plumb {
+
+/// In the order in which the first that applies is reported (the contract's words, see name()).
+enum class FindingKind {
+  crash,
+  not_finite,
+  nonconverged,
+  false_contact,
+  missed_contact,
+  wrong_branch,
+  misaligned,
+  off_surface,
+  overlap_error,
+  point_error,
+  asymmetric,
+  nondeterministic,
+  slow,
+  none
+};
+[[nodiscard]] std::string_view name(FindingKind kind);
+
+struct Finding {
+  FindingKind kind = FindingKind::none;
+  double severity = 0;  ///< error over what the condition number allows; above 1 it is a finding
+  std::string law;      ///< the law that was broken
+  std::string detail;   ///< in words, with figures
+};
+
+/// Everything a law may look at.
+struct Evidence {
+  const Pair& pair;
+  Problem problem;
+  const Contact<double>& answer;
+  const Reference& reference;
+  const Solution& own;  ///< the 50-digit answer to the method's own problem (reference.common_normal for CN methods)
+  /// Solves a related pair with the same method; empty when only an answer is there (plumb check).
+  std::function<Contact<double>(const Pair&)> solve;
+};
+
+struct Law {
+  std::string_view name;
+  std::string_view statement;
+  Finding (*check)(const Evidence&);
+};
+
+/// Every law, in the order of precedence.
+[[nodiscard]] std::span<const Law> laws();
+
+/// The verdict of all laws on one answer.
+struct Judgement {
+  Finding finding;
+  bool judged = false;          ///< the reference has an answer to the method's own problem
+  double angle_error_deg;       ///< to the certified common normal, whatever the method's problem; NaN when unknown
+  double overlap_error;         ///< |overlap - own problem's| / size; NaN when unknown
+  double point_error;           ///< the larger point's distance from its own problem's / size; NaN when unknown
+};
+[[nodiscard]] Judgement judge(const Evidence& evidence);
+
+/// The evidence gathered and judged: what campaign, fuzzers, replay and check call. The references are computed once for a
+/// case and shared by all methods.
+class Judge {
+ public:
+  explicit Judge(const Pair& pair);
+  [[nodiscard]] const Reference& reference() const { return reference_; }
+  [[nodiscard]] const Solution& solution(Problem problem);
+  [[nodiscard]] Judgement judge(Problem problem, const Contact<double>& answer,
+                                std::function<Contact<double>(const Pair&)> solve_again = {});
+
+ private:
+  Pair pair_;
+  Reference reference_;
+  Solution deepest_, midway_;
+  bool has_deepest_ = false, has_midway_ = false;
+};
+
+}  // namespace plumb

@@ -1,0 +1,130 @@
+// The vocabulary of plumb: what goes into a solver and what comes out.
+//
+// Frames   world frame throughout; a body's quaternion takes body axes to world axes.
+// Signs    overlap > 0: the bodies penetrate by that length; overlap < 0: they are -overlap apart.
+//          normal points from body 1 to body 2.
+// Units    lengths in the caller's own unit (any, positions and semi-axes alike), angles in radians.
+// Validity a field that was not asked for, or that a method could not find, is NaN - never a zero.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace plumb {
+
+template <class S>
+using Vec3 = Eigen::Matrix<S, 3, 1>;
+template <class S>
+using Mat3 = Eigen::Matrix<S, 3, 3>;
+
+template <class S>
+[[nodiscard]] Vec3<S> not_valid() {
+  return Vec3<S>::Constant(std::numeric_limits<S>::quiet_NaN());
+}
+
+/// Superellipsoid (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 in body axes; n1, n2 > 1 keep it convex with one normal
+/// at each point. n1 pairs the xy-radius with z, n2 pairs x with y (the order of LIGGGHTS); 2, 2 is an ellipsoid.
+template <class S = double>
+struct Superellipsoid {
+  Vec3<S> semi_axes = Vec3<S>::Ones();
+  S n1{2};
+  S n2{2};
+};
+
+struct Body {
+  Superellipsoid<double> shape;
+  Vec3<double> position = Vec3<double>::Zero();
+  /// (w, x, y, z), any non-zero length: the rotation is that of the quaternion divided by its norm.
+  std::array<double, 4> quaternion{1, 0, 0, 0};
+};
+
+/// The exact input of every solver and of the reference: these doubles, and nothing derived from them.
+struct Pair {
+  Body body1;
+  Body body2;
+};
+
+/// What the caller pays for. Overlap, normal and points come out of one solve in the methods of the literature.
+struct Want {
+  bool overlap = true;
+  bool normal = true;
+  bool points = true;
+  bool curvature = false;
+  int iteration_limit = 100;
+  /// Residual, relative to the pair's size, at which a method may stop; 0 asks for all that rounding allows.
+  double tolerance = 0;
+};
+
+/// Each value says which inequality ended the solve; only `converged` vouches for the residual, and not
+/// even that vouches for the answer: see reference/.
+enum class Status {
+  converged,        ///< residual <= max(Want::tolerance, the method's rounding floor)
+  iteration_limit,  ///< Want::iteration_limit steps were taken and the residual is still larger
+  stalled,          ///< no step along the search direction lowers the residual any more
+  singular,         ///< the Jacobian has lost rank, so that there is no search direction
+  not_finite,       ///< a NaN or an infinity came up at a point that the method had to use
+  invalid_input     ///< a number is not finite, an axis not positive, an exponent not above 1, or a quaternion zero
+};
+
+/// `undecided`: the overlap is zero to within the rounding floor of the answer, or there is no answer.
+enum class Verdict { undecided, overlapping, separated };
+
+/// Principal curvature of one surface at its contact point.
+template <class S>
+struct PrincipalCurvature {
+  S radius1 = std::numeric_limits<S>::quiet_NaN();  ///< length; infinite on a flat, 0 on an edge
+  S radius2 = std::numeric_limits<S>::quiet_NaN();
+  Vec3<S> direction1 = not_valid<S>();  ///< unit, tangent to the surface, world frame
+  Vec3<S> direction2 = not_valid<S>();
+};
+
+template <class S = double>
+struct Contact {
+  std::string_view method;  ///< the method that answered
+  Status status = Status::stalled;  ///< pessimistic until a method says otherwise
+  Verdict verdict = Verdict::undecided;
+  S overlap = std::numeric_limits<S>::quiet_NaN();  ///< length, signed as above
+  Vec3<S> normal = not_valid<S>();                  ///< unit, from body 1 to body 2
+  Vec3<S> point1 = not_valid<S>();                  ///< on body 1's surface, world frame
+  Vec3<S> point2 = not_valid<S>();                  ///< on body 2's surface, world frame
+  Vec3<S> contact_point = not_valid<S>();           ///< where a force would act
+  std::array<PrincipalCurvature<S>, 2> curvature;
+  int iterations = 0;   ///< steps of the outer loop
+  int evaluations = 0;  ///< evaluations of the residual, those of the line search included
+};
+
+/// The question that a method answers; each is judged against its own.
+enum class Problem {
+  common_normal,   ///< normals opposite, the line through the points along them, lowest overlap
+  deepest_points,  ///< geometric potential: the point of each surface where the other's potential is lowest
+  midway           ///< geometric potential: the point where both potentials are equal and their gradients opposite
+};
+
+[[nodiscard]] std::string_view name(Status status);
+[[nodiscard]] std::string_view name(Verdict verdict);
+[[nodiscard]] std::string_view name(Problem problem);
+
+/// Empty when the pair is legal input; otherwise the first offending field ("bodies[1].shape.exponents[0]") and why.
+struct InputError {
+  std::string_view field;
+  std::string_view reason;
+  int body = 0;
+};
+[[nodiscard]] InputError find_input_error(const Pair& pair);
+[[nodiscard]] inline bool is_valid(const Pair& pair) {
+  return find_input_error(pair).reason.empty();
+}
+
+/// The pair with its bodies exchanged.
+[[nodiscard]] inline Pair swapped(const Pair& pair) {
+  return {pair.body2, pair.body1};
+}
+
+/// The larger body's size (its longest semi-axis): the length to which every error is relative.
+[[nodiscard]] inline double size_of(const Pair& pair) {
+  return std::max(pair.body1.shape.semi_axes.maxCoeff(), pair.body2.shape.semi_axes.maxCoeff());
+}
+
+}  // namespace plumb

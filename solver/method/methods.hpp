@@ -1,0 +1,32 @@
+// The one list of methods: name -> function.
+//
+// Adding a method: one header/source pair in this folder and one row in methods.cpp; the laws, the corpus, the fuzzers,
+// the campaign and the reports pick it up from there.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "solver/contact.hpp"
+
+namespace plumb {
+
+/// Solves a pair. `last`, when given, is an earlier answer for a pair nearby: its points replace the documented start.
+/// Never throws, never allocates; an illegal pair gives Status::invalid_input.
+template <class S>
+using SolveFunction = Contact<S> (*)(const Pair& pair, const Want& want, const Contact<S>* last);
+
+struct Method {
+  std::string_view name;
+  Problem problem;
+  std::string_view summary;
+  SolveFunction<double> solve;
+  SolveFunction<long double> solve_long;
+};
+
+[[nodiscard]] std::span<const Method> methods();
+
+/// nullptr when there is no such method.
+[[nodiscard]] const Method* find_method(std::string_view name);
+
+}  // namespace plumb

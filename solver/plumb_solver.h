@@ -1,0 +1,62 @@
+/* The C door: what a foreign solver implements so that plumb can exercise and judge it.
+ *
+ * Build a shared library that exports plumb_solver_version and plumb_solver_solve; then
+ *     plumb solve CASE --solver ./libmine.so          plumb campaign --family all --solver ./libmine.so
+ *
+ * Lengths in the caller's unit, world frame, rotation = quaternion / |quaternion| takes body axes to world axes.
+ * Set to NaN whatever you do not compute. The functions may be called from several threads at once.
+ */
+#ifndef PLUMB_SOLVER_H
+#define PLUMB_SOLVER_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PLUMB_SOLVER_VERSION 1
+
+/* (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 */
+typedef struct plumb_body {
+  double semi_axes[3];       /* a, b, c > 0 */
+  double exponents[2];       /* n1, n2 > 1 */
+  double position[3];
+  double quaternion_wxyz[4]; /* any non-zero length */
+} plumb_body;
+
+typedef struct plumb_pair {
+  plumb_body bodies[2];
+} plumb_pair;
+
+enum plumb_status {
+  PLUMB_CONVERGED = 0,
+  PLUMB_ITERATION_LIMIT = 1,
+  PLUMB_STALLED = 2,
+  PLUMB_SINGULAR = 3,
+  PLUMB_NOT_FINITE = 4,
+  PLUMB_INVALID_INPUT = 5
+};
+
+enum plumb_verdict { PLUMB_UNDECIDED = 0, PLUMB_OVERLAPPING = 1, PLUMB_SEPARATED = 2 };
+
+typedef struct plumb_contact {
+  int status;              /* enum plumb_status */
+  int verdict;             /* enum plumb_verdict */
+  double overlap;          /* > 0: penetration depth; < 0: minus the distance */
+  double normal[3];        /* unit, from body 1 to body 2 */
+  double points[2][3];     /* on body 1, on body 2 */
+  double contact_point[3];
+  int iterations;
+  int evaluations;
+} plumb_contact;
+
+/* Returns PLUMB_SOLVER_VERSION of the header that the library was built with. */
+int plumb_solver_version(void);
+
+/* Returns 0, or non-zero when it refuses the pair ("I cannot" is a legal answer). */
+int plumb_solver_solve(const plumb_pair* pair, plumb_contact* contact);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,53 @@
+// Rigid poses, and the frame in which every method works.
+#pragma once
+
+#include <array>
+
+#include "solver/contact.hpp"
+
+namespace plumb {
+
+/// Rotation matrix of the quaternion (w, x, y, z) divided by its norm, for any non-zero length from subnormal to huge.
+/// Exact up to the rounding of S: no square root is taken, |q|^2 divides the homogeneous form.
+template <class S>
+[[nodiscard]] Mat3<S> rotation(const std::array<double, 4>& quaternion);
+
+/// Quaternion (w, x, y, z) of the Euler angles (phi, theta, psi) in X-convention: about z, then the new x, then the new
+/// z, R = Rz(phi) Rx(theta) Rz(psi). Angles in radians.
+template <class S>
+[[nodiscard]] std::array<S, 4> quaternion_from_euler_zxz(const Vec3<S>& angles);
+
+/// Unit vector with zenith and azimuth (radians) in the world frame: the line L12 of the test bed.
+template <class S>
+[[nodiscard]] Vec3<S> line_direction(const S& zenith, const S& azimuth);
+
+/// One body in the frame of the pair.
+template <class S>
+struct PlacedBody {
+  Superellipsoid<S> shape;
+  Mat3<S> rotation;
+  Vec3<S> centre;
+
+  [[nodiscard]] Vec3<S> to_body(const Vec3<S>& x) const { return rotation.transpose() * (x - centre); }
+  [[nodiscard]] Vec3<S> to_body_direction(const Vec3<S>& u) const { return rotation.transpose() * u; }
+  [[nodiscard]] Vec3<S> to_pair(const Vec3<S>& x) const { return rotation * x + centre; }
+  [[nodiscard]] Vec3<S> to_pair_direction(const Vec3<S>& u) const { return rotation * u; }
+};
+
+/// The pair in its own frame: world axes (the published equations name x, y and z), origin at body 1's centre (so that
+/// the distance from the world's origin costs nothing), lengths divided by 2^exponent (so that the larger body's longest
+/// semi-axis lies in [1, 2) and a change of unit by a power of two changes no bit).
+template <class S>
+struct PlacedPair {
+  PlacedBody<S> body1;
+  PlacedBody<S> body2;
+  int exponent = 0;
+
+  [[nodiscard]] S to_world_length(const S& length) const;
+  [[nodiscard]] Vec3<S> to_world_point(const Vec3<S>& x, const Pair& pair) const;
+};
+
+template <class S>
+[[nodiscard]] PlacedPair<S> place(const Pair& pair);
+
+}  // namespace plumb

@@ -1,0 +1,19 @@
+// The high-precision scalars: MPFR numbers through Boost.Multiprecision, kept on the stack.
+//
+// MPFR rather than cpp_bin_float: its pow and exp are correctly rounded and several times faster (the ratio is measured
+// by reports/benchmark).
+#pragma once
+
+#include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+
+namespace plumb {
+
+template <unsigned Digits>
+using Real = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
+using Real50 = Real<50>;
+using Real100 = Real<100>;
+
+}  // namespace plumb

@@ -1,0 +1,40 @@
+// What every scalar type must offer, and the tolerances derived from its epsilon.
+//
+// The closed list of scalar types: double and long double here, Real50 and Real100 in reference/real.hpp. Functions of
+// the solver are templates that are instantiated for these in one .cpp file each.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace plumb {
+
+template <class S>
+[[nodiscard]] inline S epsilon() {
+  return std::numeric_limits<S>::epsilon();
+}
+
+/// sign(x) |x|^p for p >= 0, with 0^0 = 1 so that derivatives of x^1 come out right at zero.
+template <class S>
+[[nodiscard]] inline S signed_power(const S& x, const S& p) {
+  using std::abs;
+  using std::pow;
+  if (p == S(1)) return x;
+  if (x == S(0)) return p == S(0) ? S(1) : S(0);
+  const S magnitude = pow(abs(x), p);
+  return x < S(0) ? -magnitude : magnitude;
+}
+
+/// |x|^p for any p: 0^0 = 1, 0^p = infinity for p < 0.
+template <class S>
+[[nodiscard]] inline S magnitude_power(const S& x, const S& p) {
+  using std::abs;
+  using std::pow;
+  if (p == S(1)) return abs(x);
+  if (p == S(0)) return S(1);
+  if (p == S(2)) return x * x;
+  if (x == S(0)) return p > S(0) ? S(0) : std::numeric_limits<S>::infinity();
+  return pow(abs(x), p);
+}
+
+}  // namespace plumb
