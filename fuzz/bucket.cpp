@@ -1,0 +1,133 @@
+#include "fuzz/bucket.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "solver/pose.hpp"
+
+namespace plumb {
+namespace {
+
+enum Kind { sphere, spheroid, ellipsoid, round_superquadric, blocky_superquadric, pointed_superquadric };
+
+int equal_axes(const Vec3<double>& axes) {
+  return int(axes[0] == axes[1]) + int(axes[1] == axes[2]) + int(axes[0] == axes[2]);
+}
+
+Kind kind_of(const Superellipsoid<double>& shape) {
+  if (shape.n1 == 2 && shape.n2 == 2) {
+    const int equal = equal_axes(shape.semi_axes);
+    return equal == 3 ? sphere : (equal == 1 ? spheroid : ellipsoid);
+  }
+  if (std::min(shape.n1, shape.n2) < 2) return pointed_superquadric;
+  return std::max(shape.n1, shape.n2) <= 4 ? round_superquadric : blocky_superquadric;
+}
+
+std::array<double, 3> sorted_axes(const Superellipsoid<double>& shape) {
+  std::array<double, 3> axes{shape.semi_axes[0], shape.semi_axes[1], shape.semi_axes[2]};
+  std::sort(axes.begin(), axes.end());
+  return axes;
+}
+
+std::string slenderness(const Pair& pair) {
+  bool needle = false, disc = false;
+  for (const Body* body : {&pair.body1, &pair.body2}) {
+    const auto axes = sorted_axes(body->shape);
+    needle = needle || axes[2] >= 10 * axes[1];
+    disc = disc || axes[1] >= 10 * axes[0];
+  }
+  if (needle && disc) return "-needle-and-disc";
+  return needle ? "-needle" : (disc ? "-disc" : "");
+}
+
+double size_of_body(const Body& body) { return body.shape.semi_axes.maxCoeff(); }
+
+std::string depth(const Pair& pair, const Reference& reference) {
+  if (!reference.common_normal.solved) return "unknown";
+  const double smaller = std::min(size_of_body(pair.body1), size_of_body(pair.body2));
+  const double ratio = static_cast<double>(reference.common_normal.overlap) / smaller;
+  if (std::abs(ratio) < 1e-9) return "touching";
+  if (ratio < 0) return "separated";
+  return ratio < 1e-2 ? "shallow" : (ratio < 1e-1 ? "moderate" : "deep");
+}
+
+/// World directions that mean something for the shape: none of a sphere, one of a spheroid, three of the others.
+std::vector<Vec3<double>> axes_of(const Body& body) {
+  const Mat3<double> r = rotation<double>(body.quaternion);
+  const Vec3<double>& a = body.shape.semi_axes;
+  switch (kind_of(body.shape)) {
+    case sphere: return {};
+    case spheroid: return {r.col(a[0] == a[1] ? 2 : (a[0] == a[2] ? 1 : 0))};
+    default: return {r.col(0), r.col(1), r.col(2)};
+  }
+}
+
+bool along(const Vec3<double>& u, const Vec3<double>& v) { return u.cross(v).norm() <= 1e-3 * u.norm() * v.norm(); }
+
+bool parallel(const Pair& pair) {
+  for (const auto& u : axes_of(pair.body1))
+    for (const auto& v : axes_of(pair.body2))
+      if (along(u, v)) return true;
+  return false;
+}
+
+bool on_axis(const Pair& pair) {
+  const Vec3<double> line = pair.body2.position - pair.body1.position;
+  for (const Body* body : {&pair.body1, &pair.body2})
+    for (const auto& axis : axes_of(*body))
+      if (along(axis, line)) return true;
+  return false;
+}
+
+std::string special(const Pair& pair) {
+  if (pair.body1.position.cwiseAbs().maxCoeff() > 1e3 * size_of(pair)) return "-far";
+  const double ratio = size_of_body(pair.body1) / size_of_body(pair.body2);
+  if (std::max(ratio, 1 / ratio) >= 100) return "-unequal";
+  if (parallel(pair)) return "-parallel";
+  return on_axis(pair) ? "-on_axis" : "";
+}
+
+std::array<double, 12> numbers_of(const Body& body) {
+  const auto& [shape, position, q] = body;
+  return {shape.semi_axes[0], shape.semi_axes[1], shape.semi_axes[2], shape.n1, shape.n2, position[0],
+          position[1],        position[2],        q[0],               q[1],     q[2],     q[3]};
+}
+
+int digits(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return static_cast<int>(end - text.data());
+}
+
+}  // namespace
+
+std::string shape_class(const Pair& pair) {
+  static constexpr std::array<std::string_view, 6> names{
+      "spheres", "spheroids", "ellipsoids", "round_superquadrics", "blocky_superquadrics", "pointed_superquadrics"};
+  const Kind kind = std::max(kind_of(pair.body1.shape), kind_of(pair.body2.shape));
+  return std::string(names[kind]) + slenderness(pair);
+}
+
+std::string regime(const Pair& pair, const Reference& reference) { return depth(pair, reference) + special(pair); }
+
+std::string bucket(std::string_view finding, std::string_view method, const Pair& pair, const Reference& reference) {
+  return fmt::format("{}-{}-{}-{}", finding, method, shape_class(pair), regime(pair, reference));
+}
+
+Simplicity simplicity(const Pair& pair) {
+  const auto one = numbers_of(pair.body1), two = numbers_of(pair.body2);
+  Simplicity key{kind_of(pair.body1.shape) + kind_of(pair.body2.shape),
+                 std::equal(one.begin(), one.begin() + 5, two.begin()) ? 0 : 1, 0, 0};
+  for (const auto& numbers : {one, two})
+    for (const double value : numbers) {
+      key[2] += value == 0 || value == 1 ? 0 : 1;
+      key[3] += digits(value);
+    }
+  return key;
+}
+
+}  // namespace plumb

@@ -1,0 +1,31 @@
+// What a failure is, in words: finding, method, shape class and regime; and which of two cases is the simpler.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "solver/contact.hpp"
+#include "solver/reference/reference.hpp"
+
+namespace plumb {
+
+/// spheres, spheroids, ellipsoids, pointed (an exponent below 2), round (all at most 4) or blocky superquadrics, of the
+/// less simple body; then "needle", "disc", "needle-and-disc" where an aspect reaches 10.
+[[nodiscard]] std::string shape_class(const Pair& pair);
+
+/// touching | shallow | moderate | deep | separated | unknown by the reference's overlap over the smaller body's size (below
+/// 1e-9, 1e-2, 1e-1, above), then the first that holds of: far (from the origin), unequal (sizes), parallel (two body axes to
+/// within 1e-3 rad, round bodies by their axis of revolution), on-axis (the centre line along a body axis).
+[[nodiscard]] std::string regime(const Pair& pair, const Reference& reference);
+
+/// "misaligned-original_cn-spheroids-shallow": a file name, the same on every host.
+[[nodiscard]] std::string bucket(std::string_view finding, std::string_view method, const Pair& pair,
+                                 const Reference& reference);
+
+/// Smaller is simpler: the classes of the two bodies, whether they differ, how many of their numbers are not 0 or 1, and the
+/// decimal digits that it takes to write them.
+using Simplicity = std::array<int, 4>;
+[[nodiscard]] Simplicity simplicity(const Pair& pair);
+
+}  // namespace plumb

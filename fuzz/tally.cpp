@@ -1,0 +1,156 @@
+#include "fuzz/tally.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <limits>
+
+namespace plumb {
+namespace {
+
+constexpr int kBinsPerDecade = 20;
+constexpr int kZeroBin = -10000;
+constexpr int kInfiniteBin = 10000;
+
+int bin_of(double value) {
+  if (!(value > 0)) return kZeroBin;
+  if (std::isinf(value)) return kInfiniteBin;
+  return static_cast<int>(std::ceil(kBinsPerDecade * std::log10(value)));
+}
+
+double upper_edge(int bin) {
+  if (bin == kZeroBin) return 0;
+  if (bin == kInfiniteBin) return std::numeric_limits<double>::infinity();
+  return std::pow(10.0, static_cast<double>(bin) / kBinsPerDecade);
+}
+
+template <std::size_t N>
+void add_all(std::array<std::uint64_t, N>& to, const std::array<std::uint64_t, N>& from) {
+  for (std::size_t i = 0; i < N; ++i) to[i] += from[i];
+}
+
+}  // namespace
+
+void Histogram::add(double value) {
+  if (std::isnan(value)) return;
+  ++bins_[bin_of(value)];
+  max_ = std::max(max_, value);
+}
+
+void Histogram::merge(const Histogram& other) {
+  for (const auto& [bin, n] : other.bins_) bins_[bin] += n;
+  max_ = std::max(max_, other.max_);
+}
+
+std::uint64_t Histogram::count() const {
+  std::uint64_t n = 0;
+  for (const auto& entry : bins_) n += entry.second;
+  return n;
+}
+
+double Histogram::percentile(double p) const {
+  const double wanted = p * static_cast<double>(count());
+  std::uint64_t below = 0;
+  for (const auto& [bin, n] : bins_) {
+    below += n;
+    if (static_cast<double>(below) >= wanted) return std::min(upper_edge(bin), max_);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+Json Histogram::summary() const {
+  if (bins_.empty()) return nullptr;
+  return {{"p50", percentile(0.5)}, {"p99", percentile(0.99)}, {"max", max_}};
+}
+
+Json Histogram::to_json() const {
+  Json bins = Json::object();
+  for (const auto& [bin, n] : bins_) bins[std::to_string(bin)] = n;
+  // An infinite maximum is not JSON; its bin says it.
+  return {{"bins", bins}, {"max", std::isinf(max_) ? Json() : Json(max_)}};
+}
+
+Histogram Histogram::from_json(const Json& json) {
+  Histogram h;
+  for (const auto& [bin, n] : json.at("bins").items()) h.bins_[std::stoi(bin)] = n.get<std::uint64_t>();
+  const Json& max = json.at("max");
+  h.max_ = max.is_null() ? std::numeric_limits<double>::infinity() : max.get<double>();
+  return h;
+}
+
+void Tally::merge(const Tally& other) {
+  published = published && other.published;
+  cases += other.cases;
+  unjudged += other.unjudged;
+  add_all(findings, other.findings);
+  add_all(converged_findings, other.converged_findings);
+  add_all(statuses, other.statuses);
+  angles_wrong += other.angles_wrong;
+  angle_error_deg.merge(other.angle_error_deg);
+  overlap_error.merge(other.overlap_error);
+  iterations.merge(other.iterations);
+  evaluations.merge(other.evaluations);
+  nanoseconds.merge(other.nanoseconds);
+}
+
+Json Tally::to_json() const {
+  return {{"published", published},
+          {"cases", cases},
+          {"unjudged", unjudged},
+          {"findings", findings},
+          {"converged_findings", converged_findings},
+          {"statuses", statuses},
+          {"angles_wrong", angles_wrong},
+          {"angle_error_deg", angle_error_deg.to_json()},
+          {"overlap_error", overlap_error.to_json()},
+          {"iterations", iterations.to_json()},
+          {"evaluations", evaluations.to_json()},
+          {"nanoseconds", nanoseconds.to_json()}};
+}
+
+Tally Tally::from_json(const Json& json) {
+  Tally t;
+  json.at("published").get_to(t.published);
+  json.at("cases").get_to(t.cases);
+  json.at("unjudged").get_to(t.unjudged);
+  json.at("findings").get_to(t.findings);
+  json.at("converged_findings").get_to(t.converged_findings);
+  json.at("statuses").get_to(t.statuses);
+  json.at("angles_wrong").get_to(t.angles_wrong);
+  t.angle_error_deg = Histogram::from_json(json.at("angle_error_deg"));
+  t.overlap_error = Histogram::from_json(json.at("overlap_error"));
+  t.iterations = Histogram::from_json(json.at("iterations"));
+  t.evaluations = Histogram::from_json(json.at("evaluations"));
+  t.nanoseconds = Histogram::from_json(json.at("nanoseconds"));
+  return t;
+}
+
+void add_answer(Tally& tally, const Contact<double>& answer, const Judgement& judgement, double nanoseconds) {
+  const auto kind = static_cast<std::size_t>(judgement.finding.kind);
+  const bool converged = answer.status == Status::converged;
+  ++tally.cases;
+  ++tally.statuses[static_cast<std::size_t>(answer.status)];
+  if (!judgement.judged && judgement.finding.kind == FindingKind::none) {
+    ++tally.unjudged;
+  } else {
+    ++tally.findings[kind];
+    tally.converged_findings[kind] += converged ? 1 : 0;
+  }
+  tally.iterations.add(answer.iterations);
+  tally.evaluations.add(answer.evaluations);
+  tally.nanoseconds.add(nanoseconds);
+  if (!converged) return;
+  tally.angles_wrong += judgement.angle_error_deg > kWrongAngleDeg ? 1 : 0;
+  tally.angle_error_deg.add(judgement.angle_error_deg);
+  tally.overlap_error.add(judgement.overlap_error);
+}
+
+Share share_of(std::uint64_t k, std::uint64_t n) {
+  if (n == 0) return {std::numeric_limits<double>::quiet_NaN(), 0, 1};
+  using Binomial = boost::math::binomial_distribution<double>;
+  const double successes = static_cast<double>(k), trials = static_cast<double>(n);
+  return {successes / trials, Binomial::find_lower_bound_on_p(trials, successes, 0.025),
+          Binomial::find_upper_bound_on_p(trials, successes, 0.025)};
+}
+
+}  // namespace plumb

@@ -1,0 +1,72 @@
+// Counts of a campaign that add up: adding tallies in any order or grouping gives the same tally, which is what makes a run
+// independent of its threads and shards.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "corpus/case.hpp"
+#include "properties/laws.hpp"
+
+namespace plumb {
+
+/// Non-negative values in fixed bins: 0, then 20 bins a decade. Percentiles are upper edges of bins (at most 12.3 % above the
+/// value, and never above the maximum), which is exact.
+class Histogram {
+ public:
+  void add(double value);
+  void merge(const Histogram& other);
+  [[nodiscard]] std::uint64_t count() const;
+  /// NaN when empty.
+  [[nodiscard]] double percentile(double p) const;
+  [[nodiscard]] double max() const { return max_; }
+  /// { "p50", "p99", "max" }, null when empty.
+  [[nodiscard]] Json summary() const;
+  [[nodiscard]] Json to_json() const;
+  [[nodiscard]] static Histogram from_json(const Json& json);
+  bool operator==(const Histogram&) const = default;
+
+ private:
+  std::map<int, std::uint64_t> bins_;
+  double max_ = -1;
+};
+
+inline constexpr std::size_t kFindingKinds = static_cast<std::size_t>(FindingKind::none) + 1;
+inline constexpr std::size_t kStatuses = static_cast<std::size_t>(Status::invalid_input) + 1;
+/// Degrees to the certified common normal above which an answer counts as wrong in the published comparison.
+inline constexpr double kWrongAngleDeg = 0.01;
+
+/// One method on one family (or generator).
+struct Tally {
+  bool published = true;       ///< a baseline: its findings are results
+  std::uint64_t cases = 0;     ///< answers given
+  std::uint64_t unjudged = 0;  ///< nothing found, but no reference to hold the answer against
+  std::array<std::uint64_t, kFindingKinds> findings{};   ///< of the judged
+  std::array<std::uint64_t, kFindingKinds> converged_findings{};  ///< of the judged with status converged
+  std::array<std::uint64_t, kStatuses> statuses{};
+  std::uint64_t angles_wrong = 0;     ///< converged answers with an angle error above kWrongAngleDeg
+  Histogram angle_error_deg;          ///< of the converged answers
+  Histogram overlap_error;            ///< of the converged answers, relative to the size
+  Histogram iterations, evaluations;  ///< of all answers
+  Histogram nanoseconds;              ///< one solve, first call; the only field that is not reproducible
+
+  void merge(const Tally& other);
+  [[nodiscard]] std::uint64_t judged() const { return cases - unjudged; }
+  [[nodiscard]] std::uint64_t of(FindingKind kind) const { return findings[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] std::uint64_t failures() const { return judged() - of(FindingKind::none); }
+  [[nodiscard]] std::uint64_t converged() const { return statuses[static_cast<std::size_t>(Status::converged)]; }
+  [[nodiscard]] Json to_json() const;
+  [[nodiscard]] static Tally from_json(const Json& json);
+};
+
+void add_answer(Tally& tally, const Contact<double>& answer, const Judgement& judgement, double nanoseconds);
+
+/// Share k / n with its exact (Clopper-Pearson) 95 % interval.
+struct Share {
+  double share, low, high;
+};
+[[nodiscard]] Share share_of(std::uint64_t k, std::uint64_t n);
+
+}  // namespace plumb
