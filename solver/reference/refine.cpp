@@ -1,0 +1,55 @@
+#include "solver/reference/refine.hpp"
+
+namespace plumb::reference {
+namespace {
+
+const int local_limit = 60;
+
+/// |F| at which a solve in S counts as done: the rounding of the residual itself, with the exponents' share in it.
+template <class S>
+S local_tolerance(const PlacedPair<S>& pair) {
+  return S(16) * (S(1) + sharpest_exponent<S>(pair)) * epsilon<S>();
+}
+
+template <class S>
+LocalSolution<S> solve_in_stages(const PlacedPair<S>& pair, const Goal<S>& goal, const Vec3<S>& direction) {
+  const S sharp = sharpest_exponent<S>(pair), tolerance = local_tolerance<S>(pair);
+  S cap(4);
+  PlacedPair<S> stage = with_capped_exponents<S>(pair, cap);
+  ChartPair<S> at = charts_of_direction<S>(stage, direction);
+  while (cap < sharp) {
+    at = solve_on_charts<S>(stage, goal, at, tolerance, local_limit).at;
+    cap *= S(1.8);
+    stage = with_capped_exponents<S>(pair, cap);
+  }
+  return solve_on_charts<S>(pair, goal, at, tolerance, local_limit);
+}
+
+template <class S>
+CubePoint<S> widened(const CubePoint<double>& at) {
+  return CubePoint<S>::of(at.w.template cast<S>());
+}
+
+}  // namespace
+
+template <class S>
+LocalSolution<S> solve_from_direction(const PlacedPair<S>& pair, const Goal<S>& goal, const Vec3<S>& direction) {
+  const LocalSolution<S> direct = solve_on_charts<S>(pair, goal, charts_of_direction<S>(pair, direction),
+                                                     local_tolerance<S>(pair), local_limit);
+  if (direct.converged || sharpest_exponent<S>(pair) <= S(2)) return direct;
+  LocalSolution<S> staged = solve_in_stages<S>(pair, goal, direction);
+  staged.iterations += direct.iterations;
+  return staged.residual < direct.residual ? staged : direct;
+}
+
+LocalSolution<Real50> refine(const PlacedPair<Real50>& pair, const Goal<Real50>& goal, const ChartPair<double>& start) {
+  const ChartPair<Real50> at{widened<Real50>(start.at1), widened<Real50>(start.at2)};
+  return solve_on_charts<Real50>(pair, goal, at, local_tolerance<Real50>(pair), local_limit);
+}
+
+template LocalSolution<double> solve_from_direction(const PlacedPair<double>&, const Goal<double>&, const Vec3<double>&);
+template LocalSolution<long double> solve_from_direction(const PlacedPair<long double>&, const Goal<long double>&,
+                                                         const Vec3<long double>&);
+template LocalSolution<Real50> solve_from_direction(const PlacedPair<Real50>&, const Goal<Real50>&, const Vec3<Real50>&);
+
+}  // namespace plumb::reference

@@ -1,0 +1,26 @@
+// From a direction to a stationary point: the local solves of the reference, in double and then in 50 digits.
+#pragma once
+
+#include "solver/reference/chart_solve.hpp"
+#include "solver/reference/real.hpp"
+
+namespace plumb::reference {
+
+/// Local solve from a direction (unit, pair frame), first as it is, then with the exponents raised in steps from 4, each
+/// stage starting from the charts of the last. Not converged: the best of the attempts. S: double, long double, Real50.
+template <class S>
+[[nodiscard]] LocalSolution<S> solve_from_direction(const PlacedPair<S>& pair, const Goal<S>& goal,
+                                                    const Vec3<S>& direction);
+
+/// Polishes a double-precision local solution to 50 digits.
+[[nodiscard]] LocalSolution<Real50> refine(const PlacedPair<Real50>& pair, const Goal<Real50>& goal,
+                                           const ChartPair<double>& start);
+
+/// Signed overlap n.(p1 - p2) of a chart pair, with n body 1's normal (pair frame).
+template <class S>
+[[nodiscard]] S overlap_of(const PlacedPair<S>& pair, const ChartPair<S>& at) {
+  const ChartResidual<S> f = chart_residual<S>(pair, Goal<S>{}, at);
+  return f.normal1.dot(f.point1 - f.point2);
+}
+
+}  // namespace plumb::reference
