@@ -13,7 +13,7 @@
 namespace plumb {
 
 struct Family {
-  std::string_view name;     ///< spheroid, ellipsoid, superquadric, hard
+  std::string_view name;  ///< spheroid, ellipsoid, superquadric, hard
   std::string_view summary;
 };
 [[nodiscard]] std::span<const Family> families();
