@@ -28,7 +28,8 @@ struct Family {
 [[nodiscard]] Case generate_hard(std::string_view generator, std::uint64_t seed, std::uint64_t index);
 
 /// Simpler cases in order of preference (equal bodies, spheres before spheroids before triaxial, whole exponents, round
-/// angles, short decimals); all legal, none equal to the case itself.
+/// angles, short decimals); all legal, none equal to the case itself. The expectations are dropped, the provenance says
+/// "simplified". Taking one after the other ends: each lowers a whole-number cost.
 [[nodiscard]] std::vector<Case> simpler(const Case& c);
 
 }  // namespace plumb
