@@ -45,6 +45,9 @@ struct PlacedPair {
 
   [[nodiscard]] S to_world_length(const S& length) const;
   [[nodiscard]] Vec3<S> to_world_point(const Vec3<S>& x, const Pair& pair) const;
+  [[nodiscard]] Vec3<S> to_pair_point(const Vec3<S>& world, const Pair& pair) const;
+  /// The longest semi-axis, in [1, 2).
+  [[nodiscard]] S size() const;
 };
 
 template <class S>

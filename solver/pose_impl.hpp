@@ -72,6 +72,17 @@ Vec3<S> PlacedPair<S>::to_world_point(const Vec3<S>& x, const Pair& pair) const 
 }
 
 template <class S>
+Vec3<S> PlacedPair<S>::to_pair_point(const Vec3<S>& world, const Pair& pair) const {
+  return detail::scale_by_power_of_two<S>(world - pair.body1.position.cast<S>(), -exponent);
+}
+
+template <class S>
+S PlacedPair<S>::size() const {
+  const S size1 = body1.shape.semi_axes.maxCoeff(), size2 = body2.shape.semi_axes.maxCoeff();
+  return size1 > size2 ? size1 : size2;
+}
+
+template <class S>
 PlacedPair<S> place(const Pair& pair) {
   PlacedPair<S> placed;
   (void)std::frexp(size_of(pair), &placed.exponent);

@@ -1,0 +1,90 @@
+// What the methods share: the start, one surface's terms, and the way from the pair's frame to a Contact.
+#pragma once
+
+#include "solver/pose.hpp"
+#include "solver/shape/superellipsoid.hpp"
+
+namespace plumb {
+
+/// One body's potential F = g^n1 - 1 and outward normal at a point of the pair's frame, with derivatives by the point.
+template <class S>
+struct SurfaceTerms {
+  S gauge;                 ///< g
+  Vec3<S> gauge_gradient;  ///< 1/length
+  Mat3<S> gauge_hessian;   ///< 1/length^2
+  S potential;             ///< F
+  Vec3<S> gradient;        ///< of F
+  Vec3<S> normal;          ///< unit
+  Mat3<S> dnormal;         ///< (I - n n') Hess g / |grad g|
+};
+
+template <class S>
+[[nodiscard]] inline SurfaceTerms<S> surface_terms(const PlacedBody<S>& body, const Vec3<S>& x) {
+  const NormHessian<S> g = gauge_hessian<S>(body.shape, body.to_body(x));
+  SurfaceTerms<S> out;
+  out.gauge = g.value;
+  out.gauge_gradient = body.to_pair_direction(g.gradient);
+  out.gauge_hessian = body.rotation * g.hessian * body.rotation.transpose();
+  const S power = magnitude_power<S>(g.value, body.shape.n1 - S(1));
+  out.potential = power * g.value - S(1);
+  out.gradient = out.gauge_gradient * (body.shape.n1 * power);
+  const S length = out.gauge_gradient.norm();
+  out.normal = out.gauge_gradient / length;
+  out.dnormal = (out.gauge_hessian - out.normal * (out.normal.transpose() * out.gauge_hessian)) / length;
+  return out;
+}
+
+/// Rounding noise of a potential or of a unit normal near the surface, in units of epsilon: powers multiply it.
+template <class S>
+[[nodiscard]] inline S power_noise(const PlacedPair<S>& pair) {
+  return S(1) + std::max({pair.body1.shape.n1, pair.body1.shape.n2, pair.body2.shape.n1, pair.body2.shape.n2});
+}
+
+/// Two points of the pair's frame, one a body.
+template <class S>
+struct PointPair {
+  Vec3<S> x1, x2;
+};
+
+/// The documented start: where the line of centres leaves body 1 towards body 2's centre, and where it enters body 2.
+/// Coinciding centres: the line along z.
+template <class S>
+[[nodiscard]] inline PointPair<S> centre_line_start(const PlacedPair<S>& pair) {
+  const Vec3<S>& c = pair.body2.centre;
+  const Vec3<S> line = c.isZero(S(0)) ? Vec3<S>::UnitZ().eval() : c;
+  const S g1 = gauge<S>(pair.body1.shape, pair.body1.to_body_direction(line));
+  const S g2 = gauge<S>(pair.body2.shape, pair.body2.to_body_direction(line));
+  return {line / g1, c - line / g2};
+}
+
+/// The points of an earlier contact where there is one, otherwise the documented start.
+template <class S>
+[[nodiscard]] inline PointPair<S> start_points(const PlacedPair<S>& placed, const Pair& pair, const Contact<S>* last) {
+  if (last == nullptr || !last->point1.allFinite() || !last->point2.allFinite()) return centre_line_start<S>(placed);
+  return {placed.to_pair_point(last->point1, pair), placed.to_pair_point(last->point2, pair)};
+}
+
+/// |overlap| up to this many epsilon of the pair's size leaves the verdict undecided.
+inline constexpr double undecided_floor = 16;
+
+template <class S>
+[[nodiscard]] inline Verdict verdict_of(const S& overlap, const S& size) {
+  const S floor = S(undecided_floor) * epsilon<S>() * size;
+  if (overlap > floor) return Verdict::overlapping;
+  return overlap < -floor ? Verdict::separated : Verdict::undecided;
+}
+
+/// Fills a contact from two points and the normal of the pair's frame; the overlap is n.(x1 - x2).
+template <class S>
+void set_contact(Contact<S>& out, const PlacedPair<S>& placed, const Pair& pair, const PointPair<S>& at,
+                 const Vec3<S>& normal) {
+  out.normal = normal;
+  const S overlap = normal.dot(at.x1 - at.x2);
+  out.verdict = verdict_of<S>(overlap, placed.size());
+  out.overlap = placed.to_world_length(overlap);
+  out.point1 = placed.to_world_point(at.x1, pair);
+  out.point2 = placed.to_world_point(at.x2, pair);
+  out.contact_point = placed.to_world_point((at.x1 + at.x2) / S(2), pair);
+}
+
+}  // namespace plumb

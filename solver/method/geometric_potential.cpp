@@ -1,0 +1,10 @@
+#include "solver/method/geometric_potential.hpp"
+
+#include "solver/method/geometric_potential_impl.hpp"
+
+namespace plumb {
+
+PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(double)
+PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(long double)
+
+}  // namespace plumb

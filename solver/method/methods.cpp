@@ -1,0 +1,53 @@
+#include "solver/method/methods.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "solver/method/common_normal.hpp"
+#include "solver/method/geometric_potential.hpp"
+
+namespace plumb {
+namespace {
+
+/// What every method does alike: refuse illegal input, and put its name on the answer.
+template <class S, SolveFunction<S> method>
+Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
+  Contact<S> out;
+  out.status = Status::invalid_input;
+  return is_valid(pair) ? method(pair, want, last) : out;
+}
+
+template <SolveFunction<double> method, SolveFunction<long double> method_long>
+constexpr Method row(std::string_view name, Problem problem, std::string_view summary) {
+  return {name, problem, summary, guarded<double, method>, guarded<long double, method_long>};
+}
+
+#define PLUMB_ROW(function, problem, summary) row<function<double>, function<long double>>(#function, problem, summary)
+
+// `auto` answers by new_cn until a solver of its own replaces it: the answer's `method` says so.
+constexpr std::array all_methods{
+    row<new_cn<double>, new_cn<long double>>("auto", Problem::common_normal,
+                                             "the default; answers by new_cn for now, and names it in the answer"),
+    PLUMB_ROW(original_cn, Problem::common_normal,
+              "Lin & Ng's six equations as published, absolute values and all (Eqs. 1-6)"),
+    PLUMB_ROW(corrected_cn, Problem::common_normal, "the same with the signs kept, z still not asked for (Eqs. 1-4, 7, 8)"),
+    PLUMB_ROW(new_cn, Problem::common_normal,
+              "normals opposite and d along them, all components (Eq. 10), line-search Newton"),
+    PLUMB_ROW(geometric_potential, Problem::deepest_points,
+              "the point of each surface that lies deepest in the other body's potential"),
+    PLUMB_ROW(geometric_potential_midway, Problem::midway,
+              "the point where both potentials are equal and their gradients opposite (LAMMPS, LIGGGHTS)"),
+};
+
+}  // namespace
+
+std::span<const Method> methods() {
+  return all_methods;
+}
+
+const Method* find_method(std::string_view name) {
+  const auto found = std::find_if(all_methods.begin(), all_methods.end(), [&](const Method& m) { return m.name == name; });
+  return found == all_methods.end() ? nullptr : &*found;
+}
+
+}  // namespace plumb
