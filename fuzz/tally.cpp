@@ -12,13 +12,17 @@ constexpr int kBinsPerDecade = 20;
 constexpr int kZeroBin = -10000;
 constexpr int kInfiniteBin = 10000;
 
-int bin_of(double value) {
+constexpr int kLastWhole = 100000;
+
+int bin_of(double value, Histogram::Scale scale) {
+  if (scale == Histogram::Scale::whole) return static_cast<int>(std::min(value, double{kLastWhole}));
   if (!(value > 0)) return kZeroBin;
   if (std::isinf(value)) return kInfiniteBin;
   return static_cast<int>(std::ceil(kBinsPerDecade * std::log10(value)));
 }
 
-double upper_edge(int bin) {
+double upper_edge(int bin, Histogram::Scale scale) {
+  if (scale == Histogram::Scale::whole) return bin;
   if (bin == kZeroBin) return 0;
   if (bin == kInfiniteBin) return std::numeric_limits<double>::infinity();
   return std::pow(10.0, static_cast<double>(bin) / kBinsPerDecade);
@@ -33,7 +37,7 @@ void add_all(std::array<std::uint64_t, N>& to, const std::array<std::uint64_t, N
 
 void Histogram::add(double value) {
   if (std::isnan(value)) return;
-  ++bins_[bin_of(value)];
+  ++bins_[bin_of(value, scale_)];
   max_ = std::max(max_, value);
 }
 
@@ -53,7 +57,7 @@ double Histogram::percentile(double p) const {
   std::uint64_t below = 0;
   for (const auto& [bin, n] : bins_) {
     below += n;
-    if (static_cast<double>(below) >= wanted) return std::min(upper_edge(bin), max_);
+    if (static_cast<double>(below) >= wanted) return std::min(upper_edge(bin, scale_), max_);
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -70,12 +74,10 @@ Json Histogram::to_json() const {
   return {{"bins", bins}, {"max", std::isinf(max_) ? Json() : Json(max_)}};
 }
 
-Histogram Histogram::from_json(const Json& json) {
-  Histogram h;
-  for (const auto& [bin, n] : json.at("bins").items()) h.bins_[std::stoi(bin)] = n.get<std::uint64_t>();
+void Histogram::read(const Json& json) {
+  for (const auto& [bin, n] : json.at("bins").items()) bins_[std::stoi(bin)] = n.get<std::uint64_t>();
   const Json& max = json.at("max");
-  h.max_ = max.is_null() ? std::numeric_limits<double>::infinity() : max.get<double>();
-  return h;
+  max_ = max.is_null() ? std::numeric_limits<double>::infinity() : max.get<double>();
 }
 
 void Tally::merge(const Tally& other) {
@@ -117,11 +119,11 @@ Tally Tally::from_json(const Json& json) {
   json.at("converged_findings").get_to(t.converged_findings);
   json.at("statuses").get_to(t.statuses);
   json.at("angles_wrong").get_to(t.angles_wrong);
-  t.angle_error_deg = Histogram::from_json(json.at("angle_error_deg"));
-  t.overlap_error = Histogram::from_json(json.at("overlap_error"));
-  t.iterations = Histogram::from_json(json.at("iterations"));
-  t.evaluations = Histogram::from_json(json.at("evaluations"));
-  t.nanoseconds = Histogram::from_json(json.at("nanoseconds"));
+  t.angle_error_deg.read(json.at("angle_error_deg"));
+  t.overlap_error.read(json.at("overlap_error"));
+  t.iterations.read(json.at("iterations"));
+  t.evaluations.read(json.at("evaluations"));
+  t.nanoseconds.read(json.at("nanoseconds"));
   return t;
 }
 

@@ -12,10 +12,12 @@
 
 namespace plumb {
 
-/// Non-negative values in fixed bins: 0, then 20 bins a decade. Percentiles are upper edges of bins (at most 12.3 % above the
-/// value, and never above the maximum), which is exact.
+/// Non-negative values in fixed bins: whole numbers each in a bin of its own, others in the bin 0 and 20 bins a decade.
+/// A percentile is the upper edge of its bin (at most 12.3 % above the value, never above the maximum).
 class Histogram {
  public:
+  enum class Scale { decades, whole };
+  explicit Histogram(Scale scale = Scale::decades) : scale_(scale) {}
   void add(double value);
   void merge(const Histogram& other);
   [[nodiscard]] std::uint64_t count() const;
@@ -25,10 +27,10 @@ class Histogram {
   /// { "p50", "p99", "max" }, null when empty.
   [[nodiscard]] Json summary() const;
   [[nodiscard]] Json to_json() const;
-  [[nodiscard]] static Histogram from_json(const Json& json);
-  bool operator==(const Histogram&) const = default;
+  void read(const Json& json);
 
  private:
+  Scale scale_;
   std::map<int, std::uint64_t> bins_;
   double max_ = -1;
 };
@@ -49,7 +51,7 @@ struct Tally {
   std::uint64_t angles_wrong = 0;     ///< converged answers with an angle error above kWrongAngleDeg
   Histogram angle_error_deg;          ///< of the converged answers
   Histogram overlap_error;            ///< of the converged answers, relative to the size
-  Histogram iterations, evaluations;  ///< of all answers
+  Histogram iterations{Histogram::Scale::whole}, evaluations{Histogram::Scale::whole};  ///< of all answers
   Histogram nanoseconds;              ///< one solve, first call; the only field that is not reproducible
 
   void merge(const Tally& other);

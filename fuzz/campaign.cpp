@@ -1,0 +1,166 @@
+#include "fuzz/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <thread>
+
+#include "corpus/interrupt.hpp"
+#include "fuzz/judging.hpp"
+#include "fuzz/progress.hpp"
+#include "properties/families.hpp"
+
+namespace plumb {
+namespace {
+
+/// One case while it is judged.
+struct Round {
+  Results& results;
+  const Source& source;
+  const CampaignOptions& options;
+  Case c;
+  Judge judge;
+};
+
+bool is_published(const std::string& method, const Solver& asked, const CampaignOptions& options) {
+  if (method == asked.name) return asked.published;
+  static const std::vector<Solver> known = all_solvers();
+  for (const auto* list : {&known, &options.solvers})
+    for (const Solver& solver : *list)
+      if (solver.name == method) return solver.published;
+  return asked.published;
+}
+
+bool asked_too(const std::string& method, const CampaignOptions& options) {
+  return std::any_of(options.solvers.begin(), options.solvers.end(), [&](const Solver& s) { return s.name == method; });
+}
+
+void keep(Round& round, const std::string& method, const Finding& finding) {
+  const std::string words = bucket(name(finding.kind), method, round.c.pair, round.judge.reference());
+  ++round.results.buckets[words];
+  round.results.kept.add(words, failure_of(failing_case(round.c, method, finding, round.source.command)));
+}
+
+/// The reference is no method: its case is kept without an expectation that replay could not ask for.
+void keep_beaten_reference(Round& round, const std::string& method, double by) {
+  const Finding finding{FindingKind::wrong_branch, by / 1e-9, "lowest overlap",
+                        fmt::format("the normal of {} proves an overlap lower by {:.3g} of the size", method, by)};
+  Case kept = failing_case(round.c, "reference", finding, round.source.command);
+  kept.expect = {};
+  const std::string words = bucket(name(finding.kind), "reference", round.c.pair, round.judge.reference());
+  ++round.results.buckets[words];
+  round.results.kept.add(words, failure_of(std::move(kept)));
+}
+
+std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
+  FamilyResults& family = round.results.families[round.source.family];
+  std::vector<Tally*> tallies{&family.methods[method]};
+  const Json& from = round.c.provenance;
+  if (from.is_object() && from.contains("generator"))
+    tallies.push_back(&family.generators[from["generator"].get<std::string>()][method]);
+  return tallies;
+}
+
+/// True when the reference was beaten.
+bool judge_answer(Round& round, const Solver& solver) {
+  const JudgedAnswer judged = solve_and_judge(round.judge, round.c.pair, solver);
+  const std::string method = answering_method(solver, judged.answer);
+  if (method != solver.name) ++round.results.answered_by[solver.name][method];
+  // An answer of a method that is asked itself counts once, there.
+  if (method != solver.name && asked_too(method, round.options)) return false;
+  for (Tally* tally : tallies_of(round, method)) {
+    tally->published = is_published(method, solver, round.options);
+    add_answer(*tally, judged.answer, judged.judgement, judged.nanoseconds);
+  }
+  if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
+  const double by = beats_reference(round.c.pair, judged.answer, round.judge.reference());
+  if (by > 0) keep_beaten_reference(round, method, by);
+  return by > 0;
+}
+
+void judge_answers(Round& round) {
+  bool beaten = false;
+  for (const Solver& solver : round.options.solvers) beaten = judge_answer(round, solver) || beaten;
+  FamilyResults& family = round.results.families[round.source.family];
+  ++family.cases;
+  family.reference_beaten += beaten ? 1 : 0;
+  family.reference_unsolved += round.judge.reference().common_normal.solved ? 0 : 1;
+}
+
+/// The k-th case of the shard, over all sources.
+struct Work {
+  const Source* source;
+  std::uint64_t index;
+};
+
+std::vector<std::uint64_t> shard_sizes(const std::vector<Source>& sources, const Shard& shard) {
+  std::vector<std::uint64_t> sizes;
+  for (const Source& source : sources) sizes.push_back((source.cases + shard.count - shard.number) / shard.count);
+  return sizes;
+}
+
+Work work_at(const std::vector<Source>& sources, const std::vector<std::uint64_t>& sizes, const Shard& shard,
+             std::uint64_t k) {
+  std::size_t at = 0;
+  for (; k >= sizes[at]; ++at) k -= sizes[at];
+  return {&sources[at], k * shard.count + shard.number - 1};
+}
+
+void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, Progress& progress) {
+  while (done.load() < total && !interrupted()) {
+    progress.show(done.load());
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+}  // namespace
+
+Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed, const std::string& methods) {
+  return {family, cases, [=](std::uint64_t index) { return generate(family, seed, index); },
+          fmt::format("plumb campaign --family {} --cases {} --seed {} --method {}", family, cases, seed, methods)};
+}
+
+void judge_case(Results& results, const Source& source, std::uint64_t index, const CampaignOptions& options) {
+  try {
+    Case c = source.at(index);
+    Judge judge(c.pair);
+    Round round{results, source, options, std::move(c), std::move(judge)};
+    judge_answers(round);
+  } catch (const std::exception& e) {
+    ++results.harness_errors[fmt::format("{} {}: {}", source.family, index, e.what())];
+  }
+}
+
+Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options) {
+  const auto sizes = shard_sizes(sources, options.shard);
+  std::uint64_t total = 0;
+  for (const std::uint64_t size : sizes) total += size;
+  std::atomic<std::uint64_t> next{0}, done{0};
+  std::vector<Results> parts(std::max(1u, options.threads));
+  const auto worker = [&](Results& results) {
+    for (std::uint64_t k = next++; k < total && !interrupted(); k = next++) {
+      const Work work = work_at(sources, sizes, options.shard, k);
+      judge_case(results, *work.source, work.index, options);
+      ++done;
+    }
+  };
+  Progress progress("judging", total);
+  {
+    std::vector<std::jthread> threads;
+    for (Results& part : parts) threads.emplace_back(worker, std::ref(part));
+    wait_for(done, total, progress);
+  }
+  Results results;
+  for (Results& part : parts) results.merge(std::move(part));
+  results.seed = options.seed;
+  results.threads = static_cast<unsigned>(parts.size());
+  results.seconds = progress.seconds();
+  results.incomplete = done.load() < total;
+  progress.finish(done.load());
+  return results;
+}
+
+}  // namespace plumb

@@ -1,0 +1,45 @@
+// The campaign: every case of its sources, every solver's answer, every law.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "corpus/case.hpp"
+#include "corpus/solver.hpp"
+#include "fuzz/results.hpp"
+
+namespace plumb {
+
+/// Where cases come from: a family under a seed, or the files of a folder.
+struct Source {
+  std::string family;
+  std::uint64_t cases = 0;
+  std::function<Case(std::uint64_t)> at;  ///< called from several threads at once
+  std::string command;                    ///< repeats this source's campaign; free of host, threads and shard
+};
+
+/// Case index i of each source belongs to the shard i % count + 1.
+struct Shard {
+  std::uint64_t number = 1, count = 1;
+};
+
+struct CampaignOptions {
+  std::vector<Solver> solvers;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+  Shard shard;
+};
+
+[[nodiscard]] Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed,
+                                   const std::string& methods);
+
+/// Judges until all is done or interrupted(); shows its progress. Never throws what a case or a solver throws: that is counted
+/// as a finding (crash) or as an error of the harness.
+[[nodiscard]] Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options);
+
+/// One case into the results, as each worker does it.
+void judge_case(Results& results, const Source& source, std::uint64_t index, const CampaignOptions& options);
+
+}  // namespace plumb

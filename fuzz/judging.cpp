@@ -1,0 +1,63 @@
+#include "fuzz/judging.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+
+#include "solver/pose.hpp"
+#include "solver/shape/superellipsoid.hpp"
+
+namespace plumb {
+namespace {
+
+Judgement crashed(const std::string& what) {
+  Judgement judgement;
+  judgement.finding = {FindingKind::crash, std::numeric_limits<double>::infinity(), "returns", what};
+  judgement.judged = true;
+  judgement.angle_error_deg = judgement.overlap_error = judgement.point_error = std::numeric_limits<double>::quiet_NaN();
+  return judgement;
+}
+
+/// o(n) = h1(n) + h2(-n) - n.(c2 - c1): the depth along any direction bounds the lowest overlap from above.
+long double depth_along(const Pair& pair, const Vec3<long double>& n) {
+  const auto placed = place<long double>(pair);
+  const long double reach1 = support<long double>(placed.body1.shape, placed.body1.to_body_direction(n));
+  const long double reach2 = support<long double>(placed.body2.shape, placed.body2.to_body_direction(-n));
+  return placed.to_world_length(reach1 + reach2 - n.dot(placed.body2.centre - placed.body1.centre));
+}
+
+}  // namespace
+
+JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver) {
+  using Clock = std::chrono::steady_clock;
+  JudgedAnswer out;
+  const Want want;
+  try {
+    const auto start = Clock::now();
+    out.answer = solver.solve(pair, want, nullptr);
+    out.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+    out.judgement = judge.judge(solver.problem, out.answer,
+                                [&](const Pair& related) { return solver.solve(related, want, nullptr); });
+  } catch (const std::exception& e) {
+    out.judgement = crashed(e.what());
+  }
+  return out;
+}
+
+std::string answering_method(const Solver& asked, const Contact<double>& answer) {
+  return answer.method.empty() ? asked.name : std::string(answer.method);
+}
+
+double beats_reference(const Pair& pair, const Contact<double>& answer, const Reference& reference) {
+  if (!reference.common_normal.solved || !answer.normal.allFinite()) return 0;
+  const Vec3<long double> normal = answer.normal.cast<long double>();
+  const long double length = normal.norm();
+  if (!(length > 0.5L && length < 2)) return 0;
+  // The search behind the reference ends 1e-9 of the size above the minimum.
+  constexpr long double gap = 1e-9L;
+  const long double size = size_of(pair);
+  const long double better = (reference.common_normal.overlap.convert_to<long double>() - depth_along(pair, normal / length)) / size;
+  return better > gap ? static_cast<double>(better) : 0;
+}
+
+}  // namespace plumb

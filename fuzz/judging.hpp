@@ -1,0 +1,26 @@
+// One answer, judged: what the campaign and the fuzz target have in common.
+#pragma once
+
+#include "corpus/solver.hpp"
+#include "properties/laws.hpp"
+
+namespace plumb {
+
+struct JudgedAnswer {
+  Contact<double> answer;
+  Judgement judgement;
+  double nanoseconds = 0;  ///< of the one solve that is judged
+};
+
+/// Solves and judges; an exception out of the solver is the finding `crash`.
+[[nodiscard]] JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver);
+
+/// The method to which an answer counts: the one that the answer names. `auto` answers by new_cn until it has a solver of its
+/// own; such an answer is the published method's, with its known faults, and not a claim of plumb's.
+[[nodiscard]] std::string answering_method(const Solver& asked, const Contact<double>& answer);
+
+/// How far below the reference's overlap a body-to-body depth along the answer's normal lies, relative to the size; > 0
+/// proves, up to rounding, that the reference missed the lowest common normal.
+[[nodiscard]] double beats_reference(const Pair& pair, const Contact<double>& answer, const Reference& reference);
+
+}  // namespace plumb

@@ -1,0 +1,182 @@
+#include "fuzz/results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "corpus/solver.hpp"
+#include "corpus/interrupt.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+void merge_tallies(Tallies& to, const Tallies& from) {
+  for (const auto& [method, tally] : from) to[method].merge(tally);
+}
+
+template <class Map>
+std::vector<std::string> ordered(const Map& map, const std::vector<std::string>& first) {
+  std::vector<std::string> names;
+  for (const std::string& name : first)
+    if (map.contains(name)) names.push_back(name);
+  for (const auto& entry : map)
+    if (std::find(first.begin(), first.end(), entry.first) == first.end()) names.push_back(entry.first);
+  return names;
+}
+
+Json tallies_json(const Tallies& tallies) {
+  Json json = Json::object();
+  for (const auto& [method, tally] : tallies) json[method] = tally.to_json();
+  return json;
+}
+
+Tallies read_tallies(const Json& json) {
+  Tallies tallies;
+  for (const auto& [method, tally] : json.items()) tallies[method] = Tally::from_json(tally);
+  return tallies;
+}
+
+Json family_json(const FamilyResults& family) {
+  Json generators = Json::object();
+  for (const auto& [name, tallies] : family.generators) generators[name] = tallies_json(tallies);
+  return {{"cases", family.cases},
+          {"reference_unsolved", family.reference_unsolved},
+          {"reference_beaten", family.reference_beaten},
+          {"methods", tallies_json(family.methods)},
+          {"generators", generators}};
+}
+
+FamilyResults read_family(const Json& json) {
+  FamilyResults family;
+  json.at("cases").get_to(family.cases);
+  json.at("reference_unsolved").get_to(family.reference_unsolved);
+  json.at("reference_beaten").get_to(family.reference_beaten);
+  family.methods = read_tallies(json.at("methods"));
+  for (const auto& [name, tallies] : json.at("generators").items()) family.generators[name] = read_tallies(tallies);
+  return family;
+}
+
+Json bins_json(const Results& results) {
+  Json families = Json::object();
+  for (const auto& [name, family] : results.families) families[name] = family_json(family);
+  return {{"format", "plumb/bins-1"},
+          {"seed", results.seed},
+          {"incomplete", results.incomplete},
+          {"families", families},
+          {"buckets", results.buckets},
+          {"answered_by", results.answered_by},
+          {"harness_errors", results.harness_errors},
+          {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
+}
+
+Results parse_bins(const Json& json) {
+  Results results;
+  json.at("seed").get_to(results.seed);
+  json.at("incomplete").get_to(results.incomplete);
+  for (const auto& [name, family] : json.at("families").items()) results.families[name] = read_family(family);
+  json.at("buckets").get_to(results.buckets);
+  json.at("answered_by").get_to(results.answered_by);
+  json.at("harness_errors").get_to(results.harness_errors);
+  json.at("timing").at("seconds").get_to(results.seconds);
+  json.at("timing").at("threads").get_to(results.threads);
+  return results;
+}
+
+/// Only what write() names, so that a folder with other files in it loses none.
+void remove_kept(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string file = entry.path().filename().string();
+    if (file.ends_with("--simplest.json") || file.ends_with("--worst.json")) fs::remove(entry.path());
+  }
+}
+
+}  // namespace
+
+void FamilyResults::merge(const FamilyResults& other) {
+  cases += other.cases;
+  reference_unsolved += other.reference_unsolved;
+  reference_beaten += other.reference_beaten;
+  merge_tallies(methods, other.methods);
+  for (const auto& [name, tallies] : other.generators) merge_tallies(generators[name], tallies);
+}
+
+void Results::merge(Results&& other) {
+  incomplete = incomplete || other.incomplete;
+  for (const auto& [name, family] : other.families) families[name].merge(family);
+  for (const auto& [bucket, n] : other.buckets) buckets[bucket] += n;
+  for (const auto& [asked, answered] : other.answered_by)
+    for (const auto& [by, n] : answered) answered_by[asked][by] += n;
+  for (const auto& [message, n] : other.harness_errors) harness_errors[message] += n;
+  kept.merge(std::move(other.kept));
+  seconds += other.seconds;
+  threads = std::max(threads, other.threads);
+}
+
+std::uint64_t Results::cases() const {
+  std::uint64_t n = 0;
+  for (const auto& entry : families) n += entry.second.cases;
+  return n;
+}
+
+Tallies Results::methods() const {
+  Tallies all;
+  for (const auto& entry : families) merge_tallies(all, entry.second.methods);
+  return all;
+}
+
+int exit_code(const Results& results) {
+  if (results.incomplete) return 130;
+  bool found = !results.harness_errors.empty();
+  for (const auto& [name, family] : results.families) {
+    found = found || family.reference_beaten > 0;
+    for (const auto& [method, tally] : family.methods) found = found || (!tally.published && tally.failures() > 0);
+  }
+  return found ? 1 : 0;
+}
+
+std::vector<std::string> family_order(const Results& results) {
+  return ordered(results.families, {"real", "spheroid", "ellipsoid", "superquadric", "hard"});
+}
+
+std::vector<std::string> method_order(const Tallies& tallies) {
+  std::vector<std::string> known;
+  for (const Solver& solver : all_solvers()) known.push_back(solver.name);
+  return ordered(tallies, known);
+}
+
+void prepare_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder / "failures", error);
+  if (error) throw InputFailure(folder.string(), 0, "--out", "cannot make the folder: " + error.message());
+  const fs::path probe = folder / "failures" / ".writable";
+  if (!std::ofstream(probe)) throw InputFailure(folder.string(), 0, "--out", "cannot write there");
+  fs::remove(probe, error);
+  remove_kept(folder / "failures");
+}
+
+void write_results(const Results& results, const fs::path& folder) {
+  results.kept.write(folder / "failures");
+  write_file(folder / "campaign.bins", bins_json(results).dump() + "\n");
+  write_file(folder / "summary.json", summary_json(results).dump(2) + "\n");
+}
+
+Results read_results(const fs::path& folder) {
+  const fs::path path = folder / "campaign.bins";
+  std::ifstream in(path);
+  if (!in) throw InputFailure(path.string(), 0, "campaign.bins", "cannot be read: is this the folder of a campaign?");
+  std::stringstream text;
+  text << in.rdbuf();
+  try {
+    Results results = parse_bins(Json::parse(text.str()));
+    results.kept.read(folder / "failures");
+    return results;
+  } catch (const Json::exception& e) {
+    throw InputFailure(path.string(), 0, "campaign.bins", e.what());
+  }
+}
+
+}  // namespace plumb

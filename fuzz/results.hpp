@@ -1,0 +1,63 @@
+// What a campaign found, in a form that adds up (over threads, shards and runs), and its files.
+//
+// DIR/summary.json   the contract's summary
+// DIR/campaign.bins      the counts behind it, for `plumb merge`
+// DIR/failures/      the simplest and the worst case of each bucket
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fuzz/kept.hpp"
+#include "fuzz/tally.hpp"
+
+namespace plumb {
+
+using Tallies = std::map<std::string, Tally>;  ///< by the method that answered
+
+struct FamilyResults {
+  std::uint64_t cases = 0;
+  std::uint64_t reference_unsolved = 0;  ///< no certified common normal: CN methods go unjudged
+  std::uint64_t reference_beaten = 0;    ///< an answer's normal proves a lower overlap than the reference's
+  Tallies methods;
+  std::map<std::string, Tallies> generators;  ///< of the family `hard`
+
+  void merge(const FamilyResults& other);
+};
+
+struct Results {
+  std::uint64_t seed = 0;
+  bool incomplete = false;
+  std::map<std::string, FamilyResults> families;
+  std::map<std::string, std::uint64_t> buckets;                           ///< failures in each
+  std::map<std::string, std::map<std::string, std::uint64_t>> answered_by;  ///< asked -> answered -> count, where they differ
+  std::map<std::string, std::uint64_t> harness_errors;                    ///< message -> cases
+  KeptFailures kept;
+  double seconds = 0;   ///< wall clock, added up over merged runs
+  unsigned threads = 0;
+
+  void merge(Results&& other);
+  [[nodiscard]] std::uint64_t cases() const;
+  [[nodiscard]] Tallies methods() const;  ///< over all families
+};
+
+/// 1 when a method that is no published baseline, the reference or the harness has a finding; 130 when interrupted; else 0.
+[[nodiscard]] int exit_code(const Results& results);
+
+/// real, spheroid, ellipsoid, superquadric, hard; methods in the order of `plumb methods`, foreign ones last.
+[[nodiscard]] std::vector<std::string> family_order(const Results& results);
+[[nodiscard]] std::vector<std::string> method_order(const Tallies& tallies);
+
+[[nodiscard]] Json summary_json(const Results& results);
+
+/// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. Failures that an
+/// earlier run left there are removed, so that the folder holds those of this one.
+void prepare_folder(const std::filesystem::path& folder);
+void write_results(const Results& results, const std::filesystem::path& folder);
+/// Throws InputFailure.
+[[nodiscard]] Results read_results(const std::filesystem::path& folder);
+
+}  // namespace plumb

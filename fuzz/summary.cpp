@@ -1,0 +1,112 @@
+// The contract's summary.json; what goes beyond it has names that begin with "x_".
+#include <sys/utsname.h>
+
+#include <thread>
+
+#include "fuzz/results.hpp"
+
+namespace plumb {
+namespace {
+
+Json share_json(std::uint64_t k, std::uint64_t n) {
+  const Share s = share_of(k, n);
+  return {{"count", k}, {"share", n == 0 ? Json() : Json(s.share)}, {"interval_95", {s.low, s.high}}};
+}
+
+template <class Word, std::size_t N>
+Json counts_json(const std::array<std::uint64_t, N>& counts) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < N; ++i)
+    if (counts[i] > 0) json[std::string(name(static_cast<Word>(i)))] = counts[i];
+  return json;
+}
+
+Json shares_json(const Tally& tally) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kFindingKinds; ++i)
+    if (tally.findings[i] > 0)
+      json[std::string(name(static_cast<FindingKind>(i)))] = share_json(tally.findings[i], tally.judged());
+  return json;
+}
+
+Json method_json(const Tally& tally) {
+  Json json;
+  json["findings"] = counts_json<FindingKind>(tally.findings);
+  json["angle_error_deg"] = tally.angle_error_deg.summary();
+  json["overlap_error"] = tally.overlap_error.summary();
+  json["iterations"] = tally.iterations.summary();
+  json["x_evaluations"] = tally.evaluations.summary();
+  json["x_answers"] = tally.cases;
+  json["x_judged"] = tally.judged();
+  json["x_unjudged"] = share_json(tally.unjudged, tally.cases);
+  json["x_published"] = tally.published;
+  json["x_statuses"] = counts_json<Status>(tally.statuses);
+  json["x_finding_shares"] = shares_json(tally);
+  json["x_converged"] = {{"count", tally.converged()},
+                         {"findings", counts_json<FindingKind>(tally.converged_findings)},
+                         {"angle_error_above_0.01_deg", share_json(tally.angles_wrong, tally.angle_error_deg.count())}};
+  return json;
+}
+
+Json methods_json(const Tallies& tallies) {
+  Json json = Json::object();
+  for (const std::string& method : method_order(tallies)) json[method] = method_json(tallies.at(method));
+  return json;
+}
+
+Json family_summary(const FamilyResults& family) {
+  return {{"cases", family.cases},
+          {"reference", {{"unsolved", share_json(family.reference_unsolved, family.cases)}, {"beaten", family.reference_beaten}}},
+          {"methods", methods_json(family.methods)}};
+}
+
+/// Counts alone: a generator sees too few cases for percentiles.
+Json generators_json(const Results& results) {
+  Json json = Json::object();
+  for (const auto& [name, family] : results.families)
+    for (const auto& [generator, tallies] : family.generators)
+      for (const std::string& method : method_order(tallies))
+        json[generator][method] = counts_json<FindingKind>(tallies.at(method).findings);
+  return json;
+}
+
+Json timing_json(const Results& results) {
+  Json methods = Json::object();
+  const Tallies tallies = results.methods();
+  for (const std::string& method : method_order(tallies)) methods[method] = tallies.at(method).nanoseconds.summary();
+  return {{"seconds", results.seconds},
+          {"cases_per_second", results.seconds > 0 ? static_cast<double>(results.cases()) / results.seconds : 0.0},
+          {"threads", results.threads},
+          {"ns_per_solve", methods}};
+}
+
+Json host_json() {
+  utsname host{};
+  uname(&host);
+  return {{"system", std::string(host.sysname) + " " + host.release},
+          {"machine", host.machine},
+          {"processors", std::thread::hardware_concurrency()},
+          {"compiler", __VERSION__}};
+}
+
+}  // namespace
+
+Json summary_json(const Results& results) {
+  Json json;
+  json["cases"] = results.cases();
+  json["seed"] = results.seed;
+  json["families"] = family_order(results);
+  if (results.incomplete) json["incomplete"] = true;
+  json["methods"] = methods_json(results.methods());
+  json["x_answered_by"] = results.answered_by;
+  json["x_harness_errors"] = results.harness_errors;
+  for (const std::string& family : family_order(results))
+    json["x_families"][family] = family_summary(results.families.at(family));
+  json["x_generators"] = generators_json(results);
+  json["x_buckets"] = results.buckets;
+  json["timing"] = timing_json(results);
+  json["host"] = host_json();
+  return json;
+}
+
+}  // namespace plumb

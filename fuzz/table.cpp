@@ -1,0 +1,153 @@
+#include "fuzz/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "fuzz/progress.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string percent(double share) {
+  const double p = 100 * share;
+  if (std::isnan(p)) return "-";
+  if (p == 0 || p == 100) return fmt::format("{:.0f}", p);
+  return p >= 10 ? fmt::format("{:.1f}", p) : (p >= 0.1 ? fmt::format("{:.2f}", p) : fmt::format("{:.2g}", p));
+}
+
+std::string share_text(std::uint64_t k, std::uint64_t n) {
+  const Share s = share_of(k, n);
+  return fmt::format("{:>6} [{}, {}]", percent(s.share), percent(s.low), percent(s.high));
+}
+
+std::string angle(double degrees) {
+  if (!(degrees >= 0)) return "-";
+  return degrees >= 10 ? fmt::format("{:.1f}", degrees) : fmt::format("{:.2g}", degrees);
+}
+
+std::string duration(double nanoseconds) {
+  if (std::isnan(nanoseconds)) return "-";
+  if (nanoseconds < 1e3) return fmt::format("{:.0f} ns", nanoseconds);
+  return nanoseconds < 1e6 ? fmt::format("{:.1f} us", nanoseconds / 1e3) : fmt::format("{:.1f} ms", nanoseconds / 1e6);
+}
+
+std::string iterations(const Histogram& h) {
+  if (h.count() == 0) return "-";
+  return fmt::format("{:.0f} / {:.0f}", h.percentile(0.5), h.percentile(0.99));
+}
+
+/// (word, "share [interval]") with the failures first, the most frequent of them on top.
+std::vector<std::pair<std::string, std::string>> finding_lines(const Tally& tally) {
+  std::vector<std::size_t> kinds;
+  for (std::size_t i = 0; i + 1 < kFindingKinds; ++i)
+    if (tally.findings[i] > 0) kinds.push_back(i);
+  std::stable_sort(kinds.begin(), kinds.end(), [&](auto a, auto b) { return tally.findings[a] > tally.findings[b]; });
+  kinds.push_back(kFindingKinds - 1);
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const std::size_t i : kinds)
+    lines.emplace_back(name(static_cast<FindingKind>(i)), share_text(tally.findings[i], tally.judged()));
+  if (tally.unjudged > 0) lines.emplace_back("(unjudged)", share_text(tally.unjudged, tally.cases));
+  return lines;
+}
+
+constexpr std::string_view kRow = "  {:<23}{:>7}  {:<14}{:<23}{:>9}{:>8}{:>8}{:>8}{:>10}{:>9}\n";
+
+std::string header() {
+  return fmt::format(kRow, "method", "conv. %", "finding", "share % [95 %]", ">0.01deg", "p50", "p99", "max", "iterations", "time");
+}
+
+std::string method_rows(const std::string& method, const Tally& tally) {
+  const auto lines = finding_lines(tally);
+  const Histogram& angles = tally.angle_error_deg;
+  const auto converged = share_of(tally.converged(), tally.cases);
+  const auto wrong = share_of(tally.angles_wrong, angles.count());
+  std::string text = fmt::format(kRow, method, percent(converged.share), lines[0].first, lines[0].second,
+                                 percent(wrong.share), angle(angles.percentile(0.5)), angle(angles.percentile(0.99)),
+                                 angle(angles.max()), iterations(tally.iterations),
+                                 duration(tally.nanoseconds.percentile(0.5)));
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    text += fmt::format("  {:<23}{:>7}  {:<14}{}\n", "", "", lines[i].first, lines[i].second);
+  return text;
+}
+
+std::string family_heading(const std::string& name, const FamilyResults& family) {
+  std::string text = fmt::format("\n{}: {} cases", name, grouped(family.cases));
+  if (family.reference_unsolved > 0)
+    text += fmt::format(", {} without a reference ({} %)", grouped(family.reference_unsolved),
+                        share_text(family.reference_unsolved, family.cases));
+  if (family.reference_beaten > 0) text += fmt::format(", the reference BEATEN in {}", grouped(family.reference_beaten));
+  return text + "\n";
+}
+
+std::string notes(const Results& results) {
+  std::string text = "\n  conv. %: of all answers; share: of the judged answers, with its Clopper-Pearson interval;\n"
+                     "  >0.01deg: per cent of the converged answers; p50, p99, max: their angle to the certified common normal, "
+                     "degrees;\n  iterations: p50 / p99 of all answers; time: median of one solve.\n";
+  for (const auto& [asked, answered] : results.answered_by)
+    for (const auto& [by, n] : answered)
+      text += fmt::format("  {} answered by {} in {} cases: they count as {}'s.\n", asked, by, grouped(n), by);
+  for (const auto& [message, n] : results.harness_errors) text += fmt::format("  HARNESS ERROR {}\n", message);
+  if (results.incomplete) text += "  INCOMPLETE: interrupted; what was done is counted.\n";
+  return text;
+}
+
+/// The plumb beside this program, as one would type it here.
+std::string plumb_command() {
+  const fs::path plumb = fs::read_symlink("/proc/self/exe").parent_path() / "plumb";
+  const std::string here = fs::proximate(plumb).string();
+  return here.starts_with("..") ? plumb.string() : here;
+}
+
+struct Line {
+  bool own;  ///< of a method that is no published baseline, or of the reference
+  std::uint64_t count;
+  std::string bucket;
+};
+
+std::vector<Line> sorted_buckets(const Results& results) {
+  const Tallies methods = results.methods();
+  std::vector<Line> lines;
+  for (const auto& [bucket, kept] : results.kept.buckets()) {
+    const auto method = methods.find(kept.worst.kept.expect.method.value_or("reference"));
+    const auto count = results.buckets.find(bucket);
+    lines.push_back({method == methods.end() || !method->second.published,
+                     count == results.buckets.end() ? 1 : count->second, bucket});
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const Line& a, const Line& b) { return std::pair(a.own, a.count) > std::pair(b.own, b.count); });
+  return lines;
+}
+
+}  // namespace
+
+std::string table_text(const Results& results) {
+  std::string text;
+  for (const std::string& name : family_order(results)) {
+    const FamilyResults& family = results.families.at(name);
+    text += family_heading(name, family) + header();
+    for (const std::string& method : method_order(family.methods)) text += method_rows(method, family.methods.at(method));
+  }
+  return text + notes(results);
+}
+
+std::string kept_text(const Results& results, const fs::path& folder) {
+  constexpr std::size_t shown = 24;
+  const auto lines = sorted_buckets(results);
+  if (lines.empty()) return "\nno failures.\n";
+  const std::string replay = plumb_command() + " replay ";
+  const fs::path failures = folder / "failures";
+  std::string text = fmt::format("\nkept failures: {} buckets, the simplest and the worst case of each; count, then the command:\n", lines.size());
+  for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
+    text += fmt::format("{:>9}  {}{}\n", grouped(lines[i].count), replay, (failures / (lines[i].bucket + "--worst.json")).string());
+  if (lines.size() > shown)
+    text += fmt::format("           and {} more; all of them: {}{}\n", lines.size() - shown, replay, failures.string());
+  return text;
+}
+
+}  // namespace plumb

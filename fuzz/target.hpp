@@ -1,0 +1,18 @@
+// A fuzz target: one function from bytes to an outcome, shared by the engine's entry point (engine.cpp) and the plain main()
+// (replay_main.cpp). Each target is one .cpp that defines examine().
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace plumb {
+
+struct Outcome {
+  bool stop = false;  ///< a finding that is an error
+  std::string line;   ///< in words, one line
+};
+
+[[nodiscard]] Outcome examine(std::span<const std::uint8_t> bytes);
+
+}  // namespace plumb
