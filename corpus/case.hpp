@@ -3,27 +3,27 @@
 
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "corpus/json_text.hpp"
 #include "solver/contact.hpp"
 
 namespace plumb {
 
-using Json = nlohmann::ordered_json;
-
-/// What a case promises; every field may be absent.
+/// What a case promises; every field may be absent. Status and finding are about the method; verdict, overlap, normal and
+/// points are about the pair and hold for every method that answers the same problem.
 struct Expect {
-  std::optional<std::string> method;   ///< the method that the expectations are about; default auto
+  std::optional<std::string> method;  ///< the method that the expectations are about; default auto
   std::optional<std::string> status;
   std::optional<std::string> verdict;
   std::optional<std::string> finding;
   std::optional<std::array<double, 2>> overlap;  ///< [lower, upper]
   std::optional<Vec3<double>> normal;
-  std::optional<double> normal_radius;           ///< rad
+  std::optional<double> normal_radius;  ///< rad
   std::optional<std::array<Vec3<double>, 2>> points;
 
   [[nodiscard]] bool empty() const;
@@ -35,10 +35,10 @@ struct Case {
   std::optional<Vec3<double>> motion;
   Expect expect;
   Json provenance;  ///< anything; null when absent
-  Json extra;       ///< the fields whose names begin with "x_", as an object; null when there are none
+  Json extra;       ///< the top-level fields whose names begin with "x_", as an object; null when there are none
 };
 
-/// Unusable input: what() is the one line "FILE:LINE: FIELD: REASON" (line in .jsonl only).
+/// Unusable input or output: what() is the one line "FILE:LINE: FIELD: REASON" (line in .jsonl only).
 class InputFailure : public std::runtime_error {
  public:
   InputFailure(const std::string& file, int line, const std::string& field, const std::string& reason);
@@ -61,16 +61,20 @@ class CaseReader {
   CaseReader& operator=(const CaseReader&) = delete;
   /// nullopt at the end; throws InputFailure.
   [[nodiscard]] std::optional<Case> next();
+  /// Line of the case that next() handed out last; 0 in a file that is one case.
+  [[nodiscard]] int line() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-/// Every case file (.json, .jsonl) at or under the paths, sorted by path. Throws InputFailure for a path that is missing.
+/// Every case file at or under the paths, sorted by path: a file that is named is one whatever its name, in a folder *.json
+/// and *.jsonl are, except a campaign's summary.json. Throws InputFailure for a path that is missing.
 [[nodiscard]] std::vector<std::filesystem::path> find_case_files(const std::vector<std::string>& paths);
 
-/// Writes text to a file by way of a temporary beside it, so that a full disk or Ctrl-C loses nothing; throws InputFailure.
+/// Writes text to a file by way of a temporary beside it, so that a full disk or Ctrl-C loses nothing of what was there;
+/// what is no regular file (/dev/stdout, a pipe) is written to directly. Throws InputFailure.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace plumb

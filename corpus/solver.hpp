@@ -14,7 +14,8 @@ struct Solver {
   std::string name;
   Problem problem = Problem::common_normal;
   std::string summary;
-  bool published = false;  ///< a baseline from the literature or a peer: its findings are results, not failures of plumb
+  bool published =
+      false;  ///< a baseline from the literature or a peer: its findings are results, not failures of plumb
   std::function<Contact<double>(const Pair&, const Want&, const Contact<double>* last)> solve;
 };
 

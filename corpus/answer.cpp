@@ -1,0 +1,164 @@
+#include "corpus/answer.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "corpus/fields.hpp"
+#include "corpus/words.hpp"
+#include "solver/diagnosis.hpp"
+
+namespace plumb {
+namespace {
+
+Json vector_json(const Vec3<double>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+void put(Json& out, const char* key, double value) {
+  if (std::isfinite(value)) out[key] = value;
+}
+
+void put(Json& out, const char* key, const Vec3<double>& value) {
+  if (value.allFinite()) out[key] = vector_json(value);
+}
+
+void put(Json& out, const char* key, const Vec3<double>& first, const Vec3<double>& second) {
+  if (first.allFinite() && second.allFinite()) out[key] = {vector_json(first), vector_json(second)};
+}
+
+void put_object(Json& out, const char* key, const Json& object) {
+  if (!object.empty()) out[key] = object;
+}
+
+void put_diagnosis(Json& out, const Answer& answer) {
+  const Contact<double>& contact = answer.contact;
+  const int sign = sign_of(contact.overlap);
+  const Diagnosis diagnosis = diagnose(answer.pair, contact.point1, contact.point2, sign == 0 ? 1 : sign);
+  Json angles, residues;
+  if (sign != 0) {
+    put(angles, "d_n1", diagnosis.d_n1);
+    put(angles, "d_n2", diagnosis.d_n2);
+  }
+  put(angles, "n1_n2", diagnosis.n1_n2);
+  for (std::size_t i = 0; i < 5; ++i) put(residues, ("R" + std::to_string(i + 1)).c_str(), diagnosis.residues[i]);
+  put_object(out, "angles_deg", angles);
+  put_object(out, "residuals", residues);
+}
+
+Json radius_json(double radius) {
+  return std::isinf(radius) ? Json("inf") : Json(radius);
+}
+
+Json curvature_json(const PrincipalCurvature<double>& curvature) {
+  Json out = Json::object();
+  if (std::isnan(curvature.radius1) || std::isnan(curvature.radius2)) return out;
+  out["radii"] = {radius_json(curvature.radius1), radius_json(curvature.radius2)};
+  put(out, "directions", curvature.direction1, curvature.direction2);
+  return out;
+}
+
+void put_curvature(Json& out, const Contact<double>& contact) {
+  const Json first = curvature_json(contact.curvature[0]), second = curvature_json(contact.curvature[1]);
+  if (!first.empty() || !second.empty()) out["curvature"] = {first, second};
+}
+
+std::optional<Field> given(const Field& answer, std::string_view key) {
+  const auto field = answer.find(key);
+  return field && field->value().is_null() ? std::nullopt : field;
+}
+
+Verdict verdict_of(double overlap) {
+  const int sign = sign_of(overlap);
+  if (sign == 0) return Verdict::undecided;
+  return sign > 0 ? Verdict::overlapping : Verdict::separated;
+}
+
+void read_geometry(Contact<double>& contact, const Field& answer) {
+  if (const auto overlap = given(answer, "overlap")) contact.overlap = overlap->number();
+  if (const auto normal = given(answer, "normal")) contact.normal = normal->vector();
+  if (const auto points = given(answer, "points")) {
+    contact.point1 = points->element(0, 2, "points").vector();
+    contact.point2 = points->element(1, 2, "points").vector();
+  }
+  if (const auto point = given(answer, "contact_point")) contact.contact_point = point->vector();
+}
+
+int read_count(const Field& field) {
+  if (!(field.number() >= 0 && field.number() <= 2147483647)) field.fail("must be a count");
+  return static_cast<int>(field.number());
+}
+
+GivenAnswer read_answer(const Field& answer) {
+  if (!answer.value().is_object()) answer.fail("must be an object with the fields of plumb solve");
+  GivenAnswer out{"", "answer", {}};
+  if (const auto name = given(answer, "name")) out.name = name->text();
+  if (const auto method = given(answer, "method")) out.method = method->text();
+  read_geometry(out.contact, answer);
+  const auto status = given(answer, "status"), verdict = given(answer, "verdict");
+  out.contact.status = status ? read_status(*status) : Status::converged;
+  out.contact.verdict = verdict ? read_verdict(*verdict) : verdict_of(out.contact.overlap);
+  if (const auto count = given(answer, "iterations")) out.contact.iterations = read_count(*count);
+  if (const auto count = given(answer, "evaluations")) out.contact.evaluations = read_count(*count);
+  return out;
+}
+
+std::string read_text(const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw InputFailure(path, 0, "", std::strerror(EISDIR));
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputFailure(path, 0, "", std::strerror(errno));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+int sign_of(double overlap) {
+  return (overlap > 0) - (overlap < 0);
+}
+
+Json answer_json(const Answer& answer) {
+  const Contact<double>& contact = answer.contact;
+  Json out;
+  out["name"] = answer.name;
+  out["method"] = contact.method;
+  out["status"] = name(contact.status);
+  out["verdict"] = name(contact.verdict);
+  if (answer.want.overlap) put(out, "overlap", contact.overlap);
+  if (answer.want.normal) put(out, "normal", contact.normal);
+  if (answer.want.points) {
+    put(out, "points", contact.point1, contact.point2);
+    put(out, "contact_point", contact.contact_point);
+  }
+  out["iterations"] = contact.iterations;
+  out["evaluations"] = contact.evaluations;
+  if (answer.want.points) put_diagnosis(out, answer);
+  if (answer.want.curvature) put_curvature(out, contact);
+  if (answer.nanoseconds) out["timing"]["ns"] = *answer.nanoseconds;
+  return out;
+}
+
+GivenAnswer parse_answer(const std::string& text, const std::string& file, int line) {
+  try {
+    const Json tree = read_json(text);
+    return read_answer(Field(tree));
+  } catch (const FieldError& error) {
+    throw InputFailure(file, line, error.field, error.what());
+  }
+}
+
+std::vector<GivenAnswer> read_answers(const std::string& path) {
+  const std::string text = read_text(path);
+  // No object that is spread over lines has another one beginning in its first column.
+  if (text.find("\n{") == std::string::npos) return {parse_answer(text, path)};
+  std::vector<GivenAnswer> answers;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number)
+    if (line.find_first_not_of(" \t\r") != std::string::npos) answers.push_back(parse_answer(line, path, number));
+  return answers;
+}
+
+}  // namespace plumb

@@ -1,0 +1,203 @@
+#include "corpus/case.hpp"
+
+#include <cmath>
+
+#include "corpus/angles.hpp"
+#include "corpus/fields.hpp"
+#include "corpus/words.hpp"
+#include "solver/reference/reference.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr const char* format_name = "plumb/case-1";
+
+void require_format(const Field& root) {
+  root.require_object({"format", "name", "bodies", "placement", "motion", "expect", "provenance"});
+  const Field format = root.member("format");
+  if (format.text() != format_name) format.fail(std::string("must be \"") + format_name + "\"");
+}
+
+Superellipsoid<double> read_shape(const Field& shape) {
+  shape.require_object({"superellipsoid"});
+  const Field fields = shape.member("superellipsoid");
+  fields.require_object({"semi_axes", "exponents"});
+  Superellipsoid<double> out;
+  out.semi_axes = fields.member("semi_axes").vector();
+  if (const auto exponents = fields.find("exponents")) {
+    const auto n = exponents->numbers<2>();
+    out.n1 = n[0];
+    out.n2 = n[1];
+  }
+  return out;
+}
+
+std::array<double, 4> read_orientation(const Field& orientation) {
+  orientation.require_object({"quaternion_wxyz", "euler_zxz", "euler_zxz_deg"});
+  const auto quaternion = orientation.find("quaternion_wxyz");
+  const auto radians = orientation.find("euler_zxz"), degrees = orientation.find("euler_zxz_deg");
+  if (quaternion.has_value() + radians.has_value() + degrees.has_value() != 1)
+    orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
+  if (quaternion) return quaternion->numbers<4>();
+  return radians ? quaternion_from_euler(radians->numbers<3>()) : quaternion_from_euler_deg(degrees->numbers<3>());
+}
+
+/// Without a position when a placement gives it.
+Body read_body(const Field& body, bool placed) {
+  body.require_object({"shape", "position", "orientation"});
+  Body out;
+  out.shape = read_shape(body.member("shape"));
+  if (!placed) out.position = body.member("position").vector();
+  out.quaternion = read_orientation(body.member("orientation"));
+  return out;
+}
+
+void require_legal(const Pair& pair) {
+  const InputError error = find_input_error(pair);
+  if (error.reason.empty()) return;
+  throw FieldError("bodies[" + std::to_string(error.body) + "]." + std::string(error.field), std::string(error.reason));
+}
+
+Vec3<double> read_placement(const Field& placement, const Pair& pair) {
+  placement.require_object({"line_deg", "overlap_ratio"});
+  const auto line = placement.member("line_deg").numbers<2>();
+  const Field ratio = placement.member("overlap_ratio");
+  if (!(ratio.number() < 1)) ratio.fail("must be below 1");
+  const Vec3<Real50> direction = line_direction_deg(line[0], line[1]);
+  const FirstTouch<Real50> touch = first_touch<Real50>(pair, direction);
+  if (!touch.solved) placement.fail("no first touch found along this line");
+  const Real50 distance = touch.distance * (1 - Real50(ratio.number()));
+  Vec3<double> position;
+  for (int i = 0; i < 3; ++i) position[i] = static_cast<double>(pair.body1.position[i] + distance * direction[i]);
+  if (!position.allFinite()) placement.fail("puts body 2 out of range");
+  return position;
+}
+
+Pair read_pair(const Field& root) {
+  const Field bodies = root.member("bodies");
+  const auto placement = root.find("placement");
+  const Field second = bodies.element(1, 2, "bodies");
+  if (placement && second.has("position"))
+    placement->fail("stands instead of bodies[1].position: give only one of them");
+  Pair pair{read_body(bodies.element(0, 2, "bodies"), false), read_body(second, placement.has_value())};
+  require_legal(pair);
+  if (placement) pair.body2.position = read_placement(*placement, pair);
+  return pair;
+}
+
+std::optional<std::string> read_word(const Field& expect, std::string_view key,
+                                     std::span<const std::string_view> words) {
+  const auto field = expect.find(key);
+  if (!field) return std::nullopt;
+  require_word(*field, words);
+  return field->text();
+}
+
+std::array<double, 2> read_interval(const Field& field) {
+  const auto interval = field.numbers<2>();
+  if (interval[0] > interval[1]) field.fail("lower bound above the upper one");
+  return interval;
+}
+
+double read_radius(const Field& expect, const Field& field) {
+  if (!expect.has("normal")) field.fail("says nothing without normal");
+  if (field.number() < 0) field.fail("must not be negative");
+  return field.number();
+}
+
+Vec3<double> read_direction(const Field& field) {
+  const Vec3<double> direction = field.vector();
+  if (direction.isZero(0)) field.fail("must not be zero");
+  return direction;
+}
+
+Expect read_expect(const Field& field) {
+  field.require_object({"method", "status", "verdict", "finding", "overlap", "normal", "normal_radius", "points"});
+  Expect out;
+  if (const auto method = field.find("method")) out.method = method->text();
+  out.status = read_word(field, "status", status_words());
+  out.verdict = read_word(field, "verdict", verdict_words());
+  out.finding = read_word(field, "finding", finding_words());
+  if (const auto overlap = field.find("overlap")) out.overlap = read_interval(*overlap);
+  if (const auto normal = field.find("normal")) out.normal = read_direction(*normal);
+  if (const auto radius = field.find("normal_radius")) out.normal_radius = read_radius(field, *radius);
+  if (const auto points = field.find("points"))
+    out.points = {points->element(0, 2, "points").vector(), points->element(1, 2, "points").vector()};
+  return out;
+}
+
+Json read_extra(const Json& root) {
+  Json extra;
+  for (const auto& [key, value] : root.items())
+    if (key.starts_with("x_")) extra[key] = value;
+  return extra;
+}
+
+Case read_case(const Json& tree) {
+  const Field root(tree);
+  require_format(root);
+  Case out;
+  if (const auto name = root.find("name")) out.name = name->text();
+  out.pair = read_pair(root);
+  if (const auto motion = root.find("motion")) out.motion = motion->vector();
+  if (const auto expect = root.find("expect")) out.expect = read_expect(*expect);
+  if (const auto provenance = root.find("provenance")) out.provenance = provenance->value();
+  out.extra = read_extra(tree);
+  return out;
+}
+
+Json numbers_json(const Vec3<double>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+Json body_json(const Body& body) {
+  Json shape;
+  shape["semi_axes"] = numbers_json(body.shape.semi_axes);
+  shape["exponents"] = {body.shape.n1, body.shape.n2};
+  Json out;
+  out["shape"]["superellipsoid"] = shape;
+  out["position"] = numbers_json(body.position);
+  out["orientation"]["quaternion_wxyz"] = body.quaternion;
+  return out;
+}
+
+Json expect_json(const Expect& expect) {
+  Json out;
+  if (expect.method) out["method"] = *expect.method;
+  if (expect.status) out["status"] = *expect.status;
+  if (expect.verdict) out["verdict"] = *expect.verdict;
+  if (expect.finding) out["finding"] = *expect.finding;
+  if (expect.overlap) out["overlap"] = *expect.overlap;
+  if (expect.normal) out["normal"] = numbers_json(*expect.normal);
+  if (expect.normal_radius) out["normal_radius"] = *expect.normal_radius;
+  if (expect.points) out["points"] = {numbers_json((*expect.points)[0]), numbers_json((*expect.points)[1])};
+  return out;
+}
+
+}  // namespace
+
+bool Expect::empty() const {
+  return expect_json(*this).is_null();
+}
+
+Case parse_case(const std::string& text, const std::string& file, int line) {
+  try {
+    return read_case(read_json(text));
+  } catch (const FieldError& error) {
+    throw InputFailure(file, line, error.field, error.what());
+  }
+}
+
+std::string format_case(const Case& c) {
+  Json out;
+  out["format"] = format_name;
+  out["name"] = c.name;
+  out["bodies"] = {body_json(c.pair.body1), body_json(c.pair.body2)};
+  if (c.motion) out["motion"] = numbers_json(*c.motion);
+  if (!c.expect.empty()) out["expect"] = expect_json(c.expect);
+  if (!c.provenance.is_null()) out["provenance"] = c.provenance;
+  for (const auto& [key, value] : c.extra.items()) out[key] = value;
+  return write_json(out);
+}
+
+}  // namespace plumb

@@ -1,0 +1,21 @@
+// What every command's main() shares: one line and exit 2 for unusable input, 130 after Ctrl-C, output that was written.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <functional>
+#include <string>
+
+namespace plumb {
+
+enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interrupted = 130 };
+
+/// Parses the arguments, runs the body (which returns 0 or 1) and turns whatever it throws into one line on stderr and 2.
+/// Ctrl-C only sets interrupted() of corpus/interrupt.hpp: the body stops when it sees it, and what it printed is kept.
+[[nodiscard]] int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
+
+/// Text and a line feed on standard output; throws when it cannot be written.
+void print_line(const std::string& text);
+
+}  // namespace plumb

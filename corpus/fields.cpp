@@ -1,0 +1,68 @@
+#include "corpus/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumb {
+namespace {
+
+// Of the other kinds (null, true, ...) the library's own word will do.
+std::string kind_of(const Json& value) {
+  return value.is_null() ? "null" : std::string("a ") + value.type_name();
+}
+
+}  // namespace
+
+std::string Field::path_of(std::string_view key) const {
+  return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+}
+
+bool Field::has(std::string_view key) const {
+  return value_->is_object() && value_->contains(std::string(key));
+}
+
+Field Field::member(std::string_view key) const {
+  if (!value_->is_object()) fail("must be an object, not " + kind_of(*value_));
+  const auto found = value_->find(std::string(key));
+  if (found == value_->end()) throw FieldError(path_of(key), "missing");
+  return {*found, path_of(key)};
+}
+
+std::optional<Field> Field::find(std::string_view key) const {
+  if (!has(key)) return std::nullopt;
+  return member(key);
+}
+
+void Field::require_object(std::initializer_list<std::string_view> known) const {
+  if (!value_->is_object()) fail("must be an object, not " + kind_of(*value_));
+  for (const auto& [key, value] : value_->items()) {
+    if (key.starts_with("x_") || std::find(known.begin(), known.end(), key) != known.end()) continue;
+    throw FieldError(path_of(key), "unknown field");
+  }
+}
+
+Field Field::element(std::size_t index, std::size_t size, const char* what) const {
+  const std::string wanted = "must be an array of " + std::to_string(size) + " " + what;
+  if (!value_->is_array()) fail(wanted + ", not " + kind_of(*value_));
+  if (value_->size() != size) fail(wanted + ", not " + std::to_string(value_->size()));
+  return {(*value_)[index], path_ + "[" + std::to_string(index) + "]"};
+}
+
+double Field::number() const {
+  if (!value_->is_number()) fail("must be a number, not " + kind_of(*value_));
+  const double x = value_->get<double>();
+  if (!std::isfinite(x)) fail("must be finite");
+  return x;
+}
+
+std::string Field::text() const {
+  if (!value_->is_string()) fail("must be a string, not " + kind_of(*value_));
+  return value_->get<std::string>();
+}
+
+Vec3<double> Field::vector() const {
+  const auto x = numbers<3>();
+  return {x[0], x[1], x[2]};
+}
+
+}  // namespace plumb

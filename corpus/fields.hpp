@@ -1,0 +1,52 @@
+// Reading the fields of a JSON tree with errors that say where: each function throws FieldError with the field's path.
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "corpus/json_text.hpp"
+#include "solver/contact.hpp"
+
+namespace plumb {
+
+/// A place in a tree that outlives it.
+class Field {
+ public:
+  explicit Field(const Json& root) : value_(&root) {}
+
+  [[nodiscard]] const Json& value() const { return *value_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[noreturn]] void fail(const std::string& reason) const { throw FieldError(path_, reason); }
+
+  /// The path of a member, whether it is there or not.
+  [[nodiscard]] std::string path_of(std::string_view key) const;
+  [[nodiscard]] bool has(std::string_view key) const;
+  [[nodiscard]] Field member(std::string_view key) const;
+  [[nodiscard]] std::optional<Field> find(std::string_view key) const;
+
+  /// Refuses anything but an object whose members are all known or begin with "x_".
+  void require_object(std::initializer_list<std::string_view> known) const;
+  /// Element of an array of exactly `size` values; `what` names them in the error ("numbers").
+  [[nodiscard]] Field element(std::size_t index, std::size_t size, const char* what) const;
+
+  [[nodiscard]] double number() const;
+  [[nodiscard]] std::string text() const;
+  template <std::size_t N>
+  [[nodiscard]] std::array<double, N> numbers() const {
+    std::array<double, N> out;
+    for (std::size_t i = 0; i < N; ++i) out[i] = element(i, N, "numbers").number();
+    return out;
+  }
+  [[nodiscard]] Vec3<double> vector() const;
+
+ private:
+  Field(const Json& value, std::string path) : value_(&value), path_(std::move(path)) {}
+
+  const Json* value_;
+  std::string path_;
+};
+
+}  // namespace plumb

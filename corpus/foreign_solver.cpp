@@ -1,0 +1,116 @@
+// The loader of shared libraries that implement solver/plumb_solver.h.
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "corpus/case.hpp"
+#include "corpus/solver.hpp"
+#include "solver/plumb_solver.h"
+
+namespace plumb {
+namespace {
+
+struct Library {
+  std::string name;
+  decltype(&plumb_solver_solve) solve;
+};
+
+plumb_body body_of(const Body& body) {
+  const Superellipsoid<double>& shape = body.shape;
+  plumb_body out{};
+  std::copy_n(shape.semi_axes.data(), 3, out.semi_axes);
+  out.exponents[0] = shape.n1;
+  out.exponents[1] = shape.n2;
+  std::copy_n(body.position.data(), 3, out.position);
+  std::copy_n(body.quaternion.data(), 4, out.quaternion_wxyz);
+  return out;
+}
+
+Vec3<double> vector_of(const double (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
+
+// The library may write any integer; what is no status vouches for nothing.
+Status status_of(int status) {
+  switch (status) {
+    case PLUMB_CONVERGED: return Status::converged;
+    case PLUMB_ITERATION_LIMIT: return Status::iteration_limit;
+    case PLUMB_SINGULAR: return Status::singular;
+    case PLUMB_NOT_FINITE: return Status::not_finite;
+    case PLUMB_INVALID_INPUT: return Status::invalid_input;
+    default: return Status::stalled;
+  }
+}
+
+Verdict verdict_of(int verdict) {
+  if (verdict == PLUMB_OVERLAPPING) return Verdict::overlapping;
+  return verdict == PLUMB_SEPARATED ? Verdict::separated : Verdict::undecided;
+}
+
+plumb_contact silent_contact() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {
+      PLUMB_STALLED, PLUMB_UNDECIDED, nan, {nan, nan, nan}, {{nan, nan, nan}, {nan, nan, nan}}, {nan, nan, nan}, 0, 0};
+}
+
+Contact<double> contact_of(const plumb_contact& answer) {
+  Contact<double> out;
+  out.status = status_of(answer.status);
+  out.verdict = verdict_of(answer.verdict);
+  out.overlap = answer.overlap;
+  out.normal = vector_of(answer.normal);
+  out.point1 = vector_of(answer.points[0]);
+  out.point2 = vector_of(answer.points[1]);
+  out.contact_point = vector_of(answer.contact_point);
+  out.iterations = answer.iterations;
+  out.evaluations = answer.evaluations;
+  return out;
+}
+
+Contact<double> solve_with(const Library& library, const Pair& pair) {
+  const plumb_pair input{{body_of(pair.body1), body_of(pair.body2)}};
+  plumb_contact answer = silent_contact();
+  const bool refused = library.solve(&input, &answer) != 0;
+  Contact<double> out = refused ? Contact<double>{} : contact_of(answer);
+  if (refused) out.status = Status::invalid_input;
+  out.method = library.name;
+  return out;
+}
+
+template <class Function>
+Function symbol(void* handle, const std::string& path, const char* name) {
+  void* address = dlsym(handle, name);
+  if (address == nullptr) throw InputFailure(path, 0, name, "not exported by the library (see solver/plumb_solver.h)");
+  return reinterpret_cast<Function>(address);
+}
+
+void require_version(void* handle, const std::string& path) {
+  const int version = symbol<decltype(&plumb_solver_version)>(handle, path, "plumb_solver_version")();
+  if (version == PLUMB_SOLVER_VERSION) return;
+  throw InputFailure(path, 0, "plumb_solver_version",
+                     "is " + std::to_string(version) + ", must be " + std::to_string(PLUMB_SOLVER_VERSION));
+}
+
+// Without a slash dlopen would look in the system's folders and not here.
+void* open_library(const std::string& path) {
+  const std::string name = path.find('/') == std::string::npos ? "./" + path : path;
+  void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw InputFailure(path, 0, "", std::string("cannot be loaded: ") + dlerror());
+  return handle;
+}
+
+}  // namespace
+
+// The library stays loaded until the process ends: what it registered with the system may outlive any owner of ours.
+Solver load_solver(const std::string& path) {
+  void* handle = open_library(path);
+  require_version(handle, path);
+  const auto solve = symbol<decltype(&plumb_solver_solve)>(handle, path, "plumb_solver_solve");
+  const std::string name = "solver:" + std::filesystem::path(path).filename().string();
+  const auto library = std::make_shared<const Library>(Library{name, solve});
+  return {name, Problem::common_normal, "foreign solver " + path, false,
+          [library](const Pair& pair, const Want&, const Contact<double>*) { return solve_with(*library, pair); }};
+}
+
+}  // namespace plumb

@@ -1,0 +1,119 @@
+// plumb solve: the contact of each case by one method or several.
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <sstream>
+
+#include "corpus/answer.hpp"
+#include "corpus/answer_table.hpp"
+#include "corpus/command.hpp"
+#include "corpus/interrupt.hpp"
+#include "corpus/solver.hpp"
+
+namespace plumb {
+namespace {
+
+struct Options {
+  std::string cases;
+  std::string methods;
+  std::string library;
+  std::string want = "overlap,normal,points";
+  int repeat = 1;
+  bool warm = false;
+  bool json = false;
+};
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
+  app.add_option("--method", options.methods, "NAME,.. or all; default auto (plumb methods lists them)");
+  app.add_option("--solver", options.library, "a shared library that implements solver/plumb_solver.h");
+  app.add_option("--want", options.want, "what to compute: overlap,normal,points,curvature")->capture_default_str();
+  app.add_option("--repeat", options.repeat, "time the smallest of this many calls")
+      ->check(CLI::Range(1, 1'000'000'000));
+  app.add_flag("--warm", options.warm, "start the timed calls from the case's own answer");
+  app.add_flag("--json", options.json, "one JSON object a line for each case and method");
+}
+
+Want parse_want(const std::string& names) {
+  Want want{false, false, false, false};
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');) {
+    if (name == "overlap")
+      want.overlap = true;
+    else if (name == "normal")
+      want.normal = true;
+    else if (name == "points")
+      want.points = true;
+    else if (name == "curvature")
+      want.curvature = true;
+    else
+      throw InputFailure("--want", 0, name, "must be overlap, normal, points or curvature");
+  }
+  return want;
+}
+
+std::vector<Solver> chosen_solvers(const Options& options) {
+  std::vector<Solver> solvers;
+  if (!options.methods.empty() || options.library.empty())
+    solvers = find_solvers(options.methods.empty() ? "auto" : options.methods);
+  if (!options.library.empty()) solvers.push_back(load_solver(options.library));
+  return solvers;
+}
+
+/// The last call's answer, which is that of every call, and the smallest time.
+Answer solve_case(const Case& c, const Solver& solver, const Want& want, const Options& options) {
+  using Clock = std::chrono::steady_clock;
+  Answer answer{c.name, c.pair, want, {}, {}};
+  Contact<double> start;
+  if (options.warm) start = solver.solve(c.pair, want, nullptr);
+  auto shortest = Clock::duration::max();
+  for (int i = 0; i < options.repeat && (i == 0 || !interrupted()); ++i) {
+    const auto before = Clock::now();
+    answer.contact = solver.solve(c.pair, want, options.warm ? &start : nullptr);
+    shortest = std::min(shortest, Clock::now() - before);
+  }
+  answer.nanoseconds = static_cast<double>(std::chrono::nanoseconds(shortest).count());
+  return answer;
+}
+
+void print_answers(const std::vector<Answer>& answers, bool json) {
+  if (json)
+    for (const Answer& answer : answers) print_line(write_json(answer_json(answer)));
+  else
+    print_line(answer_table(answers));
+}
+
+/// Where a stream is fed case by case, its reader waits for each answer.
+void hand_out() {
+  if (std::fflush(stdout) != 0) throw InputFailure("standard output", 0, "", std::strerror(errno));
+}
+
+int solve(const Options& options) {
+  const Want want = parse_want(options.want);
+  const std::vector<Solver> solvers = chosen_solvers(options);
+  CaseReader reader(options.cases);
+  bool any = false;
+  while (!interrupted()) {
+    const std::optional<Case> c = reader.next();
+    if (!c) break;
+    any = true;
+    std::vector<Answer> answers;
+    for (const Solver& solver : solvers) answers.push_back(solve_case(*c, solver, want, options));
+    print_answers(answers, options.json);
+    hand_out();
+  }
+  if (!any && !interrupted()) throw InputFailure(options.cases, 0, "", "holds no case");
+  return exit_done;
+}
+
+}  // namespace
+}  // namespace plumb
+
+int main(int argc, char** argv) {
+  plumb::Options options;
+  CLI::App app("Solve the contact of each case, by one method or all of them.", "plumb solve");
+  plumb::declare(app, options);
+  return plumb::run_command(app, argc, argv, [&] { return plumb::solve(options); });
+}

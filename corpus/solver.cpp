@@ -1,0 +1,55 @@
+#include "corpus/solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "corpus/case.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+namespace {
+
+// Everything else in the list is plumb's own, and a finding of it is a failure of plumb.
+bool is_baseline(std::string_view method) {
+  constexpr std::array<std::string_view, 4> baselines{"original_cn", "corrected_cn", "geometric_potential",
+                                                      "geometric_potential_midway"};
+  return std::find(baselines.begin(), baselines.end(), method) != baselines.end();
+}
+
+Solver solver_of(const Method& method) {
+  return {std::string(method.name), method.problem, std::string(method.summary), is_baseline(method.name),
+          [solve = method.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
+            return solve(pair, want, last);
+          }};
+}
+
+std::string known_names() {
+  std::string names;
+  for (const Method& method : methods()) names += (names.empty() ? "" : ", ") + std::string(method.name);
+  return names;
+}
+
+Solver find_solver(const std::string& name) {
+  if (const Method* method = find_method(name)) return solver_of(*method);
+  throw InputFailure("--method", 0, name, "no such method; there are " + known_names());
+}
+
+}  // namespace
+
+std::vector<Solver> all_solvers() {
+  std::vector<Solver> solvers;
+  for (const Method& method : methods()) solvers.push_back(solver_of(method));
+  return solvers;
+}
+
+std::vector<Solver> find_solvers(const std::string& names) {
+  if (names == "all") return all_solvers();
+  std::vector<Solver> solvers;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');) solvers.push_back(find_solver(name));
+  if (solvers.empty()) throw InputFailure("--method", 0, "", "names no method; there are " + known_names());
+  return solvers;
+}
+
+}  // namespace plumb
