@@ -10,9 +10,10 @@
 namespace plumb {
 namespace {
 
-// Everything else in the list is plumb's own, and a finding of it is a failure of plumb.
+// The source paper's methods, new_cn among them. Everything else in the list is plumb's own, and a finding of it is a
+// failure of plumb.
 bool is_baseline(std::string_view method) {
-  constexpr std::array<std::string_view, 4> baselines{"original_cn", "corrected_cn", "geometric_potential",
+  constexpr std::array<std::string_view, 5> baselines{"original_cn", "corrected_cn", "new_cn", "geometric_potential",
                                                       "geometric_potential_midway"};
   return std::find(baselines.begin(), baselines.end(), method) != baselines.end();
 }
