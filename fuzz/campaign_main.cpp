@@ -1,8 +1,8 @@
 // plumb campaign: random cases of the families, judged.
 #include <fmt/format.h>
 
-#include "fuzz/command.hpp"
-#include "corpus/interrupt.hpp"
+#include "corpus/command.hpp"
+#include "fuzz/arguments.hpp"
 #include "fuzz/table.hpp"
 
 namespace plumb {
@@ -44,7 +44,6 @@ int campaign(const Arguments& args) {
   for (const std::string& family : find_families(args.family))
     sources.push_back(family_source(family, static_cast<std::uint64_t>(args.cases), args.seed, methods_in_words(args)));
   if (!args.out.empty()) prepare_folder(args.out);
-  catch_interrupt();
   const Results results = run_campaign(sources, options);
   if (!args.out.empty()) write_results(results, args.out);
   fmt::print("{}", table_text(results));

@@ -1,7 +1,7 @@
 // plumb families: what the campaign can draw from.
 #include <fmt/format.h>
 
-#include "fuzz/command.hpp"
+#include "corpus/command.hpp"
 #include "properties/families.hpp"
 
 namespace plumb {

@@ -1,1 +1,98 @@
-int main() { return 0; }
+// plumb fuzz-run: the second half of ./fuzz/run - real pairs, the families, then the coverage-guided target; one table.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "corpus/command.hpp"
+#include "corpus/interrupt.hpp"
+#include "fuzz/arguments.hpp"
+#include "fuzz/engine_run.hpp"
+#include "fuzz/table.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  double minutes = 5;
+  std::uint64_t seed = 1;
+  unsigned threads = default_threads();
+  std::string out = "build/fuzz-run", fuzzer;
+  std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
+};
+
+/// How many per minute of ./fuzz/run, from the speed of two cores. Counts and not a clock end the run, so that a second
+/// machine finds the same.
+struct Rate {
+  const char* what;
+  double per_minute;
+};
+constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 4000}, {"superquadric", 1200}, {"hard", 800}};
+constexpr Rate kEngine{"runs of fuzz-pair", 1000};
+
+std::uint64_t scaled(const Rate& rate, double minutes) {
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(rate.per_minute * minutes)));
+}
+
+/// Names its cases by their place in the folder, which the seed does not change.
+Source real_source(const std::string& folder) {
+  std::vector<Case> cases;
+  for (const fs::path& path : find_case_files({folder})) {
+    CaseReader reader(path.string());
+    while (auto c = reader.next()) {
+      if (!c->provenance.is_object()) c->provenance = Json::object();
+      c->provenance["family"] = "real";
+      c->provenance["index"] = cases.size();
+      cases.push_back(std::move(*c));
+    }
+  }
+  const std::uint64_t count = cases.size();
+  return {"real", count, [cases = std::move(cases)](std::uint64_t i) { return cases[i]; }, "plumb fuzz-run"};
+}
+
+std::vector<Source> sources_of(const Arguments& args) {
+  std::vector<Source> sources{real_source(args.real)};
+  for (const Rate& family : kFamilies)
+    sources.push_back(family_source(family.what, scaled(family, args.minutes), args.seed, "all"));
+  return sources;
+}
+
+std::string engine_text(const EngineRun& run) {
+  if (!run.ran) return "\ncoverage-guided: not run (no fuzz-pair; it needs clang: ./fuzz/run builds it)\n";
+  const std::string result = run.found.empty() ? "nothing that stops it" : "STOPPED: " + run.found;
+  return fmt::format("\ncoverage-guided (fuzz-pair, address and undefined sanitizers): {} inputs in {:.0f} s: {}\n", run.inputs,
+                     run.seconds, result);
+}
+
+int fuzz_run(const Arguments& args) {
+  const std::vector<Source> sources = sources_of(args);
+  prepare_folder(args.out);
+  const CampaignOptions options{all_solvers(), args.seed, args.threads, {}};
+  const Results results = run_campaign(sources, options);
+  write_results(results, args.out);
+  EngineRun engine;
+  if (!args.fuzzer.empty() && !interrupted())
+    engine = run_engine({args.fuzzer, args.seeds, args.out, scaled(kEngine, args.minutes), args.seed});
+  fmt::print("{}{}{}", table_text(results), engine_text(engine), kept_text(results, args.out));
+  add_to_summary(engine, args.out);
+  return std::max(exit_code(results), engine.found.empty() ? 0 : 1);
+}
+
+}  // namespace
+}  // namespace plumb
+
+int main(int argc, char** argv) {
+  plumb::Arguments args;
+  CLI::App app("Real pairs, random families and the coverage-guided target, judged; one table", "plumb fuzz-run");
+  app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--seed", args.seed)->capture_default_str();
+  app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
+  app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzer/")->capture_default_str();
+  app.add_option("--fuzzer", args.fuzzer, "the program fuzz-pair; without it that part is left out");
+  app.add_option("--real", args.real, "cases that go through every method first")->capture_default_str();
+  app.add_option("--seeds", args.seeds, "inputs from which fuzz-pair starts")->capture_default_str();
+  return plumb::run_command(app, argc, argv, [&] { return plumb::fuzz_run(args); });
+}

@@ -1,7 +1,7 @@
 // plumb merge: the results of several campaigns as one.
 #include <fmt/format.h>
 
-#include "fuzz/command.hpp"
+#include "corpus/command.hpp"
 #include "fuzz/table.hpp"
 
 namespace plumb {

@@ -1,4 +1,4 @@
-#include "fuzz/command.hpp"
+#include "fuzz/arguments.hpp"
 
 #include <fmt/format.h>
 
@@ -10,25 +10,6 @@
 #include "properties/families.hpp"
 
 namespace plumb {
-
-int run_command(CLI::App& app, int argc, const char* const* argv, const std::function<int()>& body) {
-  try {
-    app.parse(argc, argv);
-    return body();
-  } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
-    return 0;
-  } catch (const CLI::ParseError& e) {
-    fmt::print(stderr, "{}: {}\n", app.get_name(), e.what());
-    return 2;
-  } catch (const InputFailure& e) {
-    fmt::print(stderr, "{}\n", e.what());
-    return 2;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "{}: {}\n", app.get_name(), e.what());
-    return 1;
-  }
-}
 
 std::vector<std::string> find_families(const std::string& names) {
   std::vector<std::string> known, found;
