@@ -18,7 +18,8 @@ std::vector<std::string> find_families(const std::string& names) {
   std::stringstream list(names);
   for (std::string one; std::getline(list, one, ',');) {
     if (std::find(known.begin(), known.end(), one) == known.end())
-      throw InputFailure("plumb campaign", 0, "--family", fmt::format("no family '{}'; plumb families lists them", one));
+      throw InputFailure("plumb campaign", 0, "--family",
+                         fmt::format("no family '{}'; plumb families lists them", one));
     if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(one);
   }
   if (found.empty()) throw InputFailure("plumb campaign", 0, "--family", "is empty; plumb families lists them");
@@ -31,11 +32,14 @@ Shard parse_shard(const std::string& text) {
   const auto number = std::from_chars(text.data(), end, shard.number);
   const bool slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
   const auto count = slash ? std::from_chars(number.ptr + 1, end, shard.count) : number;
-  const bool legal = slash && count.ec == std::errc() && count.ptr == end && 1 <= shard.number && shard.number <= shard.count;
+  const bool legal =
+      slash && count.ec == std::errc() && count.ptr == end && 1 <= shard.number && shard.number <= shard.count;
   if (!legal) throw InputFailure("plumb campaign", 0, "--shard", fmt::format("'{}' is not i/n with 1 <= i <= n", text));
   return shard;
 }
 
-unsigned default_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
+unsigned default_threads() {
+  return std::max(1u, std::thread::hardware_concurrency());
+}
 
 }  // namespace plumb

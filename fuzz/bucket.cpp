@@ -44,7 +44,9 @@ std::string slenderness(const Pair& pair) {
   return needle ? "-needle" : (disc ? "-disc" : "");
 }
 
-double size_of_body(const Body& body) { return body.shape.semi_axes.maxCoeff(); }
+double size_of_body(const Body& body) {
+  return body.shape.semi_axes.maxCoeff();
+}
 
 std::string depth(const Pair& pair, const Reference& reference) {
   if (!reference.common_normal.solved) return "unknown";
@@ -66,7 +68,9 @@ std::vector<Vec3<double>> axes_of(const Body& body) {
   }
 }
 
-bool along(const Vec3<double>& u, const Vec3<double>& v) { return u.cross(v).norm() <= 1e-3 * u.norm() * v.norm(); }
+bool along(const Vec3<double>& u, const Vec3<double>& v) {
+  return u.cross(v).norm() <= 1e-3 * u.norm() * v.norm();
+}
 
 bool parallel(const Pair& pair) {
   for (const auto& u : axes_of(pair.body1))
@@ -93,8 +97,18 @@ std::string special(const Pair& pair) {
 
 std::array<double, 12> numbers_of(const Body& body) {
   const auto& [shape, position, q] = body;
-  return {shape.semi_axes[0], shape.semi_axes[1], shape.semi_axes[2], shape.n1, shape.n2, position[0],
-          position[1],        position[2],        q[0],               q[1],     q[2],     q[3]};
+  return {shape.semi_axes[0],
+          shape.semi_axes[1],
+          shape.semi_axes[2],
+          shape.n1,
+          shape.n2,
+          position[0],
+          position[1],
+          position[2],
+          q[0],
+          q[1],
+          q[2],
+          q[3]};
 }
 
 int digits(double value) {
@@ -112,7 +126,9 @@ std::string shape_class(const Pair& pair) {
   return std::string(names[kind]) + slenderness(pair);
 }
 
-std::string regime(const Pair& pair, const Reference& reference) { return depth(pair, reference) + special(pair); }
+std::string regime(const Pair& pair, const Reference& reference) {
+  return depth(pair, reference) + special(pair);
+}
 
 std::string bucket(std::string_view finding, std::string_view method, const Pair& pair, const Reference& reference) {
   return fmt::format("{}-{}-{}-{}", finding, method, shape_class(pair), regime(pair, reference));

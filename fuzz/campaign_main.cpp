@@ -16,7 +16,8 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& args) {
-  app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")->required();
+  app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")
+      ->required();
   app.add_option("--cases", args.cases, "cases of each family")->required()->check(CLI::PositiveNumber);
   app.add_option("--seed", args.seed, "same seed, same cases and results")->capture_default_str();
   app.add_option("--method", args.method, "methods with commas, or all (the default without --solver)");

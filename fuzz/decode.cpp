@@ -34,14 +34,17 @@ double pick(std::uint32_t v, const std::array<double, N>& special, double low, d
   return static_cast<double>(low * std::pow(static_cast<long double>(high) / low, t));
 }
 
-constexpr std::array<double, 16> kAspects{1, 2,   0.5,  3,    1.0 / 3, 5,    0.2, 10,
+constexpr std::array<double, 16> kAspects{1,   2,  0.5,  3,    1.0 / 3, 5,    0.2, 10,
                                           0.1, 20, 0.05, 1000, 0.001,   1e-2, 100, 1 + 0x1p-52};
 constexpr std::array<double, 16> kSizes{1, 2, 0.5, 3, 1.0 / 3, 5, 0.2, 10, 0.1, 100, 0.01, 1000, 0.001, 1e4, 1e-4, 1.5};
-constexpr std::array<double, 16> kExponents{2, 4, 3, 8, 2.5, 6, 1.5, 20, 10, 40, 1.1, 50, 2 + 1e-12, 2 - 1e-12, 1.25, 2.1};
-constexpr std::array<double, 16> kOverlaps{1e-2, 0,    1e-3, 5e-2, 0.1,  0.2,   0.5,   0.9,
+constexpr std::array<double, 16> kExponents{2,  4,  3,   8,  2.5,       6,         1.5,  20,
+                                            10, 40, 1.1, 50, 2 + 1e-12, 2 - 1e-12, 1.25, 2.1};
+constexpr std::array<double, 16> kOverlaps{1e-2, 0,    1e-3, 5e-2, 0.1,   0.2,   0.5,   0.9,
                                            1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-14, 1e-16};
 
-long double log_magnitude(std::uint32_t v) { return std::pow(10.0L, -16.0L * (1.0L - static_cast<long double>(v) / 65535)); }
+long double log_magnitude(std::uint32_t v) {
+  return std::pow(10.0L, -16.0L * (1.0L - static_cast<long double>(v) / 65535));
+}
 
 /// Degrees, so that round angles stay exact until their sine is taken.
 long double angle(Bytes bytes, std::size_t offset) {
@@ -168,7 +171,8 @@ long double touching_distance(const PairRecipe& recipe) {
 
 std::string hex(Bytes bytes) {
   std::string text;
-  for (const std::uint8_t byte : bytes.first(std::min(bytes.size(), kPairLayoutSize))) text += fmt::format("{:02x}", byte);
+  for (const std::uint8_t byte : bytes.first(std::min(bytes.size(), kPairLayoutSize)))
+    text += fmt::format("{:02x}", byte);
   return text;
 }
 
@@ -179,10 +183,10 @@ PairRecipe decode_recipe(Bytes bytes) {
   const double unit = read_unit(bytes);
   const auto shape1 = read_shape(bytes, 0, nullptr);
   const auto shape2 = read_shape(bytes, kBodySize, &shape1);
-  recipe.pair.body1 = {{shape1.semi_axes * unit, shape1.n1, shape1.n2}, Vec3<double>::Zero(), read_quaternion(bytes, 0)};
-  recipe.pair.body2 = {{shape2.semi_axes * unit, shape2.n1, shape2.n2},
-                       Vec3<double>::Zero(),
-                       read_quaternion(bytes, kBodySize)};
+  recipe.pair.body1 = {
+      {shape1.semi_axes * unit, shape1.n1, shape1.n2}, Vec3<double>::Zero(), read_quaternion(bytes, 0)};
+  recipe.pair.body2 = {
+      {shape2.semi_axes * unit, shape2.n1, shape2.n2}, Vec3<double>::Zero(), read_quaternion(bytes, kBodySize)};
   const auto [cz, sz] = cos_sin_deg(angle(bytes, 56));
   const auto [ca, sa] = cos_sin_deg(angle(bytes, 60));
   recipe.line = {sz * ca, sz * sa, cz};

@@ -63,8 +63,8 @@ std::vector<Source> sources_of(const Arguments& args) {
 std::string engine_text(const EngineRun& run) {
   if (!run.ran) return "\ncoverage-guided: not run (no fuzz-pair; it needs clang: ./fuzz/run builds it)\n";
   const std::string result = run.found.empty() ? "nothing that stops it" : "STOPPED: " + run.found;
-  return fmt::format("\ncoverage-guided (fuzz-pair, address and undefined sanitizers): {} inputs in {:.0f} s: {}\n", run.inputs,
-                     run.seconds, result);
+  return fmt::format("\ncoverage-guided (fuzz-pair, address and undefined sanitizers): {} inputs in {:.0f} s: {}\n",
+                     run.inputs, run.seconds, result);
 }
 
 int fuzz_run(const Arguments& args) {
@@ -87,7 +87,9 @@ int fuzz_run(const Arguments& args) {
 int main(int argc, char** argv) {
   plumb::Arguments args;
   CLI::App app("Real pairs, random families and the coverage-guided target, judged; one table", "plumb fuzz-run");
-  app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--seed", args.seed)->capture_default_str();
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
   app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzer/")->capture_default_str();

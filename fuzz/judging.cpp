@@ -14,7 +14,8 @@ Judgement crashed(const std::string& what) {
   Judgement judgement;
   judgement.finding = {FindingKind::crash, std::numeric_limits<double>::infinity(), "returns", what};
   judgement.judged = true;
-  judgement.angle_error_deg = judgement.overlap_error = judgement.point_error = std::numeric_limits<double>::quiet_NaN();
+  judgement.angle_error_deg = judgement.overlap_error = judgement.point_error =
+      std::numeric_limits<double>::quiet_NaN();
   return judgement;
 }
 
@@ -56,7 +57,8 @@ double beats_reference(const Pair& pair, const Contact<double>& answer, const Re
   // The search behind the reference ends 1e-9 of the size above the minimum.
   constexpr long double gap = 1e-9L;
   const long double size = size_of(pair);
-  const long double better = (reference.common_normal.overlap.convert_to<long double>() - depth_along(pair, normal / length)) / size;
+  const long double better =
+      (reference.common_normal.overlap.convert_to<long double>() - depth_along(pair, normal / length)) / size;
   return better > gap ? static_cast<double>(better) : 0;
 }
 

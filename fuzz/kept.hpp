@@ -43,6 +43,7 @@ class KeptFailures {
 };
 
 /// The case to keep of a finding by a method; `command` repeats the campaign.
-[[nodiscard]] Case failing_case(const Case& c, const std::string& method, const Finding& finding, const std::string& command);
+[[nodiscard]] Case failing_case(const Case& c, const std::string& method, const Finding& finding,
+                                const std::string& command);
 
 }  // namespace plumb

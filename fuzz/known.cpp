@@ -10,8 +10,8 @@ namespace plumb {
 namespace {
 
 constexpr std::array<KnownFault, 1> kKnown{{
-    {"new_cn", FindingKind::wrong_branch, "one start and no global guard: a common normal, but not the one of lowest overlap",
-     "issue 4"},
+    {"new_cn", FindingKind::wrong_branch,
+     "one start and no global guard: a common normal, but not the one of lowest overlap", "issue 4"},
 }};
 
 constexpr int kKinds = static_cast<int>(FindingKind::none);
@@ -25,12 +25,15 @@ std::set<FindingKind> all_kinds() {
 FindingKind kind_named(const std::string& word) {
   for (const FindingKind kind : all_kinds())
     if (name(kind) == word) return kind;
-  throw InputFailure("PLUMB_FUZZ_ABORT", 0, word, "is no finding; known: default, all, none and the findings of plumb check");
+  throw InputFailure("PLUMB_FUZZ_ABORT", 0, word,
+                     "is no finding; known: default, all, none and the findings of plumb check");
 }
 
 }  // namespace
 
-std::span<const KnownFault> known_faults() { return kKnown; }
+std::span<const KnownFault> known_faults() {
+  return kKnown;
+}
 
 AbortRule::AbortRule(std::string_view words) {
   if (words.empty() || words == "default") {

@@ -17,7 +17,8 @@ int merge(const Arguments& args) {
   for (std::size_t i = 1; i < args.folders.size(); ++i) {
     Results next = read_results(args.folders[i]);
     if (next.seed != all.seed)
-      throw InputFailure(args.folders[i], 0, "seed", fmt::format("is {}, that of {} is {}", next.seed, args.folders.front(), all.seed));
+      throw InputFailure(args.folders[i], 0, "seed",
+                         fmt::format("is {}, that of {} is {}", next.seed, args.folders.front(), all.seed));
     all.merge(std::move(next));
   }
   // After the reading: --out may be one of the folders that were read.

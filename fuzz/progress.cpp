@@ -19,7 +19,9 @@ Progress::Progress(std::string what, std::uint64_t total)
     : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()),
       printed_(start_) {}
 
-double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
 
 void Progress::show(std::uint64_t done) {
   const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(10000);
@@ -41,8 +43,8 @@ std::string Progress::line(std::uint64_t done) const {
     const auto rest = static_cast<std::uint64_t>(static_cast<double>(total_ - std::min(done, total_)) / rate);
     left = fmt::format("{}:{:02}", rest / 60, rest % 60);
   }
-  return fmt::format("{} {:3.0f} %  {} of {}  {:.0f}/s  {} left", what_, 100 * part, grouped(done), grouped(total_), rate,
-                     left);
+  return fmt::format("{} {:3.0f} %  {} of {}  {:.0f}/s  {} left", what_, 100 * part, grouped(done), grouped(total_),
+                     rate, left);
 }
 
 void Progress::print(std::uint64_t done) {

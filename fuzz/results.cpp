@@ -6,8 +6,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "corpus/solver.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/solver.hpp"
 
 namespace plumb {
 namespace {

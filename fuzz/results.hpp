@@ -32,11 +32,12 @@ struct Results {
   std::uint64_t seed = 0;
   bool incomplete = false;
   std::map<std::string, FamilyResults> families;
-  std::map<std::string, std::uint64_t> buckets;                           ///< failures in each
-  std::map<std::string, std::map<std::string, std::uint64_t>> answered_by;  ///< asked -> answered -> count, where they differ
-  std::map<std::string, std::uint64_t> harness_errors;                    ///< message -> cases
+  std::map<std::string, std::uint64_t> buckets;  ///< failures in each
+  std::map<std::string, std::map<std::string, std::uint64_t>>
+      answered_by;                                      ///< asked -> answered -> count, where they differ
+  std::map<std::string, std::uint64_t> harness_errors;  ///< message -> cases
   KeptFailures kept;
-  double seconds = 0;   ///< wall clock, added up over merged runs
+  double seconds = 0;  ///< wall clock, added up over merged runs
   unsigned threads = 0;
 
   void merge(Results&& other);

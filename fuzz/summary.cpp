@@ -56,7 +56,8 @@ Json methods_json(const Tallies& tallies) {
 
 Json family_summary(const FamilyResults& family) {
   return {{"cases", family.cases},
-          {"reference", {{"unsolved", share_json(family.reference_unsolved, family.cases)}, {"beaten", family.reference_beaten}}},
+          {"reference",
+           {{"unsolved", share_json(family.reference_unsolved, family.cases)}, {"beaten", family.reference_beaten}}},
           {"methods", methods_json(family.methods)}};
 }
 

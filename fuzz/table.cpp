@@ -59,7 +59,8 @@ std::vector<std::pair<std::string, std::string>> finding_lines(const Tally& tall
 constexpr std::string_view kRow = "  {:<23}{:>7}  {:<14}{:<23}{:>9}{:>8}{:>8}{:>8}{:>10}{:>9}\n";
 
 std::string header() {
-  return fmt::format(kRow, "method", "conv. %", "finding", "share % [95 %]", ">0.01deg", "p50", "p99", "max", "iterations", "time");
+  return fmt::format(kRow, "method", "conv. %", "finding", "share % [95 %]", ">0.01deg", "p50", "p99", "max",
+                     "iterations", "time");
 }
 
 std::string method_rows(const std::string& method, const Tally& tally) {
@@ -67,10 +68,10 @@ std::string method_rows(const std::string& method, const Tally& tally) {
   const Histogram& angles = tally.angle_error_deg;
   const auto converged = share_of(tally.converged(), tally.cases);
   const auto wrong = share_of(tally.angles_wrong, angles.count());
-  std::string text = fmt::format(kRow, method, percent(converged.share), lines[0].first, lines[0].second,
-                                 percent(wrong.share), angle(angles.percentile(0.5)), angle(angles.percentile(0.99)),
-                                 angle(angles.max()), iterations(tally.iterations),
-                                 duration(tally.nanoseconds.percentile(0.5)));
+  std::string text =
+      fmt::format(kRow, method, percent(converged.share), lines[0].first, lines[0].second, percent(wrong.share),
+                  angle(angles.percentile(0.5)), angle(angles.percentile(0.99)), angle(angles.max()),
+                  iterations(tally.iterations), duration(tally.nanoseconds.percentile(0.5)));
   for (std::size_t i = 1; i < lines.size(); ++i)
     text += fmt::format("  {:<23}{:>7}  {:<14}{}\n", "", "", lines[i].first, lines[i].second);
   return text;
@@ -81,14 +82,16 @@ std::string family_heading(const std::string& name, const FamilyResults& family)
   if (family.reference_unsolved > 0)
     text += fmt::format(", {} without a reference ({} %)", grouped(family.reference_unsolved),
                         share_text(family.reference_unsolved, family.cases));
-  if (family.reference_beaten > 0) text += fmt::format(", the reference BEATEN in {}", grouped(family.reference_beaten));
+  if (family.reference_beaten > 0)
+    text += fmt::format(", the reference BEATEN in {}", grouped(family.reference_beaten));
   return text + "\n";
 }
 
 std::string notes(const Results& results) {
-  std::string text = "\n  conv. %: of all answers; share: of the judged answers, with its Clopper-Pearson interval;\n"
-                     "  >0.01deg: per cent of the converged answers; p50, p99, max: their angle to the certified common normal, "
-                     "degrees;\n  iterations: p50 / p99 of all answers; time: median of one solve.\n";
+  std::string text =
+      "\n  conv. %: of all answers; share: of the judged answers, with its Clopper-Pearson interval;\n"
+      "  >0.01deg: per cent of the converged answers; p50, p99, max: their angle to the certified common normal, "
+      "degrees;\n  iterations: p50 / p99 of all answers; time: median of one solve.\n";
   for (const auto& [asked, answered] : results.answered_by)
     for (const auto& [by, n] : answered)
       text += fmt::format("  {} answered by {} in {} cases: they count as {}'s.\n", asked, by, grouped(n), by);
@@ -131,7 +134,8 @@ std::string table_text(const Results& results) {
   for (const std::string& name : family_order(results)) {
     const FamilyResults& family = results.families.at(name);
     text += family_heading(name, family) + header();
-    for (const std::string& method : method_order(family.methods)) text += method_rows(method, family.methods.at(method));
+    for (const std::string& method : method_order(family.methods))
+      text += method_rows(method, family.methods.at(method));
   }
   return text + notes(results);
 }
@@ -142,9 +146,11 @@ std::string kept_text(const Results& results, const fs::path& folder) {
   if (lines.empty()) return "\nno failures.\n";
   const std::string replay = plumb_command() + " replay ";
   const fs::path failures = folder / "failures";
-  std::string text = fmt::format("\nkept failures: {} buckets, the simplest and the worst case of each; count, then the command:\n", lines.size());
+  std::string text = fmt::format(
+      "\nkept failures: {} buckets, the simplest and the worst case of each; count, then the command:\n", lines.size());
   for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
-    text += fmt::format("{:>9}  {}{}\n", grouped(lines[i].count), replay, (failures / (lines[i].bucket + "--worst.json")).string());
+    text += fmt::format("{:>9}  {}{}\n", grouped(lines[i].count), replay,
+                        (failures / (lines[i].bucket + "--worst.json")).string());
   if (lines.size() > shown)
     text += fmt::format("           and {} more; all of them: {}{}\n", lines.size() - shown, replay, failures.string());
   return text;

@@ -42,17 +42,17 @@ inline constexpr double kWrongAngleDeg = 0.01;
 
 /// One method on one family (or generator).
 struct Tally {
-  bool published = true;       ///< a baseline: its findings are results
-  std::uint64_t cases = 0;     ///< answers given
-  std::uint64_t unjudged = 0;  ///< nothing found, but no reference to hold the answer against
-  std::array<std::uint64_t, kFindingKinds> findings{};   ///< of the judged
+  bool published = true;                                ///< a baseline: its findings are results
+  std::uint64_t cases = 0;                              ///< answers given
+  std::uint64_t unjudged = 0;                           ///< nothing found, but no reference to hold the answer against
+  std::array<std::uint64_t, kFindingKinds> findings{};  ///< of the judged
   std::array<std::uint64_t, kFindingKinds> converged_findings{};  ///< of the judged with status converged
   std::array<std::uint64_t, kStatuses> statuses{};
-  std::uint64_t angles_wrong = 0;     ///< converged answers with an angle error above kWrongAngleDeg
-  Histogram angle_error_deg;          ///< of the converged answers
-  Histogram overlap_error;            ///< of the converged answers, relative to the size
+  std::uint64_t angles_wrong = 0;  ///< converged answers with an angle error above kWrongAngleDeg
+  Histogram angle_error_deg;       ///< of the converged answers
+  Histogram overlap_error;         ///< of the converged answers, relative to the size
   Histogram iterations{Histogram::Scale::whole}, evaluations{Histogram::Scale::whole};  ///< of all answers
-  Histogram nanoseconds;              ///< one solve, first call; the only field that is not reproducible
+  Histogram nanoseconds;  ///< one solve, first call; the only field that is not reproducible
 
   void merge(const Tally& other);
   [[nodiscard]] std::uint64_t judged() const { return cases - unjudged; }

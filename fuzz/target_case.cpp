@@ -15,8 +15,18 @@ using BodyBits = std::array<std::uint64_t, 12>;
 
 BodyBits bits_of(const Body& body) {
   const auto& [shape, p, q] = body;
-  const std::array<double, 12> numbers{shape.semi_axes[0], shape.semi_axes[1], shape.semi_axes[2], shape.n1, shape.n2, p[0],
-                                       p[1],               p[2],               q[0],               q[1],     q[2],     q[3]};
+  const std::array<double, 12> numbers{shape.semi_axes[0],
+                                       shape.semi_axes[1],
+                                       shape.semi_axes[2],
+                                       shape.n1,
+                                       shape.n2,
+                                       p[0],
+                                       p[1],
+                                       p[2],
+                                       q[0],
+                                       q[1],
+                                       q[2],
+                                       q[3]};
   BodyBits bits{};
   for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = std::bit_cast<std::uint64_t>(numbers[i]);
   return bits;

@@ -1,0 +1,140 @@
+// Results do not depend on threads and shards, and a kept failure replays bit for bit.
+#include "fuzz/campaign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "fuzz/judging.hpp"
+#include "properties/families.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kSeed = 7;
+
+CampaignOptions options(unsigned threads, Shard shard = {}) {
+  return {find_solvers("original_cn,new_cn,auto,geometric_potential_midway"), kSeed, threads, shard};
+}
+
+std::vector<Source> sources() {
+  return {family_source("spheroid", 40, kSeed, "all"), family_source("hard", 33, kSeed, "all")};
+}
+
+/// All that must not depend on how the work was divided.
+Json comparable(const Results& results) {
+  Json json = summary_json(results);
+  json.erase("timing");
+  json.erase("host");
+  return json;
+}
+
+std::map<std::string, std::string> kept_texts(const Results& results) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [bucket, kept] : results.kept.buckets())
+    texts[bucket] = format_case(kept.simplest.kept) + format_case(kept.worst.kept);
+  return texts;
+}
+
+fs::path fresh_folder(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("plumb_" + name);
+  fs::remove_all(folder);
+  return folder;
+}
+
+class Campaign : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { single = new Results(run_campaign(sources(), options(1))); }
+  static void TearDownTestSuite() { delete single; }
+  static Results* single;
+};
+Results* Campaign::single = nullptr;
+
+TEST_F(Campaign, CountsEveryCaseOnce) {
+  EXPECT_EQ(single->cases(), 73u);
+  EXPECT_TRUE(single->harness_errors.empty());
+  for (const auto& [method, tally] : single->methods()) {
+    EXPECT_EQ(tally.cases, 73u) << method;
+    std::uint64_t found = tally.unjudged;
+    for (const std::uint64_t n : tally.findings) found += n;
+    EXPECT_EQ(found, tally.cases) << method;
+  }
+}
+
+TEST_F(Campaign, FindsWhatIsKnownOfTheOriginalMethod) {
+  const Tally& original = single->families.at("spheroid").methods.at("original_cn");
+  EXPECT_GT(original.failures(), 0u);
+  EXPECT_FALSE(single->kept.buckets().empty());
+}
+
+TEST_F(Campaign, ThreadsDoNotMatter) {
+  const Results many = run_campaign(sources(), options(3));
+  EXPECT_EQ(comparable(many), comparable(*single));
+  EXPECT_EQ(kept_texts(many), kept_texts(*single));
+}
+
+TEST_F(Campaign, MergedShardsAreTheSingleRun) {
+  Results all;
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    const fs::path folder = fresh_folder("shard" + std::to_string(i));
+    prepare_folder(folder);
+    write_results(run_campaign(sources(), options(1, {i, 3})), folder);
+    Results part = read_results(folder);
+    all.seed = part.seed;
+    all.merge(std::move(part));
+  }
+  EXPECT_EQ(comparable(all), comparable(*single));
+  EXPECT_EQ(kept_texts(all), kept_texts(*single));
+}
+
+TEST_F(Campaign, KeptFailuresReplayToTheSameSeverity) {
+  const fs::path folder = fresh_folder("kept");
+  prepare_folder(folder);
+  write_results(*single, folder);
+  const auto files = find_case_files({(folder / "failures").string()});
+  ASSERT_EQ(files.size(), 2 * single->kept.buckets().size());
+  for (const fs::path& file : files) {
+    CaseReader reader(file.string());
+    const Case c = *reader.next();
+    if (!c.expect.method) continue;
+    Judge judge(c.pair);
+    const Finding again = solve_and_judge(judge, c.pair, find_solvers(*c.expect.method).front()).judgement.finding;
+    EXPECT_EQ(name(again.kind), *c.expect.finding) << file;
+    const Json& severity = c.provenance.at("severity");
+    if (severity.is_number()) EXPECT_EQ(again.severity, severity.get<double>()) << file;
+  }
+}
+
+TEST(CampaignErrors, AThrowingSolverIsACrashOfTheSolver) {
+  const Solver broken{"broken", Problem::common_normal, "", false,
+                      [](const Pair&, const Want&, const Contact<double>*) -> Contact<double> {
+                        throw std::runtime_error("deliberate");
+                      }};
+  const Results results = run_campaign({family_source("spheroid", 2, kSeed, "all")}, {{broken}, kSeed, 2, {}});
+  EXPECT_EQ(results.methods().at("broken").of(FindingKind::crash), 2u);
+  EXPECT_EQ(exit_code(results), 1);
+}
+
+TEST(CampaignErrors, AThrowingSourceIsAnErrorOfTheHarness) {
+  const Source broken{"spheroid", 2, [](std::uint64_t) -> Case { throw std::runtime_error("deliberate"); }, ""};
+  const Results results = run_campaign({broken}, {find_solvers("new_cn"), kSeed, 1, {}});
+  EXPECT_EQ(results.harness_errors.size(), 2u);
+  EXPECT_EQ(exit_code(results), 1);
+}
+
+TEST(CampaignErrors, AReferenceThatIsNotTheLowestIsFoundOut) {
+  const Case c = generate("ellipsoid", kSeed, 0);
+  Reference reference = find_reference(c.pair);
+  ASSERT_TRUE(reference.common_normal.solved);
+  Contact<double> answer;
+  answer.normal = reference.common_normal.normal.cast<double>();
+  EXPECT_EQ(beats_reference(c.pair, answer, reference), 0);
+  reference.common_normal.overlap += 1e-6 * size_of(c.pair);
+  EXPECT_NEAR(beats_reference(c.pair, answer, reference), 1e-6, 1e-9);
+}
+
+}  // namespace
+}  // namespace plumb

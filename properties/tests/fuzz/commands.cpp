@@ -1,0 +1,116 @@
+// The programs from outside: exit codes, one-line errors, Ctrl-C.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "corpus/case.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path scratch() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path folder = fs::path(testing::TempDir()) / (std::string("plumb_") + test->name());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+pid_t start(std::vector<std::string> arguments, const fs::path& log) {
+  arguments.insert(arguments.begin(), PLUMB_BINARY_DIR "/bin/plumb");
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  pid_t child = 0;
+  EXPECT_EQ(posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ), 0);
+  posix_spawn_file_actions_destroy(&actions);
+  return child;
+}
+
+int exit_of(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Exit 2, and one line that names what is wrong.
+void expect_refused(const std::vector<std::string>& arguments, const std::string& word) {
+  const fs::path log = scratch() / "stderr";
+  EXPECT_EQ(exit_of(start(arguments, log)), 2);
+  const std::string text = text_of(log);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  EXPECT_NE(text.find(word), std::string::npos) << text;
+}
+
+TEST(Commands, UnknownFamily) {
+  expect_refused({"campaign", "--family", "cubes", "--cases", "1"}, "cubes");
+}
+TEST(Commands, NoCases) {
+  expect_refused({"campaign", "--family", "all", "--cases", "0"}, "--cases");
+}
+TEST(Commands, NegativeCases) {
+  expect_refused({"campaign", "--family", "all", "--cases", "-3"}, "--cases");
+}
+TEST(Commands, UnknownMethod) {
+  expect_refused({"campaign", "--family", "all", "--cases", "1", "--method", "magic"}, "magic");
+}
+TEST(Commands, BadShard) {
+  for (const char* shard : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/2x"})
+    expect_refused({"campaign", "--family", "all", "--cases", "1", "--shard", shard}, "--shard");
+}
+TEST(Commands, UnwritableFolder) {
+  expect_refused({"campaign", "--family", "all", "--cases", "1", "--out", "/dev/null/x"}, "/dev/null/x");
+}
+TEST(Commands, MissingSolver) {
+  expect_refused({"campaign", "--family", "all", "--cases", "1", "--solver", "/nowhere.so"}, "/nowhere.so");
+}
+TEST(Commands, MergeOfNothing) {
+  const fs::path empty = scratch() / "empty";
+  fs::create_directories(empty);
+  expect_refused({"merge", empty.string(), "--out", (fs::path(testing::TempDir()) / "merged").string()},
+                 "campaign.bins");
+}
+
+TEST(Commands, FamiliesAreListed) {
+  EXPECT_EQ(exit_of(start({"families"}, scratch() / "stderr")), 0);
+}
+
+TEST(Commands, InterruptKeepsWhatIsDone) {
+  const fs::path folder = scratch(), out = folder / "out";
+  const pid_t child = start(
+      {"campaign", "--family", "spheroid", "--cases", "100000000", "--method", "original_cn", "--out", out.string()},
+      folder / "stderr");
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  ASSERT_EQ(kill(child, SIGINT), 0);
+  EXPECT_EQ(exit_of(child), 130);
+  const Json summary = Json::parse(text_of(out / "summary.json"));
+  EXPECT_EQ(summary.at("incomplete"), true);
+  EXPECT_GT(summary.at("cases").get<int>(), 0);
+  EXPECT_EQ(summary.at("methods").at("original_cn").at("x_answers"), summary.at("cases"));
+}
+
+}  // namespace
+}  // namespace plumb
