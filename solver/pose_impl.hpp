@@ -51,11 +51,11 @@ Vec3<S> scale_by_power_of_two(const Vec3<S>& v, int exponent) {
 }
 
 template <class S>
-PlacedBody<S> place_body(const Body& body, const Vec3<S>& centre, int exponent) {
+PlacedBody<S> place_body(const Body& body, const Vec3<S>& placed_centre, int exponent) {
   const Vec3<S> axes = body.shape.semi_axes.cast<S>();
   return {{scale_by_power_of_two<S>(axes, -exponent), S(body.shape.n1), S(body.shape.n2)},
           rotation<S>(body.quaternion),
-          scale_by_power_of_two<S>(centre, -exponent)};
+          placed_centre};
 }
 
 }  // namespace detail
@@ -87,9 +87,14 @@ PlacedPair<S> place(const Pair& pair) {
   PlacedPair<S> placed;
   (void)std::frexp(size_of(pair), &placed.exponent);
   --placed.exponent;
-  const Vec3<S> offset = pair.body2.position.cast<S>() - pair.body1.position.cast<S>();
+  // Large units are divided out before the subtraction, small ones after it: huge positions of opposite signs have no
+  // difference before, and small ones lose no bit.
+  const int before = std::max(placed.exponent, 0), after = placed.exponent - before;
+  const Vec3<S> position1 = detail::scale_by_power_of_two<S>(pair.body1.position.cast<S>(), -before);
+  const Vec3<S> position2 = detail::scale_by_power_of_two<S>(pair.body2.position.cast<S>(), -before);
   placed.body1 = detail::place_body<S>(pair.body1, Vec3<S>::Zero(), placed.exponent);
-  placed.body2 = detail::place_body<S>(pair.body2, offset, placed.exponent);
+  placed.body2 = detail::place_body<S>(pair.body2, detail::scale_by_power_of_two<S>(position2 - position1, -after),
+                                       placed.exponent);
   return placed;
 }
 
