@@ -1,6 +1,6 @@
 #include "properties/draft.hpp"
 
-#include <algorithm>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
