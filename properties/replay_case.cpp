@@ -1,0 +1,108 @@
+#include "properties/replay_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "solver/diagnosis.hpp"
+
+namespace plumb {
+namespace {
+
+// For cases that give no radius: far above rounding, far below any wrong answer.
+constexpr double default_radius = 1e-6;
+
+struct Answered {
+  const Case& c;
+  const Contact<double>& contact;
+  const Finding& finding;
+};
+
+std::string own_method(const Case& c) {
+  return c.expect.method.value_or("auto");
+}
+
+Solver solver_named(const std::string& name, const std::string& file, int line) {
+  // A case must not make us load a library: whoever replays it names the library.
+  if (name.starts_with("solver:"))
+    throw InputFailure(file, line, "expect.method", "'" + name + "' needs the library: --solver FILE");
+  for (Solver& solver : all_solvers())
+    if (solver.name == name) return std::move(solver);
+  throw InputFailure(file, line, "expect.method", "no method '" + name + "' here");
+}
+
+void require_equal(std::vector<std::string>& differences, std::string_view what, std::string_view expected,
+                   std::string_view found) {
+  if (expected != found) differences.push_back(fmt::format("{} {}, expected {}", what, found, expected));
+}
+
+void compare_words(std::vector<std::string>& differences, const Answered& answered, bool own) {
+  const Expect& expect = answered.c.expect;
+  require_equal(differences, "finding", own ? expect.finding.value_or("none") : "none", name(answered.finding.kind));
+  if (own && expect.status) require_equal(differences, "status", *expect.status, name(answered.contact.status));
+}
+
+void compare_overlap(std::vector<std::string>& differences, const Answered& answered) {
+  if (!answered.c.expect.overlap) return;
+  const auto [lower, upper] = *answered.c.expect.overlap;
+  const double overlap = answered.contact.overlap;
+  if (overlap >= lower && overlap <= upper) return;
+  differences.push_back(fmt::format("overlap {:.17g}, expected {:.17g} .. {:.17g}", overlap, lower, upper));
+}
+
+void compare_normal(std::vector<std::string>& differences, const Answered& answered) {
+  const Expect& expect = answered.c.expect;
+  if (!expect.normal) return;
+  constexpr double radians = 0.017453292519943295;
+  const double allowed = expect.normal_radius.value_or(default_radius);
+  const double angle = angle_deg(*expect.normal, answered.contact.normal) * radians;
+  if (!(angle <= allowed))
+    differences.push_back(fmt::format("normal off by {:.3g} rad, allowed {:.3g}", angle, allowed));
+}
+
+void compare_points(std::vector<std::string>& differences, const Answered& answered) {
+  if (!answered.c.expect.points) return;
+  const auto& [point1, point2] = *answered.c.expect.points;
+  const double error1 = (answered.contact.point1 - point1).norm(), error2 = (answered.contact.point2 - point2).norm();
+  const double allowed = default_radius * size_of(answered.c.pair);
+  // A point that is NaN differs.
+  if (error1 <= allowed && error2 <= allowed) return;
+  differences.push_back(fmt::format("points off by {:.3g} and {:.3g}, allowed {:.3g}", error1, error2, allowed));
+}
+
+void compare_geometry(std::vector<std::string>& differences, const Answered& answered) {
+  const Expect& expect = answered.c.expect;
+  if (expect.verdict) require_equal(differences, "verdict", *expect.verdict, name(answered.contact.verdict));
+  compare_overlap(differences, answered);
+  compare_normal(differences, answered);
+  compare_points(differences, answered);
+}
+
+bool same_problem(const Case& c, const Solver& solver) {
+  const std::vector<Solver> known = all_solvers();
+  const auto own = std::find_if(known.begin(), known.end(), [&](const Solver& s) { return s.name == own_method(c); });
+  return (own == known.end() ? Problem::common_normal : own->problem) == solver.problem;
+}
+
+}  // namespace
+
+Replayed replay_case(const Case& c, const std::string& file, int line, const std::optional<Solver>& instead) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const Solver solver = instead ? *instead : solver_named(own_method(c), file, line);
+  const auto solve = [&solver](const Pair& pair) { return solver.solve(pair, Want{}, nullptr); };
+  const Contact<double> contact = solve(c.pair);
+  Replayed out{file, line, c.name, solver.name, Judge(c.pair).judge(solver.problem, contact, solve).finding, {}, 0};
+  const Answered answered{c, contact, out.finding};
+  compare_words(out.differences, answered, own_method(c) == solver.name);
+  if (same_problem(c, solver)) compare_geometry(out.differences, answered);
+  out.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  return out;
+}
+
+std::string place_of(const Replayed& replayed) {
+  return replayed.line > 0 ? replayed.file + ":" + std::to_string(replayed.line) : replayed.file;
+}
+
+}  // namespace plumb
