@@ -16,6 +16,7 @@ struct Solver {
   std::string summary;
   bool published =
       false;  ///< a baseline from the literature or a peer: its findings are results, not failures of plumb
+  bool unit_keeps_bits = false;  ///< plumb's own: a change of unit by a power of two changes no bit of the answer
   std::function<Contact<double>(const Pair&, const Want&, const Contact<double>* last)> solve;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "solver/method/methods.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
@@ -37,8 +38,9 @@ JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solve
     const auto start = Clock::now();
     out.answer = solver.solve(pair, want, nullptr);
     out.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-    out.judgement = judge.judge(solver.problem, out.answer,
-                                [&](const Pair& related) { return solver.solve(related, want, nullptr); });
+    const bool own = find_method(out.answer.method) != nullptr;
+    out.judgement = judge.judge(
+        solver.problem, out.answer, [&](const Pair& related) { return solver.solve(related, want, nullptr); }, own);
   } catch (const std::exception& e) {
     out.judgement = crashed(e.what());
   }

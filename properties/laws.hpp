@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,8 @@ struct Evidence {
   const Solution& own;  ///< the 50-digit answer to the method's own problem (reference.common_normal for CN methods)
   /// Solves a related pair with the same method; empty when only an answer is there (plumb check).
   std::function<Contact<double>(const Pair&)> solve;
+  /// plumb's own methods give the same bits in any unit that is a power of two; others may round.
+  bool unit_keeps_bits = false;
 };
 
 struct Law {
@@ -62,9 +65,9 @@ struct Law {
 struct Judgement {
   Finding finding;
   bool judged = false;          ///< the reference has an answer to the method's own problem
-  double angle_error_deg;       ///< to the certified common normal, whatever the method's problem; NaN when unknown
-  double overlap_error;         ///< |overlap - own problem's| / size; NaN when unknown
-  double point_error;           ///< the larger point's distance from its own problem's / size; NaN when unknown
+  double angle_error_deg = std::numeric_limits<double>::quiet_NaN();  ///< to the certified common normal, whatever the method's problem; NaN when unknown
+  double overlap_error = std::numeric_limits<double>::quiet_NaN();    ///< |overlap - own problem's| / size; NaN when unknown
+  double point_error = std::numeric_limits<double>::quiet_NaN();      ///< the larger point's distance from its own problem's / size; NaN when unknown
 };
 [[nodiscard]] Judgement judge(const Evidence& evidence);
 
@@ -76,13 +79,13 @@ class Judge {
   [[nodiscard]] const Reference& reference() const { return reference_; }
   [[nodiscard]] const Solution& solution(Problem problem);
   [[nodiscard]] Judgement judge(Problem problem, const Contact<double>& answer,
-                                std::function<Contact<double>(const Pair&)> solve_again = {});
+                                std::function<Contact<double>(const Pair&)> solve_again = {},
+                                bool unit_keeps_bits = false);
 
  private:
   Pair pair_;
   Reference reference_;
-  Solution deepest_, midway_;
-  bool has_deepest_ = false, has_midway_ = false;
+  std::optional<Solution> deepest_, midway_;
 };
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 #include "solver/method/common.hpp"
 #include "solver/method/geometric_potential.hpp"
 #include "solver/method/newton.hpp"
+#include "solver/shape/ray.hpp"
 
 namespace plumb {
 namespace detail {
@@ -70,24 +71,6 @@ struct MidwaySystem {
   return a == Status::converged ? b : a;
 }
 
-/// Distance s along the unit n at which the gauge reaches 1, by Newton from s = 0: the gauge is convex along the line, so
-/// that the iterates are monotone from the second on. NaN where the line misses the body.
-template <class S>
-[[nodiscard]] S distance_to_surface(const PlacedBody<S>& body, const Vec3<S>& x, const Vec3<S>& n, const S& sign) {
-  using std::abs;
-  const int limit = 200;
-  S s(0);
-  for (int i = 0; i < limit; ++i) {
-    const NormValue<S> g = gauge_gradient<S>(body.shape, body.to_body(x + s * n));
-    const S slope = body.to_pair_direction(g.gradient).dot(n);
-    if (!(slope * sign > S(0))) break;
-    const S step = (S(1) - g.value) / slope;
-    s += step;
-    if (abs(step) <= epsilon<S>() * (S(1) + abs(s))) return s;
-  }
-  return std::numeric_limits<S>::quiet_NaN();
-}
-
 }  // namespace detail
 
 template <class S>
@@ -127,8 +110,8 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   out.evaluations = result.evaluations;
   const Vec3<S> x = result.x.template head<3>();
   const Vec3<S> n = surface_terms<S>(placed.body1, x).normal;
-  const S s1 = detail::distance_to_surface<S>(placed.body1, x, n, S(1));
-  const S s2 = detail::distance_to_surface<S>(placed.body2, x, n, S(-1));
+  const S s1 = distance_to_surface<S>(placed.body1, x, n, 1);
+  const S s2 = distance_to_surface<S>(placed.body2, x, n, -1);
   set_contact<S>(out, placed, pair, {x + s1 * n, x + s2 * n}, n);
   // Apart, the line along the normal may miss a body: then the potential still says so.
   if (!(s1 == s1 && s2 == s2))

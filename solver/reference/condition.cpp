@@ -1,12 +1,14 @@
 #include "solver/reference/condition.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 namespace plumb::reference {
 namespace {
 
 using R = Real50;
-using Responses = Eigen::Matrix<R, 4, 2>;
+using Responses = Eigen::Matrix<R, 4, 3>;
 
 struct Size {
   R normal, points;
@@ -33,19 +35,19 @@ bool normal_is_free(const PlacedPair<R>& pair, const ChartResidual<R>& f, const 
 
 }  // namespace
 
-// Disturbances of the two equations: a translation of body 2 by e_k adds l x e_k to the second, a rotation that tilts its
-// normal by e_k adds e_k to the first (the pivot being the contact point).
+// Disturbances: a translation of body 2 by e_k adds l x e_k to the second equation; a rotation about the contact point by
+// e_k adds e_k x n2 to the first.
 Condition condition_of(const PlacedPair<R>& pair, const Goal<R>& goal, const ChartPair<R>& at) {
   const ChartResidual<R> f = chart_residual<R>(pair, goal, at);
-  const Tangent<R> e = tangent_basis<R>(f.normal1);
-  Eigen::Matrix<R, 6, 2> translation = Eigen::Matrix<R, 6, 2>::Zero(), rotation = translation;
-  for (int k = 0; k < 2; ++k) {
-    const Vec3<R> across = goal.kind == GoalKind::first_touch ? goal.line : f.normal1;
-    translation.col(k).tail<3>() = across.cross(e.col(k).eval());
-    rotation.col(k).head<3>() = -e.col(k);
+  const Vec3<R> l = collinear_with<R>(pair, goal, f);
+  Eigen::Matrix<R, 6, 3> translation = Eigen::Matrix<R, 6, 3>::Zero(), rotation = translation;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<R> e = Vec3<R>::Unit(k);
+    translation.col(k).tail<3>() = l.cross(e);
+    rotation.col(k).head<3>() = e.cross(f.normal1);
   }
   const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<R, 6, 4>> solver(f.jacobian);
-  const R size = std::max(pair.body1.shape.semi_axes.maxCoeff(), pair.body2.shape.semi_axes.maxCoeff());
+  const R size = pair.size();
   const Size by_translation = size_of_response(pair, at, solver.solve(translation));
   const Size by_rotation = size_of_response(pair, at, solver.solve(rotation));
   Condition out;

@@ -104,7 +104,9 @@ TEST_F(Campaign, KeptFailuresReplayToTheSameSeverity) {
     const Finding again = solve_and_judge(judge, c.pair, find_solvers(*c.expect.method).front()).judgement.finding;
     EXPECT_EQ(name(again.kind), *c.expect.finding) << file;
     const Json& severity = c.provenance.at("severity");
-    if (severity.is_number()) EXPECT_EQ(again.severity, severity.get<double>()) << file;
+    if (severity.is_number()) {
+      EXPECT_EQ(again.severity, severity.get<double>()) << file;
+    }
   }
 }
 

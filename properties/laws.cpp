@@ -1,0 +1,90 @@
+#include "properties/laws.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "properties/allowance.hpp"
+#include "properties/laws_answer.hpp"
+#include "properties/laws_symmetry.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::array all_laws{
+    Law{"finite", "no number of a converged answer is NaN or infinite", law::answers_are_finite},
+    Law{"converges", "the method vouches for its residual", law::converges},
+    Law{"verdict", "overlapping when the certified overlap is positive, not when it is negative", law::verdict_is_right},
+    Law{"lowest", "of all common normals it is the one of lowest overlap", law::has_the_lowest_overlap},
+    Law{"opposite", "n1 + n2 = 0", law::normals_are_opposite},
+    Law{"collinear", "p2 - p1 = -overlap n1", law::points_lie_on_the_normal},
+    Law{"normal", "the unit normal is the certified one", law::normal_agrees},
+    Law{"surface", "each point is on its body's surface", law::points_are_on_surfaces},
+    Law{"overlap", "the overlap is the certified one", law::overlap_agrees},
+    Law{"points", "the points are the certified ones", law::points_agree},
+    Law{"swap", "(B, A) gives the answer of (A, B) seen from the other side", law::swap_changes_nothing},
+    Law{"motion", "a rigid motion moves the answer along", law::rigid_motion_changes_nothing},
+    Law{"unit", "a change of the unit of length changes nothing else", law::unit_changes_nothing},
+    Law{"repeat", "the same pair gives the same bits", law::repeats_bit_for_bit},
+    Law{"evaluations", "at most 1000 evaluations", law::evaluations_are_few},
+};
+
+/// Laws that need no certified answer to the method's own problem.
+bool stands_alone(const Law& law) {
+  return law.name == "finite" || law.name == "converges" || law.name == "verdict";
+}
+
+Finding first_broken(const Evidence& e) {
+  for (const Law& law : all_laws) {
+    if (!e.own.solved && !stands_alone(law)) break;
+    Finding finding = law.check(e);
+    if (!(finding.severity > 1)) continue;
+    finding.law = law.name;
+    return finding;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view name(FindingKind kind) {
+  constexpr std::array<std::string_view, 14> names{
+      "crash",       "not_finite",    "nonconverged", "false_contact", "missed_contact",   "wrong_branch", "misaligned",
+      "off_surface", "overlap_error", "point_error",  "asymmetric",    "nondeterministic", "slow",         "none"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::span<const Law> laws() {
+  return all_laws;
+}
+
+Judgement judge(const Evidence& e) {
+  Judgement out;
+  out.finding = first_broken(e);
+  out.judged = e.own.solved;
+  const Solution& truth = e.reference.common_normal;
+  if (truth.solved && e.answer.normal.allFinite())
+    out.angle_error_deg = law::angle_between(e.answer.normal.cast<Real50>(), truth.normal) * (180 / std::acos(-1.0));
+  if (!e.own.solved) return out;
+  const double size = size_of(e.pair);
+  out.overlap_error = std::abs(static_cast<double>(Real50(e.answer.overlap) - e.own.overlap)) / size;
+  out.point_error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - e.own.point1).norm()),
+                             static_cast<double>((e.answer.point2.cast<Real50>() - e.own.point2).norm())) /
+                    size;
+  return out;
+}
+
+Judge::Judge(const Pair& pair) : pair_(pair), reference_(find_reference(pair)) {}
+
+const Solution& Judge::solution(Problem problem) {
+  if (problem == Problem::common_normal) return reference_.common_normal;
+  std::optional<Solution>& slot = problem == Problem::midway ? midway_ : deepest_;
+  if (!slot) slot = find_potential_reference(pair_, problem);
+  return *slot;
+}
+
+Judgement Judge::judge(Problem problem, const Contact<double>& answer,
+                       std::function<Contact<double>(const Pair&)> solve_again, bool unit_keeps_bits) {
+  return plumb::judge({pair_, problem, answer, reference_, solution(problem), std::move(solve_again), unit_keeps_bits});
+}
+
+}  // namespace plumb

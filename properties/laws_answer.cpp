@@ -1,0 +1,169 @@
+#include "properties/laws_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "properties/allowance.hpp"
+#include "solver/pose.hpp"
+#include "solver/shape/curvature.hpp"
+
+namespace plumb::law {
+namespace {
+
+using Wide = long double;
+
+/// A contact point as the judge sees it: long double, on its own body.
+struct SeenPoint {
+  double gap;             ///< distance from the surface along the normal, to first order
+  Vec3<Wide> normal;      ///< outward, world frame
+  double sharpest;        ///< smallest radius of curvature of the surface there
+};
+
+SeenPoint see(const Body& body, const Vec3<double>& point) {
+  const Superellipsoid<Wide> shape{body.shape.semi_axes.cast<Wide>(), body.shape.n1, body.shape.n2};
+  const Mat3<Wide> r = rotation<Wide>(body.quaternion);
+  const Vec3<Wide> x = r.transpose() * (point.cast<Wide>() - body.position.cast<Wide>());
+  const NormValue<Wide> g = gauge_gradient<Wide>(shape, x);
+  return {static_cast<double>(std::abs(g.value - 1) / g.gradient.norm()), r * outward_normal<Wide>(shape, x),
+          static_cast<double>(principal_curvature<Wide>(shape, x).radius1)};
+}
+
+struct SeenPair {
+  SeenPoint at1, at2;
+  Vec3<Wide> d;
+};
+
+SeenPair see(const Evidence& e) {
+  return {see(e.pair.body1, e.answer.point1), see(e.pair.body2, e.answer.point2),
+          e.answer.point2.cast<Wide>() - e.answer.point1.cast<Wide>()};
+}
+
+/// How far a normal evaluated at a rounded point may turn.
+double normal_rounding(const Evidence& e, const SeenPoint& at) {
+  return few + point_rounding(e.pair) / at.sharpest;
+}
+
+double opposition_severity(const Evidence& e, const SeenPair& s) {
+  const double angle = static_cast<double>(2 * std::atan2((s.at1.normal + s.at2.normal).norm(), (s.at1.normal - s.at2.normal).norm()));
+  return severity_of(angle, normal_rounding(e, s.at1) + normal_rounding(e, s.at2));
+}
+
+/// |d x n1| against its rounding, and the sign of d.n1 once |d| is above it.
+double collinearity_severity(const Evidence& e, const SeenPair& s) {
+  const double distance = static_cast<double>(s.d.norm());
+  const double allowed = 2 * point_rounding(e.pair) + distance * normal_rounding(e, s.at1);
+  const double across = static_cast<double>(s.d.cross(s.at1.normal).norm());
+  const bool wrong_side = static_cast<double>(s.d.dot(s.at1.normal)) * e.answer.overlap > 0;
+  return wrong_side && distance > allowed ? wrong_altogether : severity_of(across, allowed);
+}
+
+/// The certified solution that the answer is held against: of several that tie within rounding, the nearest.
+const Solution& nearest(const Evidence& e) {
+  if (e.problem != Problem::common_normal || e.reference.stationary.empty()) return e.own;
+  const Vec3<Real50> n = e.answer.normal.cast<Real50>();
+  const Solution* best = &e.own;
+  for (const Solution& other : e.reference.stationary) {
+    const double excess = static_cast<double>(other.overlap - e.own.overlap);
+    if (excess <= few * size_of(e.pair) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
+  }
+  return *best;
+}
+
+bool has_points(const Evidence& e) {
+  return e.answer.point1.allFinite() && e.answer.point2.allFinite();
+}
+
+}  // namespace
+
+Finding answers_are_finite(const Evidence& e) {
+  const Contact<double>& a = e.answer;
+  const bool infinite = std::isinf(a.overlap) || (a.normal.array().abs() == HUGE_VAL).any() ||
+                        (a.point1.array().abs() == HUGE_VAL).any() || (a.point2.array().abs() == HUGE_VAL).any();
+  const bool missing = a.status == Status::converged && e.own.solved && !(a.normal.allFinite() && has_points(e));
+  if (a.status == Status::not_finite) return {FindingKind::not_finite, wrong_altogether, {}, "status not_finite"};
+  if (infinite || missing) return {FindingKind::not_finite, wrong_altogether, {}, "a NaN or an infinity in the answer"};
+  return {};
+}
+
+Finding converges(const Evidence& e) {
+  if (e.answer.status == Status::converged) return {};
+  return {FindingKind::nonconverged, wrong_altogether, {}, fmt::format("status {}", name(e.answer.status))};
+}
+
+Finding verdict_is_right(const Evidence& e) {
+  if (!e.reference.common_normal.solved) return {};
+  const double truth = static_cast<double>(e.reference.common_normal.overlap);
+  // A verdict may be left open within the floor that every method documents (undecided_floor epsilon of the size).
+  const double allowed = 2 * few * size_of(e.pair);
+  const Verdict said = e.answer.verdict;
+  const auto detail = [&] { return fmt::format("says {}, overlap is {:.17g}", name(said), truth); };
+  if (truth < 0 && said == Verdict::overlapping)
+    return {FindingKind::false_contact, severity_of(-truth, allowed), {}, detail()};
+  if (truth > 0 && said != Verdict::overlapping)
+    return {FindingKind::missed_contact, severity_of(truth, allowed), {}, detail()};
+  return {};
+}
+
+Finding has_the_lowest_overlap(const Evidence& e) {
+  if (e.problem != Problem::common_normal || !has_points(e)) return {};
+  const double excess = static_cast<double>(Real50(e.answer.overlap) - e.own.overlap);
+  const double severity = severity_of(excess, few * e.own.condition.overlap * size_of(e.pair));
+  if (!(severity > 1)) return {};
+  // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
+  const double still_a_common_normal = 1e3;
+  const SeenPair s = see(e);
+  if (opposition_severity(e, s) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal) return {};
+  const double turned = angle_between(e.answer.normal.cast<Real50>(), nearest(e).normal);
+  if (severity_of(turned, few * nearest(e).condition.normal) <= 1) return {};
+  return {FindingKind::wrong_branch, severity, {},
+          fmt::format("overlap {:.17g}, the lowest is {:.17g}", e.answer.overlap, static_cast<double>(e.own.overlap))};
+}
+
+Finding normals_are_opposite(const Evidence& e) {
+  if (e.problem != Problem::common_normal || !has_points(e)) return {};
+  return {FindingKind::misaligned, opposition_severity(e, see(e)), {}, "n1 + n2 is not 0"};
+}
+
+Finding points_lie_on_the_normal(const Evidence& e) {
+  if (e.problem != Problem::common_normal || !has_points(e)) return {};
+  return {FindingKind::misaligned, collinearity_severity(e, see(e)), {}, "p2 - p1 is not along n1 with the overlap's sign"};
+}
+
+Finding normal_agrees(const Evidence& e) {
+  const Solution& truth = nearest(e);
+  const double angle = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
+  const double length_error = std::abs(e.answer.normal.norm() - 1);
+  const double severity = std::max(severity_of(angle, few * truth.condition.normal), severity_of(length_error, few));
+  return {FindingKind::misaligned, severity, {}, fmt::format("normal off by {:.3g} rad", angle)};
+}
+
+Finding points_are_on_surfaces(const Evidence& e) {
+  if (!has_points(e)) return {};
+  const SeenPair s = see(e);
+  const double gap = std::max(s.at1.gap, s.at2.gap);
+  return {FindingKind::off_surface, severity_of(gap, point_rounding(e.pair)), {}, fmt::format("off the surface by {:.3g}", gap)};
+}
+
+Finding overlap_agrees(const Evidence& e) {
+  const Solution& truth = nearest(e);
+  const double error = static_cast<double>(abs(Real50(e.answer.overlap) - truth.overlap));
+  return {FindingKind::overlap_error, severity_of(error, few * truth.condition.overlap * size_of(e.pair)), {},
+          fmt::format("overlap off by {:.3g}", error)};
+}
+
+Finding points_agree(const Evidence& e) {
+  const Solution& truth = nearest(e);
+  const double allowed = few * truth.condition.points * size_of(e.pair) + point_rounding(e.pair);
+  const double error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
+                                static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm()));
+  return {FindingKind::point_error, severity_of(error, allowed), {}, fmt::format("a point off by {:.3g}", error)};
+}
+
+Finding evaluations_are_few(const Evidence& e) {
+  const double most = 1000;
+  return {FindingKind::slow, e.answer.evaluations / most, {}, fmt::format("{} evaluations", e.answer.evaluations)};
+}
+
+}  // namespace plumb::law

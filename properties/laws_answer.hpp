@@ -1,0 +1,20 @@
+// The laws on one answer by itself, against the reference: see laws.hpp for the list.
+#pragma once
+
+#include "properties/laws.hpp"
+
+namespace plumb::law {
+
+[[nodiscard]] Finding answers_are_finite(const Evidence& e);
+[[nodiscard]] Finding converges(const Evidence& e);
+[[nodiscard]] Finding verdict_is_right(const Evidence& e);
+[[nodiscard]] Finding has_the_lowest_overlap(const Evidence& e);
+[[nodiscard]] Finding normals_are_opposite(const Evidence& e);
+[[nodiscard]] Finding points_lie_on_the_normal(const Evidence& e);
+[[nodiscard]] Finding normal_agrees(const Evidence& e);
+[[nodiscard]] Finding points_are_on_surfaces(const Evidence& e);
+[[nodiscard]] Finding overlap_agrees(const Evidence& e);
+[[nodiscard]] Finding points_agree(const Evidence& e);
+[[nodiscard]] Finding evaluations_are_few(const Evidence& e);
+
+}  // namespace plumb::law

@@ -1,0 +1,124 @@
+#include "properties/laws_symmetry.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "properties/allowance.hpp"
+
+namespace plumb::law {
+namespace {
+
+/// What the answer to the transformed pair must be, and how much it may differ (lengths in the transformed pair's unit).
+struct Expected {
+  double overlap;
+  Vec3<double> normal, point1, point2;
+  double input_error = 0;  ///< relative change of the input by the transformation's own rounding, in `few`
+  double rounding = 0;     ///< of the points, a length
+};
+
+Finding compare(const Evidence& e, const Pair& asked, const Expected& want, const char* what) {
+  const Contact<double> got = e.solve(asked);
+  const auto found = [&](double severity, const std::string& detail) -> Finding {
+    return {FindingKind::asymmetric, severity, {}, fmt::format("{}: {}", what, detail)};
+  };
+  if (got.status != Status::converged) return found(wrong_altogether, fmt::format("status {}", name(got.status)));
+  const Condition& condition = e.own.condition;
+  const double unit = (2 + want.input_error) * few, size = size_of(asked);
+  const double overlap = severity_of(std::abs(got.overlap - want.overlap), unit * condition.overlap * size);
+  const double normal = severity_of((got.normal - want.normal).norm(), unit * condition.normal);
+  const double moved = std::max((got.point1 - want.point1).norm(), (got.point2 - want.point2).norm());
+  const double points = severity_of(moved, unit * condition.points * size + want.rounding);
+  const double worst = std::max({overlap, normal, points});
+  return found(worst, fmt::format("overlap {:.3g}, normal {:.3g}, points {:.3g} times the allowance", overlap, normal, points));
+}
+
+/// Two minima that tie within rounding may be exchanged by anything: the laws of symmetry say nothing of them.
+bool is_tied(const Evidence& e) {
+  return !e.reference.stationary.empty();
+}
+
+Vec3<double> cycled(const Vec3<double>& v) {
+  return {v[2], v[0], v[1]};
+}
+
+/// The body turned by 120 degrees about (1, 1, 1) through the pivot: x to y, y to z, z to x. Positions relative to the
+/// pivot keep their bits; the quaternion is (1, 1, 1, 1) q.
+Body turned(const Body& body, const Vec3<double>& pivot) {
+  Body out = body;
+  out.position = pivot + cycled(body.position - pivot);
+  const auto [w, x, y, z] = body.quaternion;
+  out.quaternion = {w - x - y - z, w + x - y + z, w + x + y - z, w - x + y + z};
+  return out;
+}
+
+Body rescaled(const Body& body, double unit) {
+  Body out = body;
+  out.shape.semi_axes *= unit;
+  out.position *= unit;
+  return out;
+}
+
+/// Powers of two leave every bit only while nothing comes near the ends of the range.
+bool in_normal_range(const Pair& pair) {
+  const double largest = 1e250, smallest = 1e-250;
+  const auto safe = [&](double x) { return x == 0 || (std::abs(x) < largest && std::abs(x) > smallest); };
+  for (const Body* body : {&pair.body1, &pair.body2})
+    for (int i = 0; i < 3; ++i)
+      if (!safe(body->shape.semi_axes[i]) || !safe(body->position[i])) return false;
+  return true;
+}
+
+bool same_bits(double a, double b) {
+  return a == b || (a != a && b != b);
+}
+
+bool same_bits(const Vec3<double>& a, const Vec3<double>& b) {
+  return same_bits(a[0], b[0]) && same_bits(a[1], b[1]) && same_bits(a[2], b[2]);
+}
+
+/// Whether b is a with its lengths multiplied by the unit, bit for bit.
+bool same_contact(const Contact<double>& a, const Contact<double>& b, double unit) {
+  const auto scaled = [&](const Vec3<double>& x) -> Vec3<double> { return x * unit; };
+  return a.status == b.status && a.verdict == b.verdict && same_bits(a.overlap * unit, b.overlap) &&
+         same_bits(a.normal, b.normal) && same_bits(scaled(a.point1), b.point1) && same_bits(scaled(a.point2), b.point2) &&
+         a.evaluations == b.evaluations;
+}
+
+}  // namespace
+
+Finding swap_changes_nothing(const Evidence& e) {
+  if (!e.solve || is_tied(e)) return {};
+  const Contact<double>& a = e.answer;
+  return compare(e, swapped(e.pair), {a.overlap, -a.normal, a.point2, a.point1, 0, 2 * point_rounding(e.pair)},
+                 "bodies exchanged");
+}
+
+Finding rigid_motion_changes_nothing(const Evidence& e) {
+  if (!e.solve || is_tied(e)) return {};
+  const Contact<double>& a = e.answer;
+  const Vec3<double> pivot = e.pair.body1.position;
+  const auto move = [&](const Vec3<double>& x) -> Vec3<double> { return pivot + cycled(x - pivot); };
+  const double far = far_from_origin(e.pair) / size_of(e.pair);  // rounding of body 2's new position
+  return compare(e, {turned(e.pair.body1, pivot), turned(e.pair.body2, pivot)},
+                 {a.overlap, cycled(a.normal), move(a.point1), move(a.point2), 1 + far, 3 * point_rounding(e.pair)},
+                 "turned by 120 degrees about (1, 1, 1)");
+}
+
+Finding unit_changes_nothing(const Evidence& e) {
+  if (!e.solve || !in_normal_range(e.pair)) return {};
+  const double unit = 1024;
+  const Contact<double> got = e.solve({rescaled(e.pair.body1, unit), rescaled(e.pair.body2, unit)});
+  if (same_contact(e.answer, got, unit)) return {};
+  if (e.unit_keeps_bits) return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};
+  const double error = std::abs(got.overlap - e.answer.overlap * unit);
+  return {FindingKind::asymmetric, severity_of(error, 2 * few * e.own.condition.overlap * size_of(e.pair) * unit), {},
+          "another overlap in a unit 1024 times smaller"};
+}
+
+Finding repeats_bit_for_bit(const Evidence& e) {
+  if (!e.solve || same_contact(e.answer, e.solve(e.pair), 1)) return {};
+  return {FindingKind::nondeterministic, wrong_altogether, {}, "the same pair gives other bits"};
+}
+
+}  // namespace plumb::law
