@@ -6,9 +6,9 @@
 namespace plumb {
 namespace {
 
-// Of the other kinds (null, true, ...) the library's own word will do.
 std::string kind_of(const Json& value) {
-  return value.is_null() ? "null" : std::string("a ") + value.type_name();
+  if (value.is_null()) return "null";
+  return (value.is_structured() ? "an " : "a ") + std::string(value.type_name());
 }
 
 }  // namespace

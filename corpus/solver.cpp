@@ -19,7 +19,11 @@ bool is_baseline(std::string_view method) {
 }
 
 Solver solver_of(const Method& method) {
-  return {std::string(method.name), method.problem, std::string(method.summary), is_baseline(method.name), true,
+  return {std::string(method.name),
+          method.problem,
+          std::string(method.summary),
+          is_baseline(method.name),
+          true,
           [solve = method.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
             return solve(pair, want, last);
           }};
