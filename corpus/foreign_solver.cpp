@@ -109,7 +109,11 @@ Solver load_solver(const std::string& path) {
   const auto solve = symbol<decltype(&plumb_solver_solve)>(handle, path, "plumb_solver_solve");
   const std::string name = "solver:" + std::filesystem::path(path).filename().string();
   const auto library = std::make_shared<const Library>(Library{name, solve});
-  return {name, Problem::common_normal, "foreign solver " + path, false,
+  return {name,
+          Problem::common_normal,
+          "foreign solver " + path,
+          false,
+          false,
           [library](const Pair& pair, const Want&, const Contact<double>*) { return solve_with(*library, pair); }};
 }
 
