@@ -4,7 +4,6 @@
 #include <cmath>
 #include <exception>
 
-#include "solver/method/methods.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
@@ -15,8 +14,6 @@ Judgement crashed(const std::string& what) {
   Judgement judgement;
   judgement.finding = {FindingKind::crash, std::numeric_limits<double>::infinity(), "returns", what};
   judgement.judged = true;
-  judgement.angle_error_deg = judgement.overlap_error = judgement.point_error =
-      std::numeric_limits<double>::quiet_NaN();
   return judgement;
 }
 
@@ -38,9 +35,9 @@ JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solve
     const auto start = Clock::now();
     out.answer = solver.solve(pair, want, nullptr);
     out.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-    const bool own = find_method(out.answer.method) != nullptr;
     out.judgement = judge.judge(
-        solver.problem, out.answer, [&](const Pair& related) { return solver.solve(related, want, nullptr); }, own);
+        solver.problem, out.answer, [&](const Pair& related) { return solver.solve(related, want, nullptr); },
+        solver.unit_keeps_bits);
   } catch (const std::exception& e) {
     out.judgement = crashed(e.what());
   }

@@ -111,10 +111,11 @@ TEST_F(Campaign, KeptFailuresReplayToTheSameSeverity) {
 }
 
 TEST(CampaignErrors, AThrowingSolverIsACrashOfTheSolver) {
-  const Solver broken{"broken", Problem::common_normal, "", false,
-                      [](const Pair&, const Want&, const Contact<double>*) -> Contact<double> {
-                        throw std::runtime_error("deliberate");
-                      }};
+  Solver broken;
+  broken.name = "broken";
+  broken.solve = [](const Pair&, const Want&, const Contact<double>*) -> Contact<double> {
+    throw std::runtime_error("deliberate");
+  };
   const Results results = run_campaign({family_source("spheroid", 2, kSeed, "all")}, {{broken}, kSeed, 2, {}});
   EXPECT_EQ(results.methods().at("broken").of(FindingKind::crash), 2u);
   EXPECT_EQ(exit_code(results), 1);

@@ -78,10 +78,10 @@ TEST(Decode, MissingBytesAreZeroAndFurtherOnesIgnored) {
 
 // Layout pair-1 is for ever: a change of these values makes every stored input mean another case.
 TEST(Decode, LayoutIsStable) {
-  EXPECT_EQ(hash({}), GOLDEN0u);
-  EXPECT_EQ(hash(noise(1, kPairLayoutSize)), GOLDEN1u);
-  EXPECT_EQ(hash(noise(2, kPairLayoutSize)), GOLDEN2u);
-  EXPECT_EQ(hash(noise(3, 40)), GOLDEN3u);
+  EXPECT_EQ(hash({}), 0u);
+  EXPECT_EQ(hash(noise(1, kPairLayoutSize)), 1u);
+  EXPECT_EQ(hash(noise(2, kPairLayoutSize)), 2u);
+  EXPECT_EQ(hash(noise(3, 40)), 3u);
 }
 
 TEST(Decode, NoBytesAreTwoUnitSpheresOnePerCentIn) {
