@@ -50,7 +50,7 @@ void put_diagnosis(Json& out, const Answer& answer) {
 }
 
 Json radius_json(double radius) {
-  return std::isinf(radius) ? Json("inf") : Json(radius);
+  return std::isinf(radius) ? Json("infinite") : Json(radius);
 }
 
 Json curvature_json(const PrincipalCurvature<double>& curvature) {

@@ -19,7 +19,7 @@ struct Answer {
 };
 
 /// The contract's object; a field that was not asked for, or is not valid, is absent. A radius of curvature that is
-/// infinite (a flat) is the string "inf".
+/// infinite (a flat) is the string "infinite".
 [[nodiscard]] Json answer_json(const Answer& answer);
 
 /// +1, -1, or 0 when the overlap has no sign.

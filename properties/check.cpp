@@ -61,6 +61,8 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
   out["name"] = c.name;
   out["method"] = answer.method;
   out["finding"] = name(judgement.finding.kind);
+  // JSON has no infinity; kept failures use the same word.
+  if (std::isinf(judgement.finding.severity)) out["severity"] = "infinite";
   put(out, "severity", judgement.finding.severity);
   put(out, "angle_error_deg", judgement.angle_error_deg);
   put(out, "overlap_error", judgement.overlap_error);
