@@ -146,10 +146,11 @@ void add_shapes(Candidates& out) {
   out.add_for_bodies([](Body& b) { b.shape.n1 = b.shape.n2; });
   for (int i = 0; i < 3; ++i)
     out.add_for_bodies([i](Body& b) { b.shape.semi_axes[i] = b.shape.semi_axes[(i + 1) % 3]; });
-  out.add_for_bodies([](Body& b) {  // whole exponents
-    b.shape.n1 = std::max(2.0, std::round(b.shape.n1));
-    b.shape.n2 = std::max(2.0, std::round(b.shape.n2));
-  });
+  for (const auto whole : {+[](double n) { return std::floor(n); }, +[](double n) { return std::ceil(n); }})
+    out.add_for_bodies([whole](Body& b) {
+      b.shape.n1 = std::max(2.0, whole(b.shape.n1));
+      b.shape.n2 = std::max(2.0, whole(b.shape.n2));
+    });
 }
 
 void add_rotations(Candidates& out) {
