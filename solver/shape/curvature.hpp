@@ -4,7 +4,7 @@
 // With A = E' d point and B = E' d normal (2x2, E a tangent basis, columns by the chart's coordinates) the Weingarten map
 // is dn = W dp, W = B A^-1, and a principal direction y solves the symmetric pencil A y = radius B y. Where the surface is
 // flat B loses rank, on an edge A does. M = A + L B, the derivative of the parallel surface at distance L, keeps full
-// rank, for the chart's two maps never vanish together; A M^-1 is symmetric with eigenvalues q = radius / (radius + L) in
+// rank, for the chart's two maps do not vanish together; A M^-1 is symmetric with eigenvalues q = radius / (radius + L) in
 // [0, 1] and L B M^-1 is its complement, so that radius = |A y| / |B y| with y = M^-1 v has no cancellation. Any L would do;
 // |A| / |B| makes both terms equally large.
 // Error    relative, a few epsilon times the quotient of the larger to the smaller radius.
@@ -58,12 +58,16 @@ template <class S>
   const detail::Mat2<S> normal_part = size_b > S(0) ? detail::Mat2<S>(b / size_b) : b;
   const detail::Mat2<S> m = point_part + normal_part;
   const S determinant = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
+  Vec3<S> middle = Vec3<S>::Zero();
+  middle[at.major] = at.w[at.major];
+  // Beside the pole of the inner norm both maps can vanish along one coordinate by underflow: the pole's values hold.
+  if (determinant == S(0) && at.w != middle) return principal_curvature<S>(shape, CubePoint<S>{middle, at.major});
   const detail::Mat2<S> inverse = detail::adjugate<S>(m) / determinant;
   const detail::Mat2<S> q = point_part * inverse;
   const detail::Vec2<S> v = detail::smaller_eigenvector<S>(q(0, 0), (q(0, 1) + q(1, 0)) / S(2), q(1, 1));
   const auto radius = [&](const detail::Vec2<S>& direction) {
     const detail::Vec2<S> y = inverse * direction;
-    return size_a / size_b * ((point_part * y).norm() / (normal_part * y).norm());
+    return size_a * (point_part * y).norm() / (size_b * (normal_part * y).norm());
   };
   const detail::Vec2<S> across(-v[1], v[0]);
   return {radius(v), radius(across), basis * v, basis * across};

@@ -77,7 +77,9 @@ RC_GTEST_PROP(Curvature, IsNeverNaNAndItsFrameIsOrthonormal, ()) {
 
 RC_GTEST_PROP(Curvature, ScalesWithTheUnitOfLength, ()) {
   const Shape s = *shape();
-  const auto at = CubePoint<double>::of(*direction());
+  const Vec u = *direction();
+  for (const double component : u) RC_PRE(component == 0 || std::abs(component) > 1e-3);  // no bit lost to underflow
+  const auto at = CubePoint<double>::of(u);
   Shape scaled = s;
   scale(scaled, 0x1p200);
   const Curvature c = principal_curvature<double>(s, at), d = principal_curvature<double>(scaled, at);
@@ -113,6 +115,13 @@ TEST(Curvature, PoleWithOuterExponentTwo) {
   const Curvature c = curvature_at(Shape{Vec(1, 2, 4), 2, 6}, Vec(0, 0, 1));
   EXPECT_DOUBLE_EQ(c.radius1, 0.25);
   EXPECT_DOUBLE_EQ(c.radius2, 1);
+}
+
+/// So close to the pole that the normal's map underflows: as at the pole.
+TEST(Curvature, BesideThePole) {
+  const Curvature c = curvature_at(Shape{Vec::Ones(), 50, 1.5}, Vec(0, 1e-247, 1));
+  EXPECT_EQ(c.radius1, kInfinity);
+  EXPECT_EQ(c.radius2, kInfinity);
 }
 
 /// The meridian of the curve |x|^n + |z|^n = 1 at 45 degrees: radius 2^(1/2 - 1/n) / (n - 1).

@@ -97,8 +97,8 @@ RC_GTEST_PROP(GaugeSupport, SignsOfTheCoordinatesAreMirrored, ()) {
 RC_GTEST_PROP(GaugeSupport, UnitOfLengthChangesNoBit, ()) {
   const Shape s = *shape();
   const Vec u = *direction();
-  for (const double component : u) RC_PRE(component == 0 || std::abs(component) > 1e-100);  // no bit lost to underflow
-  const int power = *rc::gen::inRange(-498, 499);                                           // 1e-150 .. 1e150
+  for (const double component : u) RC_PRE(component == 0 || std::abs(component) > 1e-12);  // no bit lost to underflow
+  const int power = *rc::gen::inRange(-498, 499);                                          // 1e-150 .. 1e150
   Shape scaled = s;
   scale(scaled, std::ldexp(1.0, power));
   const Vec x = support_point<double>(s, u).gradient;
