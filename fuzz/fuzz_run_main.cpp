@@ -30,7 +30,7 @@ struct Rate {
   const char* what;
   double per_minute;
 };
-constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 4000}, {"superquadric", 1200}, {"hard", 800}};
+constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 2000}, {"superquadric", 600}, {"hard", 400}};
 constexpr Rate kEngine{"runs of fuzz-pair", 1000};
 
 std::uint64_t scaled(const Rate& rate, double minutes) {
@@ -49,6 +49,7 @@ Source real_source(const std::string& folder) {
       cases.push_back(std::move(*c));
     }
   }
+  if (cases.empty()) throw InputFailure(folder, 0, "--real", "holds no case");
   const std::uint64_t count = cases.size();
   return {"real", count, [cases = std::move(cases)](std::uint64_t i) { return cases[i]; }, "plumb fuzz-run"};
 }

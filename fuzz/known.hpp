@@ -13,6 +13,7 @@ namespace plumb {
 struct KnownFault {
   std::string_view method;
   FindingKind kind;
+  double severity;  ///< up to which it is expected
   std::string_view reason;
   std::string_view pinned;  ///< the issue or case that holds it
 };
@@ -23,7 +24,7 @@ struct KnownFault {
 class AbortRule {
  public:
   explicit AbortRule(std::string_view words);
-  [[nodiscard]] bool stops(std::string_view method, FindingKind kind) const;
+  [[nodiscard]] bool stops(std::string_view method, const Finding& finding) const;
 
  private:
   bool use_table_ = false;

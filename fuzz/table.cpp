@@ -28,7 +28,8 @@ std::string share_text(std::uint64_t k, std::uint64_t n) {
 
 std::string angle(double degrees) {
   if (!(degrees >= 0)) return "-";
-  return degrees >= 10 ? fmt::format("{:.1f}", degrees) : fmt::format("{:.2g}", degrees);
+  if (degrees >= 10) return fmt::format("{:.1f}", degrees);
+  return degrees >= 1e-3 ? fmt::format("{:.2g}", degrees) : fmt::format("{:.0e}", degrees);
 }
 
 std::string duration(double nanoseconds) {
@@ -39,7 +40,7 @@ std::string duration(double nanoseconds) {
 
 std::string iterations(const Histogram& h) {
   if (h.count() == 0) return "-";
-  return fmt::format("{:.0f} / {:.0f}", h.percentile(0.5), h.percentile(0.99));
+  return fmt::format("{:.0f}/{:.0f}", h.percentile(0.5), h.percentile(0.99));
 }
 
 /// (word, "share [interval]") with the failures first, the most frequent of them on top.
@@ -56,11 +57,11 @@ std::vector<std::pair<std::string, std::string>> finding_lines(const Tally& tall
   return lines;
 }
 
-constexpr std::string_view kRow = "  {:<23}{:>7}  {:<14}{:<23}{:>9}{:>8}{:>8}{:>8}{:>10}{:>9}\n";
+constexpr std::string_view kRow = " {:<27}{:>6}  {:<15}{:<22}{:>8}{:>8}{:>8}{:>7}{:>8}{:>9}\n";
 
 std::string header() {
-  return fmt::format(kRow, "method", "conv. %", "finding", "share % [95 %]", ">0.01deg", "p50", "p99", "max",
-                     "iterations", "time");
+  return fmt::format(kRow, "method", "conv.%", "finding", "share % [95 %]", ">0.01deg", "p50", "p99", "max", "iter",
+                     "time");
 }
 
 std::string method_rows(const std::string& method, const Tally& tally) {
@@ -73,7 +74,7 @@ std::string method_rows(const std::string& method, const Tally& tally) {
                   angle(angles.percentile(0.5)), angle(angles.percentile(0.99)), angle(angles.max()),
                   iterations(tally.iterations), duration(tally.nanoseconds.percentile(0.5)));
   for (std::size_t i = 1; i < lines.size(); ++i)
-    text += fmt::format("  {:<23}{:>7}  {:<14}{}\n", "", "", lines[i].first, lines[i].second);
+    text += fmt::format(" {:<27}{:>6}  {:<15}{}\n", "", "", lines[i].first, lines[i].second);
   return text;
 }
 
@@ -89,9 +90,9 @@ std::string family_heading(const std::string& name, const FamilyResults& family)
 
 std::string notes(const Results& results) {
   std::string text =
-      "\n  conv. %: of all answers; share: of the judged answers, with its Clopper-Pearson interval;\n"
+      "\n  conv.%: of all answers; share: of the judged answers, with its Clopper-Pearson interval;\n"
       "  >0.01deg: per cent of the converged answers; p50, p99, max: their angle to the certified common normal, "
-      "degrees;\n  iterations: p50 / p99 of all answers; time: median of one solve.\n";
+      "degrees;\n  iter: p50/p99 of the iterations of all answers; time: median of one solve.\n";
   for (const auto& [asked, answered] : results.answered_by)
     for (const auto& [by, n] : answered)
       text += fmt::format("  {} answered by {} in {} cases: they count as {}'s.\n", asked, by, grouped(n), by);

@@ -52,7 +52,7 @@ Outcome examine(std::span<const std::uint8_t> bytes) {
   const JudgedAnswer judged = solve_and_judge(judge, c.pair, settings().solver);
   const Finding& finding = judged.judgement.finding;
   const std::string method = answering_method(settings().solver, judged.answer);
-  const bool stop = settings().rule.stops(method, finding.kind);
+  const bool stop = settings().rule.stops(method, finding);
   if (stop) keep(c, method, finding, judge.reference());
   if (finding.kind == FindingKind::none) return {false, fmt::format("none by {}", method)};
   return {stop, fmt::format("{} by {}, severity {:.3g}, law '{}': {}", name(finding.kind), method, finding.severity,
