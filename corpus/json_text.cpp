@@ -17,8 +17,10 @@ std::string without_prefix(const std::string& what) {
   return end == std::string::npos ? what : what.substr(end + 2);
 }
 
-bool spells_nan_or_infinity(const std::string& token) {
+// `read` is all that the library read since the last string or number, up to the first letter that fits nothing.
+bool ends_in_nan_or_infinity(const std::string& read) {
   const std::array<const char*, 9> starts{"N", "na", "I", "i", "-I", "-i", "-N", "-n", "+"};
+  const std::string token = read.substr(read.find_last_of(" \t\r\n,:[{") + 1);
   return std::find(starts.begin(), starts.end(), token) != starts.end();
 }
 
@@ -47,9 +49,9 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  bool parse_error(std::size_t, const std::string& token, const nlohmann::json::exception& error) override {
+  bool parse_error(std::size_t, const std::string& read, const nlohmann::json::exception& error) override {
     const std::string reason = without_prefix(error.what());
-    if (!spells_nan_or_infinity(token)) throw FieldError(path(), "broken JSON: " + reason);
+    if (!ends_in_nan_or_infinity(read)) throw FieldError(path(), "broken JSON: " + reason);
     throw FieldError(path(), "broken JSON: NaN and infinity are not numbers in JSON: " + reason);
   }
 

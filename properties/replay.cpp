@@ -41,6 +41,7 @@ std::optional<Solver> solver_instead(const Options& options) {
 std::string line_of(const Replayed& c) {
   std::string text = fmt::format("{}  {}  {}  {:.17g}  {}  {}", c.differences.empty() ? "same" : "DIFF", c.method,
                                  name(c.finding.kind), c.finding.severity, place_of(c), c.name);
+  if (!c.judged) text += " (unjudged: the reference has no answer)";
   for (const std::string& difference : c.differences) text += "; " + difference;
   return text;
 }

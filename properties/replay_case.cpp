@@ -93,13 +93,8 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   const Solver solver = instead ? *instead : solver_named(own_method(c), file, line);
   const auto solve = [&solver](const Pair& pair) { return solver.solve(pair, Want{}, nullptr); };
   const Contact<double> contact = solve(c.pair);
-  Replayed out{file,
-               line,
-               c.name,
-               solver.name,
-               Judge(c.pair).judge(solver.problem, contact, solve, solver.unit_keeps_bits).finding,
-               {},
-               0};
+  const Judgement judgement = Judge(c.pair).judge(solver.problem, contact, solve, solver.unit_keeps_bits);
+  Replayed out{file, line, c.name, solver.name, judgement.finding, judgement.judged, {}, 0};
   const Answered answered{c, contact, out.finding};
   compare_words(out.differences, answered, own_method(c) == solver.name);
   if (same_problem(c, solver)) compare_geometry(out.differences, answered);

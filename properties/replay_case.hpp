@@ -17,6 +17,7 @@ struct Replayed {
   std::string name;
   std::string method;
   Finding finding;
+  bool judged = false;                   ///< false: no finding, but also no reference to hold the answer against
   std::vector<std::string> differences;  ///< in words; empty: the case gave what it expects
   double seconds = 0;
 };
