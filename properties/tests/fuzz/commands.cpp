@@ -30,8 +30,8 @@ fs::path scratch() {
   return folder;
 }
 
-pid_t start(std::vector<std::string> arguments, const fs::path& log) {
-  arguments.insert(arguments.begin(), PLUMB_BINARY_DIR "/bin/plumb");
+pid_t start_program(const std::string& program, std::vector<std::string> arguments, const fs::path& log) {
+  arguments.insert(arguments.begin(), PLUMB_BINARY_DIR "/bin/" + program);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
@@ -43,6 +43,10 @@ pid_t start(std::vector<std::string> arguments, const fs::path& log) {
   EXPECT_EQ(posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environ), 0);
   posix_spawn_file_actions_destroy(&actions);
   return child;
+}
+
+pid_t start(const std::vector<std::string>& arguments, const fs::path& log) {
+  return start_program("plumb", arguments, log);
 }
 
 int exit_of(pid_t child) {
@@ -96,6 +100,28 @@ TEST(Commands, MergeOfNothing) {
 
 TEST(Commands, FamiliesAreListed) {
   EXPECT_EQ(exit_of(start({"families"}, scratch() / "stderr")), 0);
+}
+
+TEST(Commands, KeptFailuresReplay) {
+  const fs::path folder = scratch(), out = folder / "out";
+  EXPECT_EQ(
+      exit_of(start({"campaign", "--family", "spheroid", "--cases", "20", "--out", out.string()}, folder / "stderr")),
+      0);
+  ASSERT_FALSE(fs::is_empty(out / "failures"));
+  EXPECT_EQ(exit_of(start({"replay", (out / "failures").string()}, folder / "stderr")), 0)
+      << text_of(folder / "stderr");
+}
+
+TEST(Targets, PairStandsItsSeeds) {
+  const fs::path log = scratch() / "stderr";
+  EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0) << text_of(log);
+}
+
+TEST(Targets, CaseStandsTheCorpusAndTheSeeds) {
+  const fs::path log = scratch() / "stderr";
+  EXPECT_EQ(
+      exit_of(start_program("replay-case", {PLUMB_SOURCE_DIR "/corpus/cases", PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0)
+      << text_of(log);
 }
 
 TEST(Commands, InterruptKeepsWhatIsDone) {
