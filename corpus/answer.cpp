@@ -1,5 +1,6 @@
 #include "corpus/answer.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -44,7 +45,8 @@ void put_diagnosis(Json& out, const Answer& answer) {
     put(angles, "d_n2", diagnosis.d_n2);
   }
   put(angles, "n1_n2", diagnosis.n1_n2);
-  for (std::size_t i = 0; i < 5; ++i) put(residues, ("R" + std::to_string(i + 1)).c_str(), diagnosis.residues[i]);
+  constexpr std::array<const char*, 5> names{"R1", "R2", "R3", "R4", "R5"};
+  for (std::size_t i = 0; i < 5; ++i) put(residues, names[i], diagnosis.residues[i]);
   put_object(out, "angles_deg", angles);
   put_object(out, "residuals", residues);
 }

@@ -25,8 +25,8 @@ std::string one_line(std::string text) {
 
 std::string located(const std::string& file, int line, const std::string& field, const std::string& reason) {
   std::string out = file;
-  if (line > 0) out += ":" + std::to_string(line);
-  if (!field.empty()) out += ": " + field;
+  if (line > 0) out.append(":").append(std::to_string(line));
+  if (!field.empty()) out.append(": ").append(field);
   return one_line(out + ": " + reason);
 }
 
