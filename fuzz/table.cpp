@@ -57,7 +57,7 @@ std::vector<std::pair<std::string, std::string>> finding_lines(const Tally& tall
   return lines;
 }
 
-constexpr std::string_view kRow = " {:<27}{:>6}  {:<15}{:<22}{:>8}{:>8}{:>8}{:>7}{:>8}{:>9}\n";
+constexpr std::string_view kRow = " {:<26}{:>6}  {:<15}{:<22}{:>8}{:>8}{:>8}{:>7}{:>8}{:>9}\n";
 
 std::string header() {
   return fmt::format(kRow, "method", "conv.%", "finding", "share % [95 %]", ">0.01deg", "p50", "p99", "max", "iter",
@@ -74,7 +74,7 @@ std::string method_rows(const std::string& method, const Tally& tally) {
                   angle(angles.percentile(0.5)), angle(angles.percentile(0.99)), angle(angles.max()),
                   iterations(tally.iterations), duration(tally.nanoseconds.percentile(0.5)));
   for (std::size_t i = 1; i < lines.size(); ++i)
-    text += fmt::format(" {:<27}{:>6}  {:<15}{}\n", "", "", lines[i].first, lines[i].second);
+    text += fmt::format(" {:<26}{:>6}  {:<15}{}\n", "", "", lines[i].first, lines[i].second);
   return text;
 }
 

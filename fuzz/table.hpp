@@ -1,4 +1,4 @@
-// The results for the eye: 119 columns of plain text.
+// The results for the eye: 120 columns of plain text.
 #pragma once
 
 #include <filesystem>
