@@ -6,16 +6,16 @@
 
 namespace plumb {
 
-/// One body's potential F = g^n1 - 1 and outward normal at a point of the pair's frame, with derivatives by the point.
+/// One body's gauge and outward normal at a point of the pair's frame, with derivatives by the point. The surface equation
+/// Gamma = 0 of every method is g - 1 = 0: the zero set of the published Gamma = g^n1 - 1, without its powers of large
+/// numbers far from the surface.
 template <class S>
 struct SurfaceTerms {
-  S gauge;                 ///< g
-  Vec3<S> gauge_gradient;  ///< 1/length
-  Mat3<S> gauge_hessian;   ///< 1/length^2
-  S potential;             ///< F
-  Vec3<S> gradient;        ///< of F
-  Vec3<S> normal;          ///< unit
-  Mat3<S> dnormal;         ///< (I - n n') Hess g / |grad g|
+  S gauge;           ///< g
+  Vec3<S> gradient;  ///< of g, 1/length
+  Mat3<S> hessian;   ///< of g, 1/length^2
+  Vec3<S> normal;    ///< unit
+  Mat3<S> dnormal;   ///< (I - n n') Hess g / |grad g|
 };
 
 template <class S>
@@ -23,18 +23,15 @@ template <class S>
   const NormHessian<S> g = gauge_hessian<S>(body.shape, body.to_body(x));
   SurfaceTerms<S> out;
   out.gauge = g.value;
-  out.gauge_gradient = body.to_pair_direction(g.gradient);
-  out.gauge_hessian = body.rotation * g.hessian * body.rotation.transpose();
-  const S power = magnitude_power<S>(g.value, body.shape.n1 - S(1));
-  out.potential = power * g.value - S(1);
-  out.gradient = out.gauge_gradient * (body.shape.n1 * power);
-  const S length = out.gauge_gradient.norm();
-  out.normal = out.gauge_gradient / length;
-  out.dnormal = (out.gauge_hessian - out.normal * (out.normal.transpose() * out.gauge_hessian)) / length;
+  out.gradient = body.to_pair_direction(g.gradient);
+  out.hessian = body.rotation * g.hessian * body.rotation.transpose();
+  const S length = out.gradient.norm();
+  out.normal = out.gradient / length;
+  out.dnormal = (out.hessian - out.normal * (out.normal.transpose() * out.hessian)) / length;
   return out;
 }
 
-/// Rounding noise of a potential or of a unit normal near the surface, in units of epsilon: powers multiply it.
+/// Rounding noise of a unit normal, in units of epsilon: powers multiply it.
 template <class S>
 [[nodiscard]] inline S power_noise(const PlacedPair<S>& pair) {
   return S(1) + std::max({pair.body1.shape.n1, pair.body1.shape.n2, pair.body2.shape.n1, pair.body2.shape.n2});
@@ -46,15 +43,13 @@ struct PointPair {
   Vec3<S> x1, x2;
 };
 
-/// The documented start: where the line of centres leaves body 1 towards body 2's centre, and where it enters body 2.
-/// Coinciding centres: the line along z.
+/// The documented start: where the line of centres leaves the sphere about each body whose radius is the longest semi-axis
+/// (the spheres that a DEM code has tested for contact just before). Coinciding centres: the line along z.
 template <class S>
 [[nodiscard]] inline PointPair<S> centre_line_start(const PlacedPair<S>& pair) {
   const Vec3<S>& c = pair.body2.centre;
-  const Vec3<S> line = c.isZero(S(0)) ? Vec3<S>::UnitZ().eval() : c;
-  const S g1 = gauge<S>(pair.body1.shape, pair.body1.to_body_direction(line));
-  const S g2 = gauge<S>(pair.body2.shape, pair.body2.to_body_direction(line));
-  return {line / g1, c - line / g2};
+  const Vec3<S> line = c.isZero(S(0)) ? Vec3<S>::UnitZ().eval() : c / c.norm();
+  return {line * pair.body1.shape.semi_axes.maxCoeff(), c - line * pair.body2.shape.semi_axes.maxCoeff()};
 }
 
 /// The points of an earlier contact where there is one, otherwise the documented start.

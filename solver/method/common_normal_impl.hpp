@@ -21,7 +21,7 @@ struct PairTerms {
 /// Eqs. 1 to 4: both points on their surfaces, x and y of the normals opposite.
 template <class S>
 void set_first_four(Linearisation<S, 6, 6>& f, const PairTerms<S>& t) {
-  f.value.template head<4>() << t.s1.potential, t.s2.potential, t.s1.normal[0] + t.s2.normal[0],
+  f.value.template head<4>() << t.s1.gauge - S(1), t.s2.gauge - S(1), t.s1.normal[0] + t.s2.normal[0],
       t.s1.normal[1] + t.s2.normal[1];
   f.jacobian.setZero();
   f.jacobian.template block<1, 3>(0, 0) = t.s1.gradient.transpose();
@@ -67,7 +67,7 @@ struct NewSystem {
     const PairTerms<S> t(pair, x.template head<3>(), x.template segment<3>(3));
     const S overlap = x[6], size = pair.size();
     Linearisation<S, 8, 7> f;
-    f.value << t.s1.potential, t.s2.potential, t.s1.normal + t.s2.normal, (t.d + overlap * t.s1.normal) / size;
+    f.value << t.s1.gauge - S(1), t.s2.gauge - S(1), t.s1.normal + t.s2.normal, (t.d + overlap * t.s1.normal) / size;
     f.jacobian.setZero();
     f.jacobian.template block<1, 3>(0, 0) = t.s1.gradient.transpose();
     f.jacobian.template block<1, 3>(1, 3) = t.s2.gradient.transpose();

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace detail {
 
-/// Unknowns x, lambda: F_own(x) = 0 and grad g_other + lambda grad g_own = 0, the latter over `scale` (1/length).
+/// Unknowns x, lambda: g_own(x) = 1 and grad g_other + lambda grad g_own = 0, the latter over `scale` (1/length).
 template <class S>
 struct DeepestSystem {
   const PlacedPair<S>& pair;
@@ -22,12 +22,12 @@ struct DeepestSystem {
     const SurfaceTerms<S> t = surface_terms<S>(other, x.template head<3>());
     const S lambda = x[3];
     Linearisation<S, 4, 4> f;
-    f.value << o.potential, (t.gauge_gradient + lambda * o.gauge_gradient) / scale;
+    f.value << o.gauge - S(1), (t.gradient + lambda * o.gradient) / scale;
     f.jacobian.setZero();
     f.jacobian.template block<1, 3>(0, 0) = o.gradient.transpose();
-    f.jacobian.template block<3, 3>(1, 0) = (t.gauge_hessian + lambda * o.gauge_hessian) / scale;
-    f.jacobian.template block<3, 1>(1, 3) = o.gauge_gradient / scale;
-    f.noise = epsilon<S>() * power_noise<S>(pair) * (S(1) + t.gauge_gradient.norm() / scale);
+    f.jacobian.template block<3, 3>(1, 0) = (t.hessian + lambda * o.hessian) / scale;
+    f.jacobian.template block<3, 1>(1, 3) = o.gradient / scale;
+    f.noise = epsilon<S>() * power_noise<S>(pair) * (S(1) + t.gradient.norm() / scale);
     return f;
   }
 };
@@ -35,8 +35,8 @@ struct DeepestSystem {
 template <class S>
 [[nodiscard]] NewtonResult<S, 4> solve_deepest(const PlacedPair<S>& pair, const PlacedBody<S>& own,
                                                const PlacedBody<S>& other, const Vec3<S>& start, const Want& want) {
-  const S own_slope = surface_terms<S>(own, start).gauge_gradient.norm();
-  const S other_slope = surface_terms<S>(other, start).gauge_gradient.norm();
+  const S own_slope = surface_terms<S>(own, start).gradient.norm();
+  const S other_slope = surface_terms<S>(other, start).gradient.norm();
   Eigen::Matrix<S, 4, 1> x;
   x << start, other_slope / own_slope;
   const DeepestSystem<S> system{pair, own, other, other_slope};
@@ -55,13 +55,13 @@ struct MidwaySystem {
     const SurfaceTerms<S> s2 = surface_terms<S>(pair.body2, x.template head<3>());
     const S mu = x[3], power1 = pair.body1.shape.n1, power2 = pair.body2.shape.n1;
     Linearisation<S, 4, 4> f;
-    f.value << (s1.gauge_gradient + mu * s2.gauge_gradient) / scale, power1 * log(s1.gauge) - power2 * log(s2.gauge);
-    f.jacobian.template block<3, 3>(0, 0) = (s1.gauge_hessian + mu * s2.gauge_hessian) / scale;
-    f.jacobian.template block<3, 1>(0, 3) = s2.gauge_gradient / scale;
+    f.value << (s1.gradient + mu * s2.gradient) / scale, power1 * log(s1.gauge) - power2 * log(s2.gauge);
+    f.jacobian.template block<3, 3>(0, 0) = (s1.hessian + mu * s2.hessian) / scale;
+    f.jacobian.template block<3, 1>(0, 3) = s2.gradient / scale;
     f.jacobian.template block<1, 3>(3, 0) =
-        (s1.gauge_gradient * (power1 / s1.gauge) - s2.gauge_gradient * (power2 / s2.gauge)).transpose();
+        (s1.gradient * (power1 / s1.gauge) - s2.gradient * (power2 / s2.gauge)).transpose();
     f.jacobian(3, 3) = S(0);
-    f.noise = epsilon<S>() * power_noise<S>(pair) * (S(1) + s1.gauge_gradient.norm() / scale);
+    f.noise = epsilon<S>() * power_noise<S>(pair) * (S(1) + s1.gradient.norm() / scale);
     return f;
   }
 };
@@ -97,8 +97,8 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   const PlacedPair<S> placed = place<S>(pair);
   const PointPair<S> start = start_points<S>(placed, pair, last);
   const Vec3<S> middle = (start.x1 + start.x2) / S(2);
-  const S slope1 = surface_terms<S>(placed.body1, middle).gauge_gradient.norm();
-  const S slope2 = surface_terms<S>(placed.body2, middle).gauge_gradient.norm();
+  const S slope1 = surface_terms<S>(placed.body1, middle).gradient.norm();
+  const S slope2 = surface_terms<S>(placed.body2, middle).gradient.norm();
   Eigen::Matrix<S, 4, 1> unknown;
   unknown << middle, slope1 / slope2;
   const detail::MidwaySystem<S> system{placed, slope1};

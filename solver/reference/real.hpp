@@ -1,7 +1,6 @@
 // The high-precision scalars: MPFR numbers through Boost.Multiprecision, kept on the stack.
 //
-// MPFR rather than cpp_bin_float: its pow and exp are correctly rounded and several times faster (the ratio is measured
-// by reports/benchmark).
+// MPFR rather than cpp_bin_float: its pow, exp and log are correctly rounded.
 #pragma once
 
 #include <boost/multiprecision/eigen.hpp>

@@ -1,0 +1,193 @@
+// Every law is shown able to fail: a right answer breaks none, and for each law there is a deliberately wrong answer that
+// it rejects with the right finding.
+#include "properties/laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <map>
+
+#include "properties/families.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+namespace {
+
+using Solve = std::function<Contact<double>(const Pair&)>;
+
+Contact<double> solve_new_cn(const Pair& pair) {
+  return find_method("new_cn")->solve(pair, {}, nullptr);
+}
+
+/// Two spheroids of aspect 2, crossed, overlapping by about 2 %.
+Pair crossed_spheroids() {
+  Pair pair;
+  pair.body1.shape.semi_axes << 1, 1, 2;
+  pair.body2.shape.semi_axes << 1, 1, 2;
+  pair.body2.quaternion = {0.8, 0.5, 0.2, 0.1};
+  pair.body2.position << 1.1, 0.9, 1.7;
+  return pair;
+}
+
+/// The evidence that holds a right answer, for one law to be broken at a time.
+struct Bench {
+  Pair pair = crossed_spheroids();
+  Reference reference = find_reference(pair);
+  Contact<double> answer = solve_new_cn(pair);
+  Solve solve = solve_new_cn;
+
+  [[nodiscard]] Evidence evidence() const {
+    return {pair, Problem::common_normal, answer, reference, reference.common_normal, solve, true};
+  }
+  [[nodiscard]] Finding broken() const { return judge(evidence()).finding; }
+  [[nodiscard]] Vec3<double> across() const { return answer.normal.unitOrthogonal(); }
+};
+
+TEST(Laws, ARightAnswerBreaksNone) {
+  const Bench bench;
+  ASSERT_TRUE(bench.reference.common_normal.solved);
+  ASSERT_EQ(bench.reference.verdict, Verdict::overlapping);
+  for (const Law& law : laws()) EXPECT_LE(law.check(bench.evidence()).severity, 1) << law.name;
+  EXPECT_EQ(bench.broken().kind, FindingKind::none) << bench.broken().detail;
+}
+
+/// Another common normal of the same pair: the far sides, where new_cn ends when it starts there.
+Contact<double> far_side(const Bench& bench) {
+  Contact<double> start;
+  start.point1 = -2 * bench.answer.normal;
+  start.point2 = bench.pair.body2.position + 2 * bench.answer.normal;
+  return find_method("new_cn")->solve(bench.pair, {}, &start);
+}
+
+struct Wrong {
+  FindingKind kind;
+  std::function<void(Bench&)> spoil;
+};
+
+const std::map<std::string_view, Wrong>& wrong_answers() {
+  static const std::map<std::string_view, Wrong> all{
+      {"finite", {FindingKind::not_finite, [](Bench& b) { b.answer.point2[1] = std::nan(""); }}},
+      {"converges", {FindingKind::nonconverged, [](Bench& b) { b.answer.status = Status::stalled; }}},
+      {"verdict", {FindingKind::missed_contact, [](Bench& b) { b.answer.verdict = Verdict::separated; }}},
+      {"lowest", {FindingKind::wrong_branch, [](Bench& b) { b.answer = far_side(b); }}},
+      {"opposite",
+       {FindingKind::misaligned, [](Bench& b) { b.answer.point1 += 1e-9 * b.across(), b.answer.point2 -= 1e-9 * b.across(); }}},
+      {"collinear", {FindingKind::misaligned, [](Bench& b) { b.answer.point1 += 1e-12 * b.across(); }}},
+      {"normal", {FindingKind::misaligned, [](Bench& b) { b.answer.normal += 1e-12 * b.across(); }}},
+      {"surface",
+       {FindingKind::off_surface, [](Bench& b) { b.answer.point1 += 1e-12 * b.answer.normal, b.answer.point2 -= 1e-12 * b.answer.normal; }}},
+      {"overlap", {FindingKind::overlap_error, [](Bench& b) { b.answer.overlap *= 1 + 1e-10; }}},
+      {"points", {FindingKind::point_error, [](Bench& b) { b.answer.point1 += 1e-12 * b.across(); }}},
+      {"swap",
+       {FindingKind::asymmetric,
+        [](Bench& b) {
+          b.solve = [first = b.pair.body1.position](const Pair& p) {
+            Contact<double> c = solve_new_cn(p);
+            if (p.body1.position != first) c.overlap *= 1 + 1e-9;
+            return c;
+          };
+        }}},
+      {"motion",
+       {FindingKind::asymmetric,
+        [](Bench& b) {
+          b.solve = [](const Pair& p) {  // sees the axes of the world
+            Contact<double> c = solve_new_cn(p);
+            c.point1[2] *= 1 + 1e-9;
+            return c;
+          };
+        }}},
+      {"unit",
+       {FindingKind::asymmetric,
+        [](Bench& b) {
+          b.solve = [](const Pair& p) {  // an absolute tolerance: the anti-pattern that the law is for
+            Contact<double> c = solve_new_cn(p);
+            c.overlap += 1e-15;
+            return c;
+          };
+        }}},
+      {"repeat",
+       {FindingKind::nondeterministic,
+        [](Bench& b) {
+          b.solve = [calls = 0](const Pair& p) mutable {
+            Contact<double> c = solve_new_cn(p);
+            c.point1[0] = std::nextafter(c.point1[0], 2 + ++calls);
+            return c;
+          };
+        }}},
+      {"evaluations", {FindingKind::slow, [](Bench& b) { b.answer.evaluations = 1001; }}},
+  };
+  return all;
+}
+
+TEST(Laws, EachRejectsItsWrongAnswer) {
+  for (const Law& law : laws()) {
+    const auto found = wrong_answers().find(law.name);
+    ASSERT_NE(found, wrong_answers().end()) << "no wrong answer for the law " << law.name;
+    Bench bench;
+    found->second.spoil(bench);
+    const Finding finding = law.check(bench.evidence());
+    EXPECT_GT(finding.severity, 1) << law.name;
+    EXPECT_EQ(finding.kind, found->second.kind) << law.name;
+  }
+}
+
+TEST(Laws, TheFirstThatAppliesIsReported) {
+  Bench bench;
+  bench.answer = far_side(bench);
+  EXPECT_EQ(bench.broken().kind, FindingKind::wrong_branch) << bench.broken().detail;
+  bench.answer.verdict = Verdict::separated;
+  EXPECT_EQ(bench.broken().kind, FindingKind::missed_contact);
+  bench.answer.status = Status::iteration_limit;
+  EXPECT_EQ(bench.broken().kind, FindingKind::nonconverged);
+}
+
+TEST(Laws, ASeparatedPairCalledOverlappingIsAFalseContact) {
+  Bench bench;
+  bench.pair.body2.position *= 1.5;
+  bench.reference = find_reference(bench.pair);
+  bench.answer = solve_new_cn(bench.pair);
+  ASSERT_EQ(bench.reference.verdict, Verdict::separated);
+  EXPECT_EQ(bench.broken().kind, FindingKind::none) << bench.broken().detail;
+  bench.answer.verdict = Verdict::overlapping;
+  EXPECT_EQ(bench.broken().kind, FindingKind::false_contact);
+}
+
+TEST(Laws, AFlippedNormalIsMisaligned) {
+  Bench bench;
+  bench.answer.normal *= -1;
+  EXPECT_EQ(bench.broken().kind, FindingKind::misaligned);
+}
+
+TEST(Laws, WordsAreTheContracts) {
+  EXPECT_EQ(name(FindingKind::none), "none");
+  EXPECT_EQ(name(FindingKind::crash), "crash");
+  EXPECT_EQ(name(FindingKind::nondeterministic), "nondeterministic");
+}
+
+/// The mission's claim on a sample (the campaign repeats it on 100 000): convergence of the original says nothing.
+TEST(Laws, OriginalConvergesToWhatIsNoCommonNormal) {
+  const int cases = 300;
+  int converged = 0, misaligned = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const Case c = generate("spheroid", 1, i);
+    const Contact<double> answer = find_method("original_cn")->solve(c.pair, {}, nullptr);
+    if (answer.status != Status::converged) continue;
+    ++converged;
+    const FindingKind kind = Judge(c.pair).judge(Problem::common_normal, answer).finding.kind;
+    misaligned += kind == FindingKind::misaligned;
+  }
+  EXPECT_GT(converged, cases * 9 / 10);
+  EXPECT_GT(misaligned, converged / 2);
+}
+
+TEST(Laws, NewConvergesToCommonNormalsOnSpheroids) {
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const Case c = generate("spheroid", 1, i);
+    const Contact<double> answer = solve_new_cn(c.pair);
+    const Finding finding = Judge(c.pair).judge(Problem::common_normal, answer, solve_new_cn, true).finding;
+    EXPECT_EQ(finding.kind, FindingKind::none) << c.name << ": " << finding.law << ", " << finding.detail;
+  }
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,156 @@
+// The methods: closed forms, statuses, Jacobians, no heap in a solve.
+#include "solver/method/methods.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cstdlib>
+
+#include "properties/families.hpp"
+#include "solver/method/common_normal_impl.hpp"
+#include "solver/method/geometric_potential_impl.hpp"
+
+#if !defined(__SANITIZE_ADDRESS__)
+// glibc's own entry points: counting here sees every allocation of the program, Eigen's included.
+extern "C" void* __libc_malloc(std::size_t);  // NOLINT(bugprone-reserved-identifier)
+namespace {
+thread_local long allocations = 0;
+}
+extern "C" void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+#endif
+
+namespace plumb {
+namespace {
+
+Pair unit_spheres(double distance) {
+  Pair pair;
+  pair.body2.position << 0, 0, distance;
+  return pair;
+}
+
+TEST(Methods, SpheresInClosedForm) {
+  for (const Method& method : methods()) {
+    Pair pair = unit_spheres(0);
+    pair.body2.shape.semi_axes.setConstant(2);
+    pair.body2.position << 1, 2, 2;  // distance 3 less a fiftieth
+    pair.body2.position *= 0.98;
+    const Contact<double> c = method.solve(pair, {}, nullptr);
+    ASSERT_EQ(c.status, Status::converged) << method.name;
+    EXPECT_EQ(c.verdict, Verdict::overlapping) << method.name;
+    EXPECT_NEAR(c.overlap, 0.06, 1e-15) << method.name;
+    EXPECT_LE((c.normal - Vec3<double>(1, 2, 2) / 3).norm(), 2e-15) << method.name;
+    EXPECT_LE((c.point1 - c.normal).norm(), 2e-15) << method.name;
+    EXPECT_LE((c.point2 - (pair.body2.position - 2 * c.normal)).norm(), 2e-15) << method.name;
+  }
+}
+
+TEST(Methods, SeparatedSpheresHaveANegativeOverlap) {
+  for (const std::string_view name : {"new_cn", "geometric_potential", "geometric_potential_midway"}) {
+    const Contact<double> c = find_method(name)->solve(unit_spheres(2.5), {}, nullptr);
+    ASSERT_EQ(c.status, Status::converged) << name;
+    EXPECT_EQ(c.verdict, Verdict::separated) << name;
+    EXPECT_NEAR(c.overlap, -0.5, 1e-15) << name;
+    EXPECT_LE((c.normal - Vec3<double>::UnitZ()).norm(), 1e-15) << name;
+  }
+}
+
+TEST(Methods, TheAnswerNamesTheMethodThatAnswered) {
+  for (const Method& method : methods()) {
+    const std::string_view expected = method.name == "auto" ? "new_cn" : method.name;
+    EXPECT_EQ(method.solve(unit_spheres(1.9), {}, nullptr).method, expected);
+  }
+}
+
+TEST(Methods, IllegalInputIsRefusedAndNothingElse) {
+  Pair pair = unit_spheres(1.9);
+  pair.body2.shape.semi_axes[1] = -1;
+  for (const Method& method : methods()) {
+    const Contact<double> c = method.solve(pair, {}, nullptr);
+    EXPECT_EQ(c.status, Status::invalid_input);
+    EXPECT_TRUE(std::isnan(c.overlap));
+  }
+}
+
+TEST(Methods, EveryExitHasItsOwnStatus) {
+  const Case c = generate("spheroid", 1, 7);
+  for (const Method& method : methods()) {
+    Want one_step;
+    one_step.iteration_limit = 1;
+    EXPECT_EQ(method.solve(c.pair, one_step, nullptr).status, Status::iteration_limit) << method.name;
+  }
+  // Coincident centres of equal spheres: no normal is better than another, and GP's gradient does not exist.
+  EXPECT_EQ(find_method("geometric_potential_midway")->solve(unit_spheres(0), {}, nullptr).status, Status::not_finite);
+}
+
+TEST(Methods, AToleranceEndsEarlier) {
+  const Case c = generate("spheroid", 1, 7);
+  Want rough;
+  rough.tolerance = 1e-3;
+  const Method* method = find_method("new_cn");
+  EXPECT_LT(method->solve(c.pair, rough, nullptr).evaluations, method->solve(c.pair, {}, nullptr).evaluations);
+}
+
+TEST(Methods, AWarmStartCostsLess) {
+  Case c = generate("spheroid", 1, 7);
+  const Method* method = find_method("new_cn");
+  const Contact<double> cold = method->solve(c.pair, {}, nullptr);
+  c.pair.body2.position[0] += 1e-6;
+  EXPECT_LT(method->solve(c.pair, {}, &cold).iterations, method->solve(c.pair, {}, nullptr).iterations);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(Methods, NoHeapInASolve) {
+  for (const std::string_view family : {"spheroid", "superquadric"})
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const Pair pair = generate(family, 3, i).pair;
+      for (const Method& method : methods()) {
+        const long before = allocations;
+        const Contact<double> c = method.solve(pair, {}, nullptr);
+        ASSERT_EQ(allocations, before) << method.name << ", status " << name(c.status);
+      }
+    }
+}
+#endif
+
+/// Largest difference of a system's Jacobian from central differences, relative to its largest entry.
+template <int Equations, int Unknowns, class System>
+double jacobian_error(const System& system, const Eigen::Matrix<long double, Unknowns, 1>& x) {
+  const long double step = 1e-6L;
+  const auto at = system(x);
+  Eigen::Matrix<long double, Equations, Unknowns> differences;
+  for (int k = 0; k < Unknowns; ++k) {
+    auto ahead = x, behind = x;
+    ahead[k] += step;
+    behind[k] -= step;
+    differences.col(k) = (system(ahead).value - system(behind).value) / (2 * step);
+  }
+  return static_cast<double>((differences - at.jacobian).cwiseAbs().maxCoeff() / at.jacobian.cwiseAbs().maxCoeff());
+}
+
+TEST(Methods, JacobiansAreTheDerivatives) {
+  using S = long double;
+  for (const std::string_view family : {"spheroid", "ellipsoid"})
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const Pair pair = generate(family, 5, i).pair;
+      const PlacedPair<S> placed = place<S>(pair);
+      const PointPair<S> at = centre_line_start<S>(placed);
+      Eigen::Matrix<S, 6, 1> six;
+      six << at.x1, at.x2;
+      Eigen::Matrix<S, 7, 1> seven;
+      seven << six, S(0.1L);
+      Eigen::Matrix<S, 4, 1> four;
+      four << at.x1, S(1.3L);
+      const double small = 1e-6;
+      EXPECT_LT((jacobian_error<6, 6>(detail::LinNgSystem<S, false>{placed}, six)), small);
+      EXPECT_LT((jacobian_error<6, 6>(detail::LinNgSystem<S, true>{placed}, six)), small);
+      EXPECT_LT((jacobian_error<8, 7>(detail::NewSystem<S>{placed}, seven)), small);
+      EXPECT_LT((jacobian_error<4, 4>(detail::DeepestSystem<S>{placed, placed.body1, placed.body2, S(2)}, four)), small);
+      EXPECT_LT((jacobian_error<4, 4>(detail::MidwaySystem<S>{placed, S(2)}, four)), small);
+    }
+}
+
+}  // namespace
+}  // namespace plumb
