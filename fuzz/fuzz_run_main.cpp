@@ -30,8 +30,8 @@ struct Rate {
   const char* what;
   double per_minute;
 };
-constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 2000}, {"superquadric", 600}, {"hard", 400}};
-constexpr Rate kEngine{"runs of fuzz-pair", 1000};
+constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 2000}, {"superquadric", 500}, {"hard", 350}};
+constexpr Rate kEngine{"runs of fuzz-pair", 300};
 
 std::uint64_t scaled(const Rate& rate, double minutes) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(rate.per_minute * minutes)));
