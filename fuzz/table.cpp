@@ -18,12 +18,20 @@ std::string percent(double share) {
   const double p = 100 * share;
   if (std::isnan(p)) return "-";
   if (p == 0 || p == 100) return fmt::format("{:.0f}", p);
+  if (p > 99.94) return ">99.9";  // what is not all must not look like it
   return p >= 10 ? fmt::format("{:.1f}", p) : (p >= 0.1 ? fmt::format("{:.2f}", p) : fmt::format("{:.2g}", p));
 }
 
 std::string share_text(std::uint64_t k, std::uint64_t n) {
   const Share s = share_of(k, n);
-  return fmt::format("{:>6} [{}, {}]", percent(s.share), percent(s.low), percent(s.high));
+  return fmt::format("{} [{}, {}]", percent(s.share), percent(s.low), percent(s.high));
+}
+
+/// The shares of a column one below the other.
+std::string padded_share(std::uint64_t k, std::uint64_t n) {
+  const std::string text = share_text(k, n);
+  const std::size_t width = text.find(' ');
+  return std::string(width < 6 ? 6 - width : 0, ' ') + text;
 }
 
 std::string angle(double degrees) {
@@ -52,8 +60,8 @@ std::vector<std::pair<std::string, std::string>> finding_lines(const Tally& tall
   kinds.push_back(kFindingKinds - 1);
   std::vector<std::pair<std::string, std::string>> lines;
   for (const std::size_t i : kinds)
-    lines.emplace_back(name(static_cast<FindingKind>(i)), share_text(tally.findings[i], tally.judged()));
-  if (tally.unjudged > 0) lines.emplace_back("(unjudged)", share_text(tally.unjudged, tally.cases));
+    lines.emplace_back(name(static_cast<FindingKind>(i)), padded_share(tally.findings[i], tally.judged()));
+  if (tally.unjudged > 0) lines.emplace_back("(unjudged)", padded_share(tally.unjudged, tally.cases));
   return lines;
 }
 
