@@ -34,7 +34,8 @@ inline constexpr double wrong_altogether = 1e16;
 }
 
 [[nodiscard]] inline double angle_between(const Vec3<Real50>& a, const Vec3<Real50>& b) {
-  const double sine = static_cast<double>((a / a.norm() - b / b.norm()).norm()), cosine = static_cast<double>((a / a.norm() + b / b.norm()).norm());
+  const double sine = static_cast<double>((a / a.norm() - b / b.norm()).norm()),
+               cosine = static_cast<double>((a / a.norm() + b / b.norm()).norm());
   return 2 * std::atan2(sine, cosine);
 }
 

@@ -13,7 +13,8 @@ namespace {
 constexpr std::array all_laws{
     Law{"finite", "no number of a converged answer is NaN or infinite", law::answers_are_finite},
     Law{"converges", "the method vouches for its residual", law::converges},
-    Law{"verdict", "overlapping when the certified overlap is positive, not when it is negative", law::verdict_is_right},
+    Law{"verdict", "overlapping when the certified overlap is positive, not when it is negative",
+        law::verdict_is_right},
     Law{"lowest", "of all common normals it is the one of lowest overlap", law::has_the_lowest_overlap},
     Law{"opposite", "n1 + n2 = 0", law::normals_are_opposite},
     Law{"collinear", "p2 - p1 = -overlap n1", law::points_lie_on_the_normal},

@@ -64,10 +64,13 @@ struct Law {
 /// The verdict of all laws on one answer.
 struct Judgement {
   Finding finding;
-  bool judged = false;          ///< the reference has an answer to the method's own problem
-  double angle_error_deg = std::numeric_limits<double>::quiet_NaN();  ///< to the certified common normal, whatever the method's problem; NaN when unknown
-  double overlap_error = std::numeric_limits<double>::quiet_NaN();    ///< |overlap - own problem's| / size; NaN when unknown
-  double point_error = std::numeric_limits<double>::quiet_NaN();      ///< the larger point's distance from its own problem's / size; NaN when unknown
+  bool judged = false;  ///< the reference has an answer to the method's own problem
+  double angle_error_deg = std::numeric_limits<
+      double>::quiet_NaN();  ///< to the certified common normal, whatever the method's problem; NaN when unknown
+  double overlap_error =
+      std::numeric_limits<double>::quiet_NaN();  ///< |overlap - own problem's| / size; NaN when unknown
+  double point_error = std::numeric_limits<
+      double>::quiet_NaN();  ///< the larger point's distance from its own problem's / size; NaN when unknown
 };
 [[nodiscard]] Judgement judge(const Evidence& evidence);
 

@@ -16,9 +16,9 @@ using Wide = long double;
 
 /// A contact point as the judge sees it: long double, on its own body.
 struct SeenPoint {
-  double gap;             ///< distance from the surface along the normal, to first order
-  Vec3<Wide> normal;      ///< outward, world frame
-  double sharpest;        ///< smallest radius of curvature of the surface there
+  double gap;         ///< distance from the surface along the normal, to first order
+  Vec3<Wide> normal;  ///< outward, world frame
+  double sharpest;    ///< smallest radius of curvature of the surface there
 };
 
 SeenPoint see(const Body& body, const Vec3<double>& point) {
@@ -46,7 +46,8 @@ double normal_rounding(const Evidence& e, const SeenPoint& at) {
 }
 
 double opposition_severity(const Evidence& e, const SeenPair& s) {
-  const double angle = static_cast<double>(2 * std::atan2((s.at1.normal + s.at2.normal).norm(), (s.at1.normal - s.at2.normal).norm()));
+  const double angle =
+      static_cast<double>(2 * std::atan2((s.at1.normal + s.at2.normal).norm(), (s.at1.normal - s.at2.normal).norm()));
   return severity_of(angle, normal_rounding(e, s.at1) + normal_rounding(e, s.at2));
 }
 
@@ -114,10 +115,13 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
   const double still_a_common_normal = 1e3;
   const SeenPair s = see(e);
-  if (opposition_severity(e, s) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal) return {};
+  if (opposition_severity(e, s) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal)
+    return {};
   const double turned = angle_between(e.answer.normal.cast<Real50>(), nearest(e).normal);
   if (severity_of(turned, few * nearest(e).condition.normal) <= 1) return {};
-  return {FindingKind::wrong_branch, severity, {},
+  return {FindingKind::wrong_branch,
+          severity,
+          {},
           fmt::format("overlap {:.17g}, the lowest is {:.17g}", e.answer.overlap, static_cast<double>(e.own.overlap))};
 }
 
@@ -128,7 +132,8 @@ Finding normals_are_opposite(const Evidence& e) {
 
 Finding points_lie_on_the_normal(const Evidence& e) {
   if (e.problem != Problem::common_normal || !has_points(e)) return {};
-  return {FindingKind::misaligned, collinearity_severity(e, see(e)), {}, "p2 - p1 is not along n1 with the overlap's sign"};
+  return {
+      FindingKind::misaligned, collinearity_severity(e, see(e)), {}, "p2 - p1 is not along n1 with the overlap's sign"};
 }
 
 Finding normal_agrees(const Evidence& e) {
@@ -143,13 +148,18 @@ Finding points_are_on_surfaces(const Evidence& e) {
   if (!has_points(e)) return {};
   const SeenPair s = see(e);
   const double gap = std::max(s.at1.gap, s.at2.gap);
-  return {FindingKind::off_surface, severity_of(gap, point_rounding(e.pair)), {}, fmt::format("off the surface by {:.3g}", gap)};
+  return {FindingKind::off_surface,
+          severity_of(gap, point_rounding(e.pair)),
+          {},
+          fmt::format("off the surface by {:.3g}", gap)};
 }
 
 Finding overlap_agrees(const Evidence& e) {
   const Solution& truth = nearest(e);
   const double error = static_cast<double>(abs(Real50(e.answer.overlap) - truth.overlap));
-  return {FindingKind::overlap_error, severity_of(error, few * truth.condition.overlap * size_of(e.pair)), {},
+  return {FindingKind::overlap_error,
+          severity_of(error, few * truth.condition.overlap * size_of(e.pair)),
+          {},
           fmt::format("overlap off by {:.3g}", error)};
 }
 

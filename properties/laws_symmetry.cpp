@@ -30,7 +30,8 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
   const double moved = std::max((got.point1 - want.point1).norm(), (got.point2 - want.point2).norm());
   const double points = severity_of(moved, unit * condition.points * size + want.rounding);
   const double worst = std::max({overlap, normal, points});
-  return found(worst, fmt::format("overlap {:.3g}, normal {:.3g}, points {:.3g} times the allowance", overlap, normal, points));
+  return found(
+      worst, fmt::format("overlap {:.3g}, normal {:.3g}, points {:.3g} times the allowance", overlap, normal, points));
 }
 
 /// Two minima that tie within rounding may be exchanged by anything: the laws of symmetry say nothing of them.
@@ -81,8 +82,8 @@ bool same_bits(const Vec3<double>& a, const Vec3<double>& b) {
 bool same_contact(const Contact<double>& a, const Contact<double>& b, double unit) {
   const auto scaled = [&](const Vec3<double>& x) -> Vec3<double> { return x * unit; };
   return a.status == b.status && a.verdict == b.verdict && same_bits(a.overlap * unit, b.overlap) &&
-         same_bits(a.normal, b.normal) && same_bits(scaled(a.point1), b.point1) && same_bits(scaled(a.point2), b.point2) &&
-         a.evaluations == b.evaluations;
+         same_bits(a.normal, b.normal) && same_bits(scaled(a.point1), b.point1) &&
+         same_bits(scaled(a.point2), b.point2) && a.evaluations == b.evaluations;
 }
 
 }  // namespace
@@ -110,9 +111,12 @@ Finding unit_changes_nothing(const Evidence& e) {
   const double unit = 1024;
   const Contact<double> got = e.solve({rescaled(e.pair.body1, unit), rescaled(e.pair.body2, unit)});
   if (same_contact(e.answer, got, unit)) return {};
-  if (e.unit_keeps_bits) return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};
+  if (e.unit_keeps_bits)
+    return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};
   const double error = std::abs(got.overlap - e.answer.overlap * unit);
-  return {FindingKind::asymmetric, severity_of(error, 2 * few * e.own.condition.overlap * size_of(e.pair) * unit), {},
+  return {FindingKind::asymmetric,
+          severity_of(error, 2 * few * e.own.condition.overlap * size_of(e.pair) * unit),
+          {},
           "another overlap in a unit 1024 times smaller"};
 }
 

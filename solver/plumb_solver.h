@@ -17,8 +17,8 @@ extern "C" {
 
 /* (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 */
 typedef struct plumb_body {
-  double semi_axes[3];       /* a, b, c > 0 */
-  double exponents[2];       /* n1, n2 > 1 */
+  double semi_axes[3]; /* a, b, c > 0 */
+  double exponents[2]; /* n1, n2 > 1 */
   double position[3];
   double quaternion_wxyz[4]; /* any non-zero length */
 } plumb_body;
@@ -39,11 +39,11 @@ enum plumb_status {
 enum plumb_verdict { PLUMB_UNDECIDED = 0, PLUMB_OVERLAPPING = 1, PLUMB_SEPARATED = 2 };
 
 typedef struct plumb_contact {
-  int status;              /* enum plumb_status */
-  int verdict;             /* enum plumb_verdict */
-  double overlap;          /* > 0: penetration depth; < 0: minus the distance */
-  double normal[3];        /* unit, from body 1 to body 2 */
-  double points[2][3];     /* on body 1, on body 2 */
+  int status;          /* enum plumb_status */
+  int verdict;         /* enum plumb_verdict */
+  double overlap;      /* > 0: penetration depth; < 0: minus the distance */
+  double normal[3];    /* unit, from body 1 to body 2 */
+  double points[2][3]; /* on body 1, on body 2 */
   double contact_point[3];
   int iterations;
   int evaluations;

@@ -98,11 +98,11 @@ PlacedPair<S> place(const Pair& pair) {
   return placed;
 }
 
-#define PLUMB_INSTANTIATE_POSE(S)                                                      \
-  template Mat3<S> rotation<S>(const std::array<double, 4>&);                          \
-  template std::array<S, 4> quaternion_from_euler_zxz<S>(const Vec3<S>&);              \
-  template Vec3<S> line_direction<S>(const S&, const S&);                              \
-  template struct PlacedPair<S>;                                                       \
+#define PLUMB_INSTANTIATE_POSE(S)                                         \
+  template Mat3<S> rotation<S>(const std::array<double, 4>&);             \
+  template std::array<S, 4> quaternion_from_euler_zxz<S>(const Vec3<S>&); \
+  template Vec3<S> line_direction<S>(const S&, const S&);                 \
+  template struct PlacedPair<S>;                                          \
   template PlacedPair<S> place<S>(const Pair&);
 
 }  // namespace plumb

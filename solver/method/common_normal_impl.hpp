@@ -127,9 +127,9 @@ Contact<S> new_cn(const Pair& pair, const Want& want, const Contact<S>* last) {
   return detail::to_contact<S, 7>("new_cn", Newton<S, 8, 7, detail::NewSystem<S>>(system, want).solve(x), placed, pair);
 }
 
-#define PLUMB_INSTANTIATE_COMMON_NORMAL(S)                                           \
-  template Contact<S> original_cn<S>(const Pair&, const Want&, const Contact<S>*);   \
-  template Contact<S> corrected_cn<S>(const Pair&, const Want&, const Contact<S>*);  \
+#define PLUMB_INSTANTIATE_COMMON_NORMAL(S)                                          \
+  template Contact<S> original_cn<S>(const Pair&, const Want&, const Contact<S>*);  \
+  template Contact<S> corrected_cn<S>(const Pair&, const Want&, const Contact<S>*); \
   template Contact<S> new_cn<S>(const Pair&, const Want&, const Contact<S>*);
 
 }  // namespace plumb

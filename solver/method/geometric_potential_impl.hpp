@@ -115,13 +115,14 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   set_contact<S>(out, placed, pair, {x + s1 * n, x + s2 * n}, n);
   // Apart, the line along the normal may miss a body: then the potential still says so.
   if (!(s1 == s1 && s2 == s2))
-    out.verdict = gauge<S>(placed.body1.shape, placed.body1.to_body(x)) > S(1) ? Verdict::separated : Verdict::undecided;
+    out.verdict =
+        gauge<S>(placed.body1.shape, placed.body1.to_body(x)) > S(1) ? Verdict::separated : Verdict::undecided;
   out.contact_point = placed.to_world_point(x, pair);
   return out;
 }
 
-#define PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(S)                                            \
-  template Contact<S> geometric_potential<S>(const Pair&, const Want&, const Contact<S>*);  \
+#define PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(S)                                           \
+  template Contact<S> geometric_potential<S>(const Pair&, const Want&, const Contact<S>*); \
   template Contact<S> geometric_potential_midway<S>(const Pair&, const Want&, const Contact<S>*);
 
 }  // namespace plumb

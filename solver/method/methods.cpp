@@ -30,7 +30,8 @@ constexpr std::array all_methods{
                                              "the default; answers by new_cn for now, and names it in the answer"),
     PLUMB_ROW(original_cn, Problem::common_normal,
               "Lin & Ng's six equations as published, absolute values and all (Eqs. 1-6)"),
-    PLUMB_ROW(corrected_cn, Problem::common_normal, "the same with the signs kept, z still not asked for (Eqs. 1-4, 7, 8)"),
+    PLUMB_ROW(corrected_cn, Problem::common_normal,
+              "the same with the signs kept, z still not asked for (Eqs. 1-4, 7, 8)"),
     PLUMB_ROW(new_cn, Problem::common_normal,
               "normals opposite and d along them, all components (Eq. 10), line-search Newton"),
     PLUMB_ROW(geometric_potential, Problem::deepest_points,
@@ -46,7 +47,8 @@ std::span<const Method> methods() {
 }
 
 const Method* find_method(std::string_view name) {
-  const auto found = std::find_if(all_methods.begin(), all_methods.end(), [&](const Method& m) { return m.name == name; });
+  const auto found =
+      std::find_if(all_methods.begin(), all_methods.end(), [&](const Method& m) { return m.name == name; });
   return found == all_methods.end() ? nullptr : &*found;
 }
 

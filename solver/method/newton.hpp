@@ -56,8 +56,8 @@ class Newton {
   using Values = Linearisation<S, Equations, Unknowns>;
 
   static constexpr int most_backtracks = 40;
-  static constexpr double armijo = 1e-4;        // the customary fraction of the predicted decrease
-  static constexpr double shortest = 0.1;       // a backtrack shortens the step to a tenth .. a half
+  static constexpr double armijo = 1e-4;   // the customary fraction of the predicted decrease
+  static constexpr double shortest = 0.1;  // a backtrack shortens the step to a tenth .. a half
   static constexpr double longest = 0.5;
   static constexpr double noise_multiple = 16;  // |F| below this many times its noise is zero
 

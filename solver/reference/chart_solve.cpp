@@ -16,7 +16,8 @@ struct Collinearity {
 };
 
 template <class S>
-[[nodiscard]] inline Collinearity<S> collinearity(const Goal<S>& goal, const ChartResidual<S>& at, const Vec3<S>& centre2) {
+[[nodiscard]] inline Collinearity<S> collinearity(const Goal<S>& goal, const ChartResidual<S>& at,
+                                                  const Vec3<S>& centre2) {
   switch (goal.kind) {
     case GoalKind::first_touch: return {goal.line, at.point1 - (at.point2 - centre2)};
     case GoalKind::deepest_point: return {at.point2 - centre2, at.point1 - centre2, false, true, false};
@@ -33,8 +34,7 @@ Vec3<S> collinear_with(const PlacedPair<S>& pair, const Goal<S>& goal, const Cha
 }
 
 template <class S>
-ChartResidual<S> chart_residual(const PlacedPair<S>& pair, const Goal<S>& goal,
-                                 const ChartPair<S>& at) {
+ChartResidual<S> chart_residual(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<S>& at) {
   const SurfacePoint<S> s1 = surface_point<S>(pair.body1.shape, at.at1);
   const SurfacePoint<S> s2 = surface_point<S>(pair.body2.shape, at.at2);
   const Mat3<S>&r1 = pair.body1.rotation, &r2 = pair.body2.rotation;
@@ -73,8 +73,8 @@ template <class S>
 }  // namespace
 
 template <class S>
-LocalSolution<S> solve_on_charts(const PlacedPair<S>& pair, const Goal<S>& goal,
-                                 const ChartPair<S>& start, const S& tolerance, int limit) {
+LocalSolution<S> solve_on_charts(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<S>& start,
+                                 const S& tolerance, int limit) {
   const S longest_step(1);  // in chart coordinates, which run from -1 to 1
   const S give_up(1e12);    // of the damping parameter: the steps have become too short to matter
   LocalSolution<S> out;
@@ -105,9 +105,9 @@ LocalSolution<S> solve_on_charts(const PlacedPair<S>& pair, const Goal<S>& goal,
   return out;
 }
 
-#define PLUMB_INSTANTIATE_CHARTS(S)                                                                            \
-  template Vec3<S> collinear_with(const PlacedPair<S>&, const Goal<S>&, const ChartResidual<S>&);              \
-  template ChartResidual<S> chart_residual(const PlacedPair<S>&, const Goal<S>&, const ChartPair<S>&);         \
+#define PLUMB_INSTANTIATE_CHARTS(S)                                                                    \
+  template Vec3<S> collinear_with(const PlacedPair<S>&, const Goal<S>&, const ChartResidual<S>&);      \
+  template ChartResidual<S> chart_residual(const PlacedPair<S>&, const Goal<S>&, const ChartPair<S>&); \
   template LocalSolution<S> solve_on_charts(const PlacedPair<S>&, const Goal<S>&, const ChartPair<S>&, const S&, int);
 
 PLUMB_INSTANTIATE_CHARTS(double)

@@ -62,8 +62,8 @@ class Search {
       cells_.pop();
       split(cell);
     }
-    result_.complete = result_.best.overlap < 0 || cells_.empty() ||
-                       cells_.top().bound >= result_.best.overlap - limits_.gap;
+    result_.complete =
+        result_.best.overlap < 0 || cells_.empty() || cells_.top().bound >= result_.best.overlap - limits_.gap;
     keep_near_best();
     return std::move(result_);
   }
@@ -72,8 +72,7 @@ class Search {
   void split(const Cell& cell) {
     const double half = cell.half / 2;
     for (const double du : {-half, half})
-      for (const double dv : {-half, half})
-        look_at({cell.axis, cell.sign, cell.u + du, cell.v + dv, half}, cell.bound);
+      for (const double dv : {-half, half}) look_at({cell.axis, cell.sign, cell.u + du, cell.v + dv, half}, cell.bound);
   }
 
   void look_at(Cell cell, double parent_bound) {

@@ -15,13 +15,13 @@
 namespace plumb::reference {
 
 struct Probe {
-  double overlap;       ///< o(direction), pair frame
+  double overlap;  ///< o(direction), pair frame
   Vec3<double> direction;
 };
 
 struct SearchLimits {
-  double gap = 1e-9;     ///< directions whose bound is not lower than the best by more than this are left alone
-  double keep = 1e-3;    ///< probes within this of the best are handed back as possible ties
+  double gap = 1e-9;   ///< directions whose bound is not lower than the best by more than this are left alone
+  double keep = 1e-3;  ///< probes within this of the best are handed back as possible ties
   int cells = 60'000;
 };
 
@@ -29,7 +29,7 @@ struct SearchResult {
   Probe best;
   std::vector<Probe> near_best;  ///< probes within SearchLimits::keep of the best, lowest first
   int cells = 0;
-  bool complete = false;         ///< no direction is lower than best by more than the gap
+  bool complete = false;  ///< no direction is lower than best by more than the gap
 };
 
 /// o and its gradient p1(n) - p2(-n) at a direction of any length (pair frame).
@@ -38,7 +38,8 @@ struct SearchResult {
 /// `improve` is called with each probe that is lower than the best so far by more than the gap and returns the overlap that a
 /// local solve reached from there (or the probe's own). Ends early when a separating direction (overlap < 0) is found:
 /// then the problem is convex and a local solve is global.
-[[nodiscard]] SearchResult search_directions(const PlacedPair<double>& pair, const Probe& start, const SearchLimits& limits,
+[[nodiscard]] SearchResult search_directions(const PlacedPair<double>& pair, const Probe& start,
+                                             const SearchLimits& limits,
                                              const std::function<Probe(const Probe&)>& improve);
 
 }  // namespace plumb::reference

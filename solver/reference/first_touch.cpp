@@ -1,7 +1,7 @@
 // Centre distance at first touch: on the charts, the two normals opposite and p1 - p2 along the line. Its solution is
 // unique, for h_max is the least h1(n) + h2(-n) over the n with n.line = 1, a convex problem.
-#include "solver/reference/refine.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/reference/refine.hpp"
 
 namespace plumb {
 namespace {
@@ -22,9 +22,15 @@ Vec3<S> unit(const Vec3<S>& v) {
 }
 
 template <class S>
+LocalSolution<S> better(const LocalSolution<S>& a, const LocalSolution<S>& b) {
+  return a.residual < b.residual ? a : b;
+}
+
+template <class S>
 LocalSolution<S> solve_touch(const PlacedPair<S>& pair, const Vec3<S>& line) {
   const Goal<S> goal{GoalKind::first_touch, line};
-  return solve_from_direction<S>(pair, goal, line);
+  const LocalSolution<S> found = solve_from_direction<S>(pair, goal, start_direction<S>(pair, line));
+  return found.converged ? found : better(found, solve_from_direction<S>(pair, goal, line));
 }
 
 /// In 50 digits the way there is walked in double.
@@ -33,16 +39,17 @@ LocalSolution<Real50> solve_touch(const PlacedPair<Real50>& pair, const Vec3<Rea
   PlacedPair<double> rough;
   rough.exponent = pair.exponent;
   const auto narrowed = [](const PlacedBody<Real50>& body) -> PlacedBody<double> {
-    return {{body.shape.semi_axes.cast<double>(), static_cast<double>(body.shape.n1), static_cast<double>(body.shape.n2)},
-            body.rotation.cast<double>(),
-            body.centre.cast<double>()};
+    return {
+        {body.shape.semi_axes.cast<double>(), static_cast<double>(body.shape.n1), static_cast<double>(body.shape.n2)},
+        body.rotation.cast<double>(),
+        body.centre.cast<double>()};
   };
   rough.body1 = narrowed(pair.body1);
   rough.body2 = narrowed(pair.body2);
   const LocalSolution<double> start = solve_touch<double>(rough, unit<double>(line.cast<double>()));
   const Goal<Real50> goal{GoalKind::first_touch, line};
   const LocalSolution<Real50> fine = refine(pair, goal, start.at);
-  return fine.converged ? fine : solve_from_direction<Real50>(pair, goal, line);
+  return fine.converged ? fine : solve_from_direction<Real50>(pair, goal, start_direction<Real50>(pair, line));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The geometric-potential problems in 50 digits, so that GP methods are judged by their own definition.
 #include "solver/reference/condition.hpp"
-#include "solver/reference/refine.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/reference/refine.hpp"
 #include "solver/shape/ray.hpp"
 
 namespace plumb {
@@ -98,15 +98,18 @@ Growth find_growth(const Both& placed) {
   Growth out;
   out.pair = placed.fine;
   out.goal = {GoalKind::first_touch, placed.fine.body2.centre / placed.fine.body2.centre.norm()};
-  ChartPair<double> start = solve_from_direction<double>(placed.rough, {GoalKind::first_touch, placed.rough.body2.centre.normalized()},
-                                                         placed.rough.body2.centre.normalized()).at;
+  ChartPair<double> start =
+      solve_from_direction<double>(placed.rough, {GoalKind::first_touch, placed.rough.body2.centre.normalized()},
+                                   placed.rough.body2.centre.normalized())
+          .at;
   R log_sigma(0);
   for (int i = 0; i < 60; ++i) {
     out.pair.body2.shape.semi_axes = placed.fine.body2.shape.semi_axes * exp(log_sigma);
     const LocalSolution<R> touch = refine(out.pair, out.goal, start);
     if (!(touch.residual < accepted)) return out;
     out.at = touch.at;
-    start = {CubePoint<double>::of(touch.at.at1.w.cast<double>()), CubePoint<double>::of(touch.at.at2.w.cast<double>())};
+    start = {CubePoint<double>::of(touch.at.at1.w.cast<double>()),
+             CubePoint<double>::of(touch.at.at2.w.cast<double>())};
     const ChartResidual<R> f = chart_residual<R>(out.pair, out.goal, touch.at);
     const R support1 = f.normal1.dot(f.point1), support2 = f.normal1.dot(out.pair.body2.centre - f.point2);
     out.s1 = f.normal1.dot(out.pair.body2.centre) / (support1 + support2);
@@ -138,7 +141,8 @@ Solution midway(const Pair& pair, const Both& placed) {
   out.condition = condition_of(growth.pair, growth.goal, growth.at);
   // The points lie along the normal: they take over its error, and where the line leaves a body at a flat angle, more.
   const auto slant = [&](const PlacedBody<R>& body, const Vec3<R>& p) {
-    return static_cast<double>(R(1) / abs(body.to_pair_direction(outward_normal<R>(body.shape, body.to_body(p))).dot(n)));
+    return static_cast<double>(R(1) /
+                               abs(body.to_pair_direction(outward_normal<R>(body.shape, body.to_body(p))).dot(n)));
   };
   const double steepest = std::max(slant(placed.fine.body1, x + s1 * n), slant(placed.fine.body2, x + s2 * n));
   out.condition.points = (out.condition.points + out.condition.normal) * steepest;

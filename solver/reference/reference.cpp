@@ -1,7 +1,6 @@
 // The certified common normal, first form: search, many starts, 50 digits. See reference.hpp.
 #include "solver/reference/reference.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "solver/reference/condition.hpp"
@@ -24,18 +23,6 @@ struct Candidate {
   Vec3<double> direction;
   LocalSolution<double> local;
 };
-
-/// n ~ (A1 A1' + A2 A2')^-1 (c2 - c1), A = R diag(a, b, c): exact for two equal, equally turned ellipsoids.
-Vec3<double> centre_start(const PlacedPair<double>& pair) {
-  Mat3<double> sum = Mat3<double>::Zero();
-  for (const auto* body : {&pair.body1, &pair.body2}) {
-    const Mat3<double> a = body->rotation * body->shape.semi_axes.asDiagonal();
-    sum += a * a.transpose();
-  }
-  const Vec3<double> n = sum.ldlt().solve(pair.body2.centre);
-  const double length = n.stableNorm();
-  return std::isnormal(length) ? Vec3<double>(n / length) : Vec3<double>::UnitZ();
-}
 
 /// The local solves of one pair, and the stationary points that they found.
 class LocalSolves {
@@ -117,7 +104,7 @@ Verdict verdict_of(const Real50& overlap, double size) {
 Reference find_reference(const Pair& pair) {
   const PlacedPair<double> placed = place<double>(pair);
   LocalSolves solves(placed);
-  const Vec3<double> first = centre_start(placed);
+  const Vec3<double> first = start_direction<double>(placed, placed.body2.centre);
   const Probe start = solves.improve({overlap_gradient(placed, first).dot(first), first});
   const SearchResult search = search_directions(placed, start, {}, [&](const Probe& p) { return solves.improve(p); });
   for (const Probe& probe : search.near_best)

@@ -1,5 +1,7 @@
 #include "solver/reference/refine.hpp"
 
+#include <Eigen/Cholesky>
+
 namespace plumb::reference {
 namespace {
 
@@ -33,9 +35,21 @@ CubePoint<S> widened(const CubePoint<double>& at) {
 }  // namespace
 
 template <class S>
+Vec3<S> start_direction(const PlacedPair<S>& pair, const Vec3<S>& v) {
+  Mat3<S> sum = Mat3<S>::Zero();
+  for (const auto* body : {&pair.body1, &pair.body2}) {
+    const Mat3<S> a = body->rotation * body->shape.semi_axes.asDiagonal();
+    sum += a * a.transpose();
+  }
+  const Vec3<S> n = sum.ldlt().solve(v);
+  const S length = n.norm();
+  return length > S(0) && length < std::numeric_limits<S>::infinity() ? Vec3<S>(n / length) : Vec3<S>::UnitZ().eval();
+}
+
+template <class S>
 LocalSolution<S> solve_from_direction(const PlacedPair<S>& pair, const Goal<S>& goal, const Vec3<S>& direction) {
-  const LocalSolution<S> direct = solve_on_charts<S>(pair, goal, charts_of_direction<S>(pair, direction),
-                                                     local_tolerance<S>(pair), local_limit);
+  const LocalSolution<S> direct =
+      solve_on_charts<S>(pair, goal, charts_of_direction<S>(pair, direction), local_tolerance<S>(pair), local_limit);
   if (direct.converged || sharpest_exponent<S>(pair) <= S(2)) return direct;
   LocalSolution<S> staged = solve_in_stages<S>(pair, goal, direction);
   staged.iterations += direct.iterations;
@@ -47,9 +61,12 @@ LocalSolution<Real50> refine(const PlacedPair<Real50>& pair, const Goal<Real50>&
   return solve_on_charts<Real50>(pair, goal, at, local_tolerance<Real50>(pair), local_limit);
 }
 
-template LocalSolution<double> solve_from_direction(const PlacedPair<double>&, const Goal<double>&, const Vec3<double>&);
-template LocalSolution<long double> solve_from_direction(const PlacedPair<long double>&, const Goal<long double>&,
-                                                         const Vec3<long double>&);
-template LocalSolution<Real50> solve_from_direction(const PlacedPair<Real50>&, const Goal<Real50>&, const Vec3<Real50>&);
+#define PLUMB_INSTANTIATE_REFINE(S)                                       \
+  template Vec3<S> start_direction(const PlacedPair<S>&, const Vec3<S>&); \
+  template LocalSolution<S> solve_from_direction(const PlacedPair<S>&, const Goal<S>&, const Vec3<S>&);
+
+PLUMB_INSTANTIATE_REFINE(double)
+PLUMB_INSTANTIATE_REFINE(long double)
+PLUMB_INSTANTIATE_REFINE(Real50)
 
 }  // namespace plumb::reference

@@ -84,7 +84,8 @@ template <class S>
 [[nodiscard]] inline PairHessian<S> pair_norm_hessian(const S& x, const S& y, const Exponent<S>& e) {
   // xx = (p-1) |x|^(p-2) |y|^p: a factor 0 wins over infinity, for y = 0 makes the norm |x| along the whole x axis.
   const auto entry = [&](const S& along, const S& across) {
-    return across == S(0) ? S(0) : e.minus_one * magnitude_power<S>(along, e.minus_two) * magnitude_power<S>(across, e.p);
+    return across == S(0) ? S(0)
+                          : e.minus_one * magnitude_power<S>(along, e.minus_two) * magnitude_power<S>(across, e.p);
   };
   return {entry(x, y), -e.minus_one * signed_power<S>(x, e.minus_one) * signed_power<S>(y, e.minus_one), entry(y, x)};
 }
@@ -92,7 +93,8 @@ template <class S>
 }  // namespace detail
 
 template <class S>
-[[nodiscard]] inline NormHessian<S> nested_norm_hessian(const Vec3<S>& v, const Exponent<S>& e1, const Exponent<S>& e2) {
+[[nodiscard]] inline NormHessian<S> nested_norm_hessian(const Vec3<S>& v, const Exponent<S>& e1,
+                                                        const Exponent<S>& e2) {
   using std::abs;
   const NormValue<S> first = nested_norm_gradient<S>(v, e1, e2);
   NormHessian<S> out{first.value, first.gradient, Mat3<S>::Zero()};
@@ -100,7 +102,8 @@ template <class S>
   const S r = pair_norm<S>(v[0], v[1], e2);
   if (r == S(0)) {
     // d2N/dR2 on the z axis: 0 for p1 > 2, 1/N for p1 = 2, infinite for p1 < 2.
-    const S across = e1.minus_two > S(0) ? S(0) : (e1.minus_two == S(0) ? S(1) / norm : std::numeric_limits<S>::infinity());
+    const S across =
+        e1.minus_two > S(0) ? S(0) : (e1.minus_two == S(0) ? S(1) / norm : std::numeric_limits<S>::infinity());
     out.hessian(0, 0) = out.hessian(1, 1) = across;
     return out;
   }

@@ -69,9 +69,8 @@ template <class S>
 template <class S>
 [[nodiscard]] inline Vec3<S> outward_normal(const Superellipsoid<S>& shape, const Vec3<S>& x) {
   const Vec3<S> v = detail::divide<S>(x, shape);
-  const auto scaled = detail::unit_scaled<S>(
-      detail::divide<S>(nested_norm_gradient<S>(v, Exponent<S>::primal(shape.n1), Exponent<S>::primal(shape.n2)).gradient,
-                        shape));
+  const auto scaled = detail::unit_scaled<S>(detail::divide<S>(
+      nested_norm_gradient<S>(v, Exponent<S>::primal(shape.n1), Exponent<S>::primal(shape.n2)).gradient, shape));
   return scaled.vector / scaled.vector.norm();
 }
 

@@ -147,7 +147,8 @@ TEST(Methods, JacobiansAreTheDerivatives) {
       EXPECT_LT((jacobian_error<6, 6>(detail::LinNgSystem<S, false>{placed}, six)), small);
       EXPECT_LT((jacobian_error<6, 6>(detail::LinNgSystem<S, true>{placed}, six)), small);
       EXPECT_LT((jacobian_error<8, 7>(detail::NewSystem<S>{placed}, seven)), small);
-      EXPECT_LT((jacobian_error<4, 4>(detail::DeepestSystem<S>{placed, placed.body1, placed.body2, S(2)}, four)), small);
+      EXPECT_LT((jacobian_error<4, 4>(detail::DeepestSystem<S>{placed, placed.body1, placed.body2, S(2)}, four)),
+                small);
       EXPECT_LT((jacobian_error<4, 4>(detail::MidwaySystem<S>{placed, S(2)}, four)), small);
     }
 }

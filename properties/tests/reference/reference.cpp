@@ -58,7 +58,8 @@ TEST(Reference, ContactsBuiltBackwards) {
   for (const std::string_view family : {"spheroid", "ellipsoid", "superquadric"})
     for (std::uint64_t i = 0; i < 25; ++i) {
       const double overlap = i % 2 == 0 ? 1e-4 : -0.1;
-      const Vec3<double> direction(std::sin(i + 1.0), std::cos(2.0 * static_cast<double>(i)), 0.3);
+      const double step = static_cast<double>(i);
+      const Vec3<double> direction(std::sin(step + 1), std::cos(2 * step), 0.3);
       const Case c = generate(family, 11, i);
       const Pair pair = built_backwards(c, direction, overlap);
       const Reference found = find_reference(pair);
@@ -66,7 +67,9 @@ TEST(Reference, ContactsBuiltBackwards) {
       // Apart the common normal is unique; overlapping there may be a lower one, never is the lowest higher.
       const double excess = static_cast<double>(found.common_normal.overlap) - overlap;
       EXPECT_LT(excess, 1e-14 * size_of(pair)) << c.name;
-      if (overlap < 0) EXPECT_GT(excess, -1e-14 * size_of(pair)) << c.name;
+      if (overlap < 0) {
+        EXPECT_GT(excess, -1e-14 * size_of(pair)) << c.name;
+      }
     }
 }
 
@@ -138,7 +141,9 @@ TEST(Reference, SmallOverlapLimits) {
   const auto angles = [&](double ratio) {
     pair.body2.position = (line * (touch * R(1 - ratio))).cast<double>();
     const Vec3<R> n = find_reference(pair).common_normal.normal;
-    const auto off = [&](Problem p) { return static_cast<double>((find_potential_reference(pair, p).normal - n).norm()); };
+    const auto off = [&](Problem p) {
+      return static_cast<double>((find_potential_reference(pair, p).normal - n).norm());
+    };
     return std::pair(off(Problem::midway), off(Problem::deepest_points));
   };
   const auto [midway1, deepest1] = angles(1e-3);
