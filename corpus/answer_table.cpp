@@ -85,7 +85,7 @@ std::string row(const Answer& answer) {
       fields.contains("overlap") ? fmt::format("{: .5e}", fields["overlap"].get<double>()) : "-";
   return fmt::format("  {:<26} {:<15} {:>13}{:>9}{:>4}{:>9}\n", fields["method"].get<std::string>(),
                      fields["status"].get<std::string>(), overlap, largest_angle(fields), answer.contact.iterations,
-                     time_text(*answer.nanoseconds));
+                     answer.nanoseconds ? time_text(*answer.nanoseconds) : "-");
 }
 
 }  // namespace

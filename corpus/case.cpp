@@ -39,7 +39,8 @@ std::array<double, 4> read_orientation(const Field& orientation) {
   if (quaternion.has_value() + radians.has_value() + degrees.has_value() != 1)
     orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
   if (quaternion) return quaternion->numbers<4>();
-  return radians ? quaternion_from_euler(radians->numbers<3>()) : quaternion_from_euler_deg(degrees->numbers<3>());
+  if (radians) return quaternion_from_euler(radians->numbers<3>());
+  return quaternion_from_euler_deg(degrees.value().numbers<3>());
 }
 
 /// Without a position when a placement gives it.

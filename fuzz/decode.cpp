@@ -124,10 +124,11 @@ Superellipsoid<double> read_shape(Bytes bytes, std::size_t body, const Superelli
 }
 
 double read_unit(Bytes bytes) {
-  const int k = static_cast<std::int8_t>(read(bytes, 69, 1));
+  const int byte = static_cast<int>(read(bytes, 69, 1));
+  const int k = byte < 128 ? byte : byte - 256, decades = k / 8;
   switch (read(bytes, 68, 1) % 3) {
     case 1: return std::ldexp(1.0, k);
-    case 2: return static_cast<double>(std::pow(10.0L, static_cast<long double>(k / 8)));
+    case 2: return static_cast<double>(std::pow(10.0L, static_cast<long double>(decades)));
     default: return 1;
   }
 }

@@ -21,9 +21,14 @@ inline constexpr double wrong_altogether = 1e16;
   return std::max(pair.body1.position.lpNorm<Eigen::Infinity>(), pair.body2.position.lpNorm<Eigen::Infinity>());
 }
 
+/// `few` of a length; near the bottom of double's range the steps between subnormal numbers are what is left of it.
+[[nodiscard]] inline double few_of(double length) {
+  return few * length + allowed_multiple * std::numeric_limits<double>::denorm_min();
+}
+
 /// Error that a world-frame point may carry for its representation alone.
 [[nodiscard]] inline double point_rounding(const Pair& pair) {
-  return few * (size_of(pair) + far_from_origin(pair));
+  return few_of(size_of(pair) + far_from_origin(pair));
 }
 
 /// error / allowed, and 0 where the condition number allows anything.

@@ -27,7 +27,7 @@ namespace generators {
 
 /// A value drawn from a Stream that RapidCheck's own random number starts.
 template <class Draw>
-[[nodiscard]] auto drawn(Draw draw) {
+[[nodiscard]] auto drawn(const Draw& draw) {
   return rc::gen::noShrink(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [draw](std::uint64_t seed) {
     Stream stream("generators", seed, 0);
     return draw(stream);

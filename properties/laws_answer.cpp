@@ -67,7 +67,7 @@ const Solution& nearest(const Evidence& e) {
   const Solution* best = &e.own;
   for (const Solution& other : e.reference.stationary) {
     const double excess = static_cast<double>(other.overlap - e.own.overlap);
-    if (excess <= few * size_of(e.pair) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
+    if (excess <= few_of(size_of(e.pair)) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
   }
   return *best;
 }
@@ -97,7 +97,7 @@ Finding verdict_is_right(const Evidence& e) {
   if (!e.reference.common_normal.solved) return {};
   const double truth = static_cast<double>(e.reference.common_normal.overlap);
   // A verdict may be left open within the floor that every method documents (undecided_floor epsilon of the size).
-  const double allowed = 2 * few * size_of(e.pair);
+  const double allowed = 2 * few_of(size_of(e.pair));
   const Verdict said = e.answer.verdict;
   const auto detail = [&] { return fmt::format("says {}, overlap is {:.17g}", name(said), truth); };
   if (truth < 0 && said == Verdict::overlapping)
@@ -110,15 +110,17 @@ Finding verdict_is_right(const Evidence& e) {
 Finding has_the_lowest_overlap(const Evidence& e) {
   if (e.problem != Problem::common_normal || !has_points(e)) return {};
   const double excess = static_cast<double>(Real50(e.answer.overlap) - e.own.overlap);
-  const double severity = severity_of(excess, few * e.own.condition.overlap * size_of(e.pair));
+  const double severity = severity_of(excess, few_of(e.own.condition.overlap * size_of(e.pair)));
   if (!(severity > 1)) return {};
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
   const double still_a_common_normal = 1e3;
   const SeenPair s = see(e);
   if (opposition_severity(e, s) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal)
     return {};
-  const double turned = angle_between(e.answer.normal.cast<Real50>(), nearest(e).normal);
-  if (severity_of(turned, few * nearest(e).condition.normal) <= 1) return {};
+  // Where the normal is determined, one that is right makes it an error of the overlap alone.
+  const Solution& truth = nearest(e);
+  const double turned = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
+  if (std::isfinite(truth.condition.normal) && severity_of(turned, few * truth.condition.normal) <= 1) return {};
   return {FindingKind::wrong_branch,
           severity,
           {},
@@ -158,14 +160,14 @@ Finding overlap_agrees(const Evidence& e) {
   const Solution& truth = nearest(e);
   const double error = static_cast<double>(abs(Real50(e.answer.overlap) - truth.overlap));
   return {FindingKind::overlap_error,
-          severity_of(error, few * truth.condition.overlap * size_of(e.pair)),
+          severity_of(error, few_of(truth.condition.overlap * size_of(e.pair))),
           {},
           fmt::format("overlap off by {:.3g}", error)};
 }
 
 Finding points_agree(const Evidence& e) {
   const Solution& truth = nearest(e);
-  const double allowed = few * truth.condition.points * size_of(e.pair) + point_rounding(e.pair);
+  const double allowed = few_of(truth.condition.points * size_of(e.pair)) + point_rounding(e.pair);
   const double error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
                                 static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm()));
   return {FindingKind::point_error, severity_of(error, allowed), {}, fmt::format("a point off by {:.3g}", error)};

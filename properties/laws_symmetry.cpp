@@ -24,11 +24,11 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
   };
   if (got.status != Status::converged) return found(wrong_altogether, fmt::format("status {}", name(got.status)));
   const Condition& condition = e.own.condition;
-  const double unit = (2 + want.input_error) * few, size = size_of(asked);
-  const double overlap = severity_of(std::abs(got.overlap - want.overlap), unit * condition.overlap * size);
-  const double normal = severity_of((got.normal - want.normal).norm(), unit * condition.normal);
+  const double times = 2 + want.input_error, size = size_of(asked);
+  const double overlap = severity_of(std::abs(got.overlap - want.overlap), times * few_of(condition.overlap * size));
+  const double normal = severity_of((got.normal - want.normal).norm(), times * few * condition.normal);
   const double moved = std::max((got.point1 - want.point1).norm(), (got.point2 - want.point2).norm());
-  const double points = severity_of(moved, unit * condition.points * size + want.rounding);
+  const double points = severity_of(moved, times * few_of(condition.points * size) + want.rounding);
   const double worst = std::max({overlap, normal, points});
   return found(
       worst, fmt::format("overlap {:.3g}, normal {:.3g}, points {:.3g} times the allowance", overlap, normal, points));
@@ -115,7 +115,7 @@ Finding unit_changes_nothing(const Evidence& e) {
     return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};
   const double error = std::abs(got.overlap - e.answer.overlap * unit);
   return {FindingKind::asymmetric,
-          severity_of(error, 2 * few * e.own.condition.overlap * size_of(e.pair) * unit),
+          severity_of(error, 2 * few_of(e.own.condition.overlap * size_of(e.pair)) * unit),
           {},
           "another overlap in a unit 1024 times smaller"};
 }

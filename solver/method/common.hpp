@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/pose.hpp"
+#include "solver/shape/curvature.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
@@ -69,10 +70,19 @@ template <class S>
   return overlap < -floor ? Verdict::separated : Verdict::undecided;
 }
 
+/// Principal curvature of a placed body's surface on the ray from its centre through x, in world lengths and axes.
+template <class S>
+[[nodiscard]] PrincipalCurvature<S> world_curvature(const PlacedPair<S>& placed, const PlacedBody<S>& body,
+                                                    const Vec3<S>& x) {
+  const PrincipalCurvature<S> own = principal_curvature<S>(body.shape, body.to_body(x));
+  return {placed.to_world_length(own.radius1), placed.to_world_length(own.radius2),
+          body.to_pair_direction(own.direction1), body.to_pair_direction(own.direction2)};
+}
+
 /// Fills a contact from two points and the normal of the pair's frame; the overlap is n.(x1 - x2).
 template <class S>
-void set_contact(Contact<S>& out, const PlacedPair<S>& placed, const Pair& pair, const PointPair<S>& at,
-                 const Vec3<S>& normal) {
+void set_contact(Contact<S>& out, const Want& want, const PlacedPair<S>& placed, const Pair& pair,
+                 const PointPair<S>& at, const Vec3<S>& normal) {
   out.normal = normal;
   const S overlap = normal.dot(at.x1 - at.x2);
   out.verdict = verdict_of<S>(overlap, placed.size());
@@ -80,6 +90,8 @@ void set_contact(Contact<S>& out, const PlacedPair<S>& placed, const Pair& pair,
   out.point1 = placed.to_world_point(at.x1, pair);
   out.point2 = placed.to_world_point(at.x2, pair);
   out.contact_point = placed.to_world_point((at.x1 + at.x2) / S(2), pair);
+  if (want.curvature && at.x1.allFinite() && at.x2.allFinite())
+    out.curvature = {world_curvature<S>(placed, placed.body1, at.x1), world_curvature<S>(placed, placed.body2, at.x2)};
 }
 
 }  // namespace plumb

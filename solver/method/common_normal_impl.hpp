@@ -82,7 +82,7 @@ struct NewSystem {
 };
 
 template <class S, int Unknowns>
-[[nodiscard]] Contact<S> to_contact(std::string_view method, const NewtonResult<S, Unknowns>& result,
+[[nodiscard]] Contact<S> to_contact(std::string_view method, const NewtonResult<S, Unknowns>& result, const Want& want,
                                     const PlacedPair<S>& placed, const Pair& pair) {
   Contact<S> out;
   out.method = method;
@@ -90,7 +90,7 @@ template <class S, int Unknowns>
   out.iterations = result.iterations;
   out.evaluations = result.evaluations;
   const PointPair<S> at{result.x.template head<3>(), result.x.template segment<3>(3)};
-  set_contact<S>(out, placed, pair, at, surface_terms<S>(placed.body1, at.x1).normal);
+  set_contact<S>(out, want, placed, pair, at, surface_terms<S>(placed.body1, at.x1).normal);
   return out;
 }
 
@@ -102,7 +102,7 @@ template <class S, bool keep_signs>
   x << start.x1, start.x2;
   const LinNgSystem<S, keep_signs> system{placed};
   const auto result = Newton<S, 6, 6, LinNgSystem<S, keep_signs>>(system, want).solve(x);
-  return to_contact<S, 6>(keep_signs ? "corrected_cn" : "original_cn", result, placed, pair);
+  return to_contact<S, 6>(keep_signs ? "corrected_cn" : "original_cn", result, want, placed, pair);
 }
 
 }  // namespace detail
@@ -124,7 +124,8 @@ Contact<S> new_cn(const Pair& pair, const Want& want, const Contact<S>* last) {
   Eigen::Matrix<S, 7, 1> x;
   x << start.x1, start.x2, surface_terms<S>(placed.body1, start.x1).normal.dot(start.x1 - start.x2);
   const detail::NewSystem<S> system{placed};
-  return detail::to_contact<S, 7>("new_cn", Newton<S, 8, 7, detail::NewSystem<S>>(system, want).solve(x), placed, pair);
+  return detail::to_contact<S, 7>("new_cn", Newton<S, 8, 7, detail::NewSystem<S>>(system, want).solve(x), want, placed,
+                                  pair);
 }
 
 #define PLUMB_INSTANTIATE_COMMON_NORMAL(S)                                          \

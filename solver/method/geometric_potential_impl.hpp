@@ -88,7 +88,7 @@ Contact<S> geometric_potential(const Pair& pair, const Want& want, const Contact
   // Inside body 2, p1 is the deeper of the two along the normal; apart, p2 is the further.
   const S sign = gauge<S>(placed.body2.shape, placed.body2.to_body(at.x1)) < S(1) ? S(1) : S(-1);
   const Vec3<S> d = at.x1 - at.x2;
-  set_contact<S>(out, placed, pair, at, sign * d / d.norm());
+  set_contact<S>(out, want, placed, pair, at, sign * d / d.norm());
   return out;
 }
 
@@ -112,7 +112,7 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   const Vec3<S> n = surface_terms<S>(placed.body1, x).normal;
   const S s1 = distance_to_surface<S>(placed.body1, x, n, 1);
   const S s2 = distance_to_surface<S>(placed.body2, x, n, -1);
-  set_contact<S>(out, placed, pair, {x + s1 * n, x + s2 * n}, n);
+  set_contact<S>(out, want, placed, pair, {x + s1 * n, x + s2 * n}, n);
   // Apart, the line along the normal may miss a body: then the potential still says so.
   if (!(s1 == s1 && s2 == s2))
     out.verdict =

@@ -36,8 +36,7 @@ constexpr std::array all_methods{
               "normals opposite and d along them, all components (Eq. 10), line-search Newton"),
     PLUMB_ROW(geometric_potential, Problem::deepest_points,
               "the point of each surface that lies deepest in the other body's potential"),
-    PLUMB_ROW(geometric_potential_midway, Problem::midway,
-              "the point where both potentials are equal and their gradients opposite (LAMMPS, LIGGGHTS)"),
+    PLUMB_ROW(geometric_potential_midway, Problem::midway, "equal potentials, opposite gradients (LAMMPS, LIGGGHTS)"),
 };
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_F(Commands, NumbersThatJsonDoesNotHaveAreOneLineAndTwo) {
 }
 
 TEST_F(Commands, FilesThatCannotBeReadOrWritten) {
-  const std::string good = file("good.json", sample_case());
+  (void)file("good.json", sample_case());
   expect_refusal("solve none.json", "none.json: No such file or directory");
   expect_refusal("solve .", ".: Is a directory");
   expect_refusal("replay none", "none: No such file or directory");

@@ -57,6 +57,28 @@ TEST(Methods, SeparatedSpheresHaveANegativeOverlap) {
   }
 }
 
+/// On an axis the principal radii are b^2/a and c^2/a, and those of body 2 are found in world axes and lengths.
+TEST(Methods, CurvatureWhereItIsAskedFor) {
+  Pair pair;
+  pair.body1.shape.semi_axes << 1, 2, 3;
+  pair.body2.shape.semi_axes << 4, 3, 1;
+  pair.body2.quaternion = {1, 0, 1, 0};  // its z axis along x
+  pair.body2.position << 1.9, 0, 0;
+  Want want;
+  for (const std::string_view name : {"new_cn", "geometric_potential", "geometric_potential_midway"}) {
+    want.curvature = true;
+    const Contact<double> c = find_method(name)->solve(pair, want, nullptr);
+    EXPECT_NEAR(c.curvature[0].radius1, 4, 1e-13) << name;
+    EXPECT_NEAR(c.curvature[0].radius2, 9, 1e-13) << name;
+    EXPECT_NEAR(std::abs(c.curvature[0].direction1[1]), 1, 1e-13) << name;
+    EXPECT_NEAR(c.curvature[1].radius1, 9, 1e-13) << name;
+    EXPECT_NEAR(c.curvature[1].radius2, 16, 1e-13) << name;
+    EXPECT_NEAR(std::abs(c.curvature[1].direction2[2]), 1, 1e-13) << name;
+    want.curvature = false;
+    EXPECT_TRUE(std::isnan(find_method(name)->solve(pair, want, nullptr).curvature[0].radius1)) << name;
+  }
+}
+
 TEST(Methods, TheAnswerNamesTheMethodThatAnswered) {
   for (const Method& method : methods()) {
     const std::string_view expected = method.name == "auto" ? "new_cn" : method.name;
@@ -107,8 +129,10 @@ TEST(Methods, NoHeapInASolve) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       const Pair pair = generate(family, 3, i).pair;
       for (const Method& method : methods()) {
+        Want all;
+        all.curvature = true;
         const long before = allocations;
-        const Contact<double> c = method.solve(pair, {}, nullptr);
+        const Contact<double> c = method.solve(pair, all, nullptr);
         ASSERT_EQ(allocations, before) << method.name << ", status " << name(c.status);
       }
     }
