@@ -117,10 +117,11 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   const SeenPair s = see(e);
   if (opposition_severity(e, s) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal)
     return {};
-  // Where the normal is determined, one that is right makes it an error of the overlap alone.
+  // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
   const Solution& truth = nearest(e);
   const double turned = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
-  if (std::isfinite(truth.condition.normal) && severity_of(turned, few * truth.condition.normal) <= 1) return {};
+  const double determined = 0.1, allowed = few * truth.condition.normal;  // rad
+  if (allowed < determined && turned <= allowed) return {};
   return {FindingKind::wrong_branch,
           severity,
           {},
