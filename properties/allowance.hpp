@@ -26,9 +26,31 @@ inline constexpr double wrong_altogether = 1e16;
   return few * length + allowed_multiple * std::numeric_limits<double>::denorm_min();
 }
 
+/// The length that rounding is relative to: the larger body's size, and the overlap where the bodies are further apart.
+[[nodiscard]] inline double scale_of(const Evidence& e, const Solution& truth) {
+  return size_of(e.pair) + std::abs(static_cast<double>(truth.overlap));
+}
+
+/// Whether a solution's overlap is the lowest to within rounding.
+[[nodiscard]] inline bool ties(const Evidence& e, const Solution& other) {
+  return static_cast<double>(other.overlap - e.own.overlap) <= few_of(scale_of(e, e.own));
+}
+
+/// Where the condition number allows the normal to turn by more than this (rad), no normal is wrong.
+inline constexpr double undetermined = 0.1;
+
+[[nodiscard]] inline bool has_definite_normal(const Solution& truth) {
+  return few * truth.condition.normal < undetermined;
+}
+
 /// Error that a world-frame point may carry for its representation alone.
 [[nodiscard]] inline double point_rounding(const Pair& pair) {
   return few_of(size_of(pair) + far_from_origin(pair));
+}
+
+/// Whether a world-frame point of double precision can tell the surfaces' sides: not so far out that rounding swallows a body.
+[[nodiscard]] inline bool resolves_surfaces(const Pair& pair) {
+  return point_rounding(pair) < std::min(pair.body1.shape.semi_axes.minCoeff(), pair.body2.shape.semi_axes.minCoeff());
 }
 
 /// error / allowed, and 0 where the condition number allows anything.

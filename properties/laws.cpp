@@ -19,11 +19,18 @@ constexpr std::array all_laws{
     Law{"opposite", "n1 + n2 = 0", law::normals_are_opposite},
     Law{"collinear", "p2 - p1 = -overlap n1", law::points_lie_on_the_normal},
     Law{"normal", "the unit normal is the certified one", law::normal_agrees},
+    Law{"itself", "p1 - p2 = overlap times normal", law::agrees_with_itself},
+    Law{"deepest", "no point of a surface lies deeper in the other's potential than its own point",
+        law::points_are_deepest},
+    Law{"balance", "midway: equal potentials and opposite gradients at the contact point",
+        law::potentials_balance_midway},
     Law{"surface", "each point is on its body's surface", law::points_are_on_surfaces},
     Law{"overlap", "the overlap is the certified one", law::overlap_agrees},
     Law{"points", "the points are the certified ones", law::points_agree},
     Law{"swap", "(B, A) gives the answer of (A, B) seen from the other side", law::swap_changes_nothing},
     Law{"motion", "a rigid motion moves the answer along", law::rigid_motion_changes_nothing},
+    Law{"limit", "spheres have their closed form; exponents one step above 2 give the ellipsoid's answer",
+        law::limits_are_reached},
     Law{"unit", "a change of the unit of length changes nothing else", law::unit_changes_nothing},
     Law{"repeat", "the same pair gives the same bits", law::repeats_bit_for_bit},
     Law{"evaluations", "at most 1000 evaluations", law::evaluations_are_few},
@@ -62,14 +69,17 @@ Judgement judge(const Evidence& e) {
   Judgement out;
   out.finding = first_broken(e);
   out.judged = e.own.solved;
-  const Solution& truth = e.reference.common_normal;
-  if (truth.solved && e.answer.normal.allFinite())
-    out.angle_error_deg = law::angle_between(e.answer.normal.cast<Real50>(), truth.normal) * (180 / std::acos(-1.0));
+  const Evidence cn{e.pair, Problem::common_normal, e.answer, e.reference, e.reference.common_normal, {}, false};
+  const Solution& common_normal = law::nearest(cn);
+  if (common_normal.solved && law::has_definite_normal(common_normal) && e.answer.normal.allFinite())
+    out.angle_error_deg =
+        law::angle_between(e.answer.normal.cast<Real50>(), common_normal.normal) * (180 / std::acos(-1.0));
   if (!e.own.solved) return out;
+  const Solution& truth = law::nearest(e);
   const double size = size_of(e.pair);
-  out.overlap_error = std::abs(static_cast<double>(Real50(e.answer.overlap) - e.own.overlap)) / size;
-  out.point_error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - e.own.point1).norm()),
-                             static_cast<double>((e.answer.point2.cast<Real50>() - e.own.point2).norm())) /
+  out.overlap_error = std::abs(static_cast<double>(Real50(e.answer.overlap) - truth.overlap)) / size;
+  out.point_error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
+                             static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm())) /
                     size;
   return out;
 }

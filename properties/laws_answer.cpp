@@ -16,6 +16,8 @@ using Wide = long double;
 
 /// A contact point as the judge sees it: long double, on its own body.
 struct SeenPoint {
+  Wide gauge;
+  double slope;       ///< |grad g|, 1/length
   double gap;         ///< distance from the surface along the normal, to first order
   Vec3<Wide> normal;  ///< outward, world frame
   double sharpest;    ///< smallest radius of curvature of the surface there
@@ -26,7 +28,8 @@ SeenPoint see(const Body& body, const Vec3<double>& point) {
   const Mat3<Wide> r = rotation<Wide>(body.quaternion);
   const Vec3<Wide> x = r.transpose() * (point.cast<Wide>() - body.position.cast<Wide>());
   const NormValue<Wide> g = gauge_gradient<Wide>(shape, x);
-  return {static_cast<double>(std::abs(g.value - 1) / g.gradient.norm()), r * outward_normal<Wide>(shape, x),
+  return {g.value, static_cast<double>(g.gradient.norm()),
+          static_cast<double>(std::abs(g.value - 1) / g.gradient.norm()), r * outward_normal<Wide>(shape, x),
           static_cast<double>(principal_curvature<Wide>(shape, x).radius1)};
 }
 
@@ -60,29 +63,36 @@ double collinearity_severity(const Evidence& e, const SeenPair& s) {
   return wrong_side && distance > allowed ? wrong_altogether : severity_of(across, allowed);
 }
 
-/// The certified solution that the answer is held against: of several that tie within rounding, the nearest.
-const Solution& nearest(const Evidence& e) {
-  if (e.problem != Problem::common_normal || e.reference.stationary.empty()) return e.own;
-  const Vec3<Real50> n = e.answer.normal.cast<Real50>();
-  const Solution* best = &e.own;
-  for (const Solution& other : e.reference.stationary) {
-    const double excess = static_cast<double>(other.overlap - e.own.overlap);
-    if (excess <= few_of(size_of(e.pair)) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
-  }
-  return *best;
-}
-
 bool has_points(const Evidence& e) {
   return e.answer.point1.allFinite() && e.answer.point2.allFinite();
 }
 
+bool shows_surfaces(const Evidence& e) {
+  return has_points(e) && resolves_surfaces(e.pair);
+}
+
+bool has_infinity(const Vec3<double>& v) {
+  return (v.array().abs() == HUGE_VAL).any();
+}
+
 }  // namespace
 
+const Solution& nearest(const Evidence& e) {
+  if (e.problem != Problem::common_normal || !e.answer.normal.allFinite()) return e.own;
+  const Vec3<Real50> n = e.answer.normal.cast<Real50>();
+  const Solution* best = &e.own;
+  for (const Solution& other : e.reference.stationary)
+    if (ties(e, other) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
+  return *best;
+}
+
+// Somebody's answer may leave fields out; a solver that is asked for all of them may not, unless there is nothing to find.
 Finding answers_are_finite(const Evidence& e) {
   const Contact<double>& a = e.answer;
-  const bool infinite = std::isinf(a.overlap) || (a.normal.array().abs() == HUGE_VAL).any() ||
-                        (a.point1.array().abs() == HUGE_VAL).any() || (a.point2.array().abs() == HUGE_VAL).any();
-  const bool missing = a.status == Status::converged && e.own.solved && !(a.normal.allFinite() && has_points(e));
+  const bool infinite = std::isinf(a.overlap) || has_infinity(a.normal) || has_infinity(a.point1) ||
+                        has_infinity(a.point2) || has_infinity(a.contact_point);
+  const bool whole = std::isfinite(a.overlap) && a.normal.allFinite() && has_points(e) && a.contact_point.allFinite();
+  const bool missing = a.status == Status::converged && e.own.solved && e.solve && !whole;
   if (a.status == Status::not_finite) return {FindingKind::not_finite, wrong_altogether, {}, "status not_finite"};
   if (infinite || missing) return {FindingKind::not_finite, wrong_altogether, {}, "a NaN or an infinity in the answer"};
   return {};
@@ -97,8 +107,9 @@ Finding verdict_is_right(const Evidence& e) {
   if (!e.reference.common_normal.solved) return {};
   const double truth = static_cast<double>(e.reference.common_normal.overlap);
   // A verdict may be left open within the floor that every method documents (undecided_floor epsilon of the size).
-  const double allowed = 2 * few_of(size_of(e.pair));
+  const double allowed = 2 * few_of(scale_of(e, e.reference.common_normal));
   const Verdict said = e.answer.verdict;
+  if (said == Verdict::undecided && std::isnan(e.answer.overlap)) return {};
   const auto detail = [&] { return fmt::format("says {}, overlap is {:.17g}", name(said), truth); };
   if (truth < 0 && said == Verdict::overlapping)
     return {FindingKind::false_contact, severity_of(-truth, allowed), {}, detail()};
@@ -108,9 +119,9 @@ Finding verdict_is_right(const Evidence& e) {
 }
 
 Finding has_the_lowest_overlap(const Evidence& e) {
-  if (e.problem != Problem::common_normal || !has_points(e)) return {};
+  if (e.problem != Problem::common_normal || !shows_surfaces(e) || std::isnan(e.answer.overlap)) return {};
   const double excess = static_cast<double>(Real50(e.answer.overlap) - e.own.overlap);
-  const double severity = severity_of(excess, few_of(e.own.condition.overlap * size_of(e.pair)));
+  const double severity = severity_of(excess, few_of(e.own.condition.overlap * scale_of(e, e.own)));
   if (!(severity > 1)) return {};
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
   const double still_a_common_normal = 1e3;
@@ -120,8 +131,7 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
   const Solution& truth = nearest(e);
   const double turned = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
-  const double determined = 0.1, allowed = few * truth.condition.normal;  // rad
-  if (allowed < determined && turned <= allowed) return {};
+  if (has_definite_normal(truth) && turned <= few * truth.condition.normal) return {};
   return {FindingKind::wrong_branch,
           severity,
           {},
@@ -129,17 +139,65 @@ Finding has_the_lowest_overlap(const Evidence& e) {
 }
 
 Finding normals_are_opposite(const Evidence& e) {
-  if (e.problem != Problem::common_normal || !has_points(e)) return {};
+  if (e.problem != Problem::common_normal || !shows_surfaces(e)) return {};
   return {FindingKind::misaligned, opposition_severity(e, see(e)), {}, "n1 + n2 is not 0"};
 }
 
 Finding points_lie_on_the_normal(const Evidence& e) {
-  if (e.problem != Problem::common_normal || !has_points(e)) return {};
+  if (e.problem != Problem::common_normal || !shows_surfaces(e)) return {};
   return {
       FindingKind::misaligned, collinearity_severity(e, see(e)), {}, "p2 - p1 is not along n1 with the overlap's sign"};
 }
 
+Finding agrees_with_itself(const Evidence& e) {
+  const Contact<double>& a = e.answer;
+  if (!has_points(e) || !a.normal.allFinite() || std::isnan(a.overlap)) return {};
+  const Vec3<Wide> d = a.point1.cast<Wide>() - a.point2.cast<Wide>();
+  const double allowed = 2 * (point_rounding(e.pair) + few_of(std::abs(a.overlap)));
+  const double length = std::abs(static_cast<double>(d.stableNorm()) - std::abs(a.overlap));
+  const double across = static_cast<double>((d - Wide(a.overlap) * a.normal.cast<Wide>()).stableNorm());
+  return {length > allowed ? FindingKind::overlap_error : FindingKind::misaligned,
+          severity_of(across, allowed),
+          {},
+          fmt::format("p1 - p2 is not overlap times normal by {:.3g}", across)};
+}
+
+Finding points_are_deepest(const Evidence& e) {
+  if (e.problem != Problem::deepest_points || !has_points(e)) return {};
+  const auto excess = [&](const Body& other, const Vec3<double>& said, const Vec3<Real50>& deepest) {
+    const Superellipsoid<Real50> shape{other.shape.semi_axes.cast<Real50>(), other.shape.n1, other.shape.n2};
+    const Mat3<Real50> back = rotation<Real50>(other.quaternion).transpose();
+    const Vec3<Real50> centre = other.position.cast<Real50>();
+    const NormValue<Real50> truth = gauge_gradient<Real50>(shape, Vec3<Real50>(back * (deepest - centre)));
+    const Real50 found = gauge<Real50>(shape, Vec3<Real50>(back * (said.cast<Real50>() - centre)));
+    const double allowed = few * (1 + static_cast<double>(truth.value)) +
+                           point_rounding(e.pair) * static_cast<double>(truth.gradient.norm());
+    return severity_of(static_cast<double>(found - truth.value), allowed);
+  };
+  const double worst = std::max(excess(e.pair.body2, e.answer.point1, e.own.point1),
+                                excess(e.pair.body1, e.answer.point2, e.own.point2));
+  return {FindingKind::point_error, worst, {}, "another point of the surface lies deeper in the other's potential"};
+}
+
+Finding potentials_balance_midway(const Evidence& e) {
+  if (e.problem != Problem::midway || !e.answer.contact_point.allFinite() || !resolves_surfaces(e.pair)) return {};
+  const SeenPoint at1 = see(e.pair.body1, e.answer.contact_point), at2 = see(e.pair.body2, e.answer.contact_point);
+  const double opposite =
+      static_cast<double>(2 * std::atan2((at1.normal + at2.normal).norm(), (at1.normal - at2.normal).norm()));
+  const double turned = severity_of(opposite, normal_rounding(e, at1) + normal_rounding(e, at2));
+  const Wide n1 = e.pair.body1.shape.n1, n2 = e.pair.body2.shape.n1;
+  const double uneven = static_cast<double>(std::abs(n1 * std::log(at1.gauge) - n2 * std::log(at2.gauge)));
+  const auto slope = [&](const SeenPoint& at, Wide n) { return static_cast<double>(n / at.gauge) * at.slope; };
+  const double allowed =
+      few * static_cast<double>(n1 + n2) + point_rounding(e.pair) * (slope(at1, n1) + slope(at2, n2));
+  return {FindingKind::misaligned,
+          std::max(turned, severity_of(uneven, allowed)),
+          {},
+          "at the contact point the potentials are not equal or their gradients not opposite"};
+}
+
 Finding normal_agrees(const Evidence& e) {
+  if (!e.answer.normal.allFinite()) return {};
   const Solution& truth = nearest(e);
   const double angle = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
   const double length_error = std::abs(e.answer.normal.norm() - 1);
@@ -148,7 +206,7 @@ Finding normal_agrees(const Evidence& e) {
 }
 
 Finding points_are_on_surfaces(const Evidence& e) {
-  if (!has_points(e)) return {};
+  if (!shows_surfaces(e)) return {};
   const SeenPair s = see(e);
   const double gap = std::max(s.at1.gap, s.at2.gap);
   return {FindingKind::off_surface,
@@ -158,17 +216,19 @@ Finding points_are_on_surfaces(const Evidence& e) {
 }
 
 Finding overlap_agrees(const Evidence& e) {
+  if (std::isnan(e.answer.overlap)) return {};
   const Solution& truth = nearest(e);
   const double error = static_cast<double>(abs(Real50(e.answer.overlap) - truth.overlap));
   return {FindingKind::overlap_error,
-          severity_of(error, few_of(truth.condition.overlap * size_of(e.pair))),
+          severity_of(error, few_of(truth.condition.overlap * scale_of(e, truth))),
           {},
           fmt::format("overlap off by {:.3g}", error)};
 }
 
 Finding points_agree(const Evidence& e) {
+  if (!has_points(e)) return {};
   const Solution& truth = nearest(e);
-  const double allowed = few_of(truth.condition.points * size_of(e.pair)) + point_rounding(e.pair);
+  const double allowed = few_of(truth.condition.points * scale_of(e, truth)) + point_rounding(e.pair);
   const double error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
                                 static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm()));
   return {FindingKind::point_error, severity_of(error, allowed), {}, fmt::format("a point off by {:.3g}", error)};

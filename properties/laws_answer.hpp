@@ -5,12 +5,18 @@
 
 namespace plumb::law {
 
+/// The certified solution that the answer is held against: of several that tie within rounding, the nearest.
+[[nodiscard]] const Solution& nearest(const Evidence& e);
+
 [[nodiscard]] Finding answers_are_finite(const Evidence& e);
 [[nodiscard]] Finding converges(const Evidence& e);
 [[nodiscard]] Finding verdict_is_right(const Evidence& e);
 [[nodiscard]] Finding has_the_lowest_overlap(const Evidence& e);
 [[nodiscard]] Finding normals_are_opposite(const Evidence& e);
 [[nodiscard]] Finding points_lie_on_the_normal(const Evidence& e);
+[[nodiscard]] Finding agrees_with_itself(const Evidence& e);
+[[nodiscard]] Finding points_are_deepest(const Evidence& e);
+[[nodiscard]] Finding potentials_balance_midway(const Evidence& e);
 [[nodiscard]] Finding normal_agrees(const Evidence& e);
 [[nodiscard]] Finding points_are_on_surfaces(const Evidence& e);
 [[nodiscard]] Finding overlap_agrees(const Evidence& e);

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "properties/allowance.hpp"
 
 namespace plumb::law {
 namespace {
+
+using Wide = long double;
 
 /// What the answer to the transformed pair must be, and how much it may differ (lengths in the transformed pair's unit).
 struct Expected {
@@ -24,10 +27,10 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
   };
   if (got.status != Status::converged) return found(wrong_altogether, fmt::format("status {}", name(got.status)));
   const Condition& condition = e.own.condition;
-  const double times = 2 + want.input_error, size = size_of(asked);
+  const double times = 2 + want.input_error, size = size_of(asked) + std::abs(want.overlap);
   const double overlap = severity_of(std::abs(got.overlap - want.overlap), times * few_of(condition.overlap * size));
   const double normal = severity_of((got.normal - want.normal).norm(), times * few * condition.normal);
-  const double moved = std::max((got.point1 - want.point1).norm(), (got.point2 - want.point2).norm());
+  const double moved = std::max((got.point1 - want.point1).stableNorm(), (got.point2 - want.point2).stableNorm());
   const double points = severity_of(moved, times * few_of(condition.points * size) + want.rounding);
   const double worst = std::max({overlap, normal, points});
   return found(
@@ -36,18 +39,30 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
 
 /// Two minima that tie within rounding may be exchanged by anything: the laws of symmetry say nothing of them.
 bool is_tied(const Evidence& e) {
-  return !e.reference.stationary.empty();
+  const auto& others = e.reference.stationary;
+  return std::any_of(others.begin(), others.end(), [&](const Solution& other) { return ties(e, other); });
 }
 
 Vec3<double> cycled(const Vec3<double>& v) {
   return {v[2], v[0], v[1]};
 }
 
-/// The body turned by 120 degrees about (1, 1, 1) through the pivot: x to y, y to z, z to x. Positions relative to the
-/// pivot keep their bits; the quaternion is (1, 1, 1, 1) q.
-Body turned(const Body& body, const Vec3<double>& pivot) {
+/// Where the motion takes the world's points: turned by 120 degrees about (1, 1, 1) through the pivot (x to y, y to z, z to
+/// x), then shifted by a few sizes.
+struct Motion {
+  Vec3<double> pivot, shift;
+
+  explicit Motion(const Pair& pair) : pivot(pair.body1.position), shift(Vec3<double>::Zero()) {
+    const double size = size_of(pair), largest = 1e300;
+    if (size + far_from_origin(pair) < largest) shift << 3 * size, -2 * size, size;
+  }
+  [[nodiscard]] Vec3<double> operator()(const Vec3<double>& x) const { return pivot + cycled(x - pivot) + shift; }
+};
+
+/// The quaternion is (1, 1, 1, 1) q.
+Body moved(const Body& body, const Motion& motion) {
   Body out = body;
-  out.position = pivot + cycled(body.position - pivot);
+  out.position = motion(body.position);
   const auto [w, x, y, z] = body.quaternion;
   out.quaternion = {w - x - y - z, w + x - y + z, w + x + y - z, w - x + y + z};
   return out;
@@ -58,6 +73,11 @@ Body rescaled(const Body& body, double unit) {
   out.shape.semi_axes *= unit;
   out.position *= unit;
   return out;
+}
+
+bool is_sphere(const Body& body) {
+  const Vec3<double>& axes = body.shape.semi_axes;
+  return axes[0] == axes[1] && axes[1] == axes[2] && body.shape.n1 == 2 && body.shape.n2 == 2;
 }
 
 /// Powers of two leave every bit only while nothing comes near the ends of the range.
@@ -98,12 +118,36 @@ Finding swap_changes_nothing(const Evidence& e) {
 Finding rigid_motion_changes_nothing(const Evidence& e) {
   if (!e.solve || is_tied(e)) return {};
   const Contact<double>& a = e.answer;
-  const Vec3<double> pivot = e.pair.body1.position;
-  const auto move = [&](const Vec3<double>& x) -> Vec3<double> { return pivot + cycled(x - pivot); };
-  const double far = far_from_origin(e.pair) / size_of(e.pair);  // rounding of body 2's new position
-  return compare(e, {turned(e.pair.body1, pivot), turned(e.pair.body2, pivot)},
-                 {a.overlap, cycled(a.normal), move(a.point1), move(a.point2), 1 + far, 3 * point_rounding(e.pair)},
-                 "turned by 120 degrees about (1, 1, 1)");
+  const Motion motion(e.pair);
+  const Pair asked{moved(e.pair.body1, motion), moved(e.pair.body2, motion)};
+  const double far = far_from_origin(asked) / size_of(e.pair);  // rounding of the new positions
+  return compare(e, asked,
+                 {a.overlap, cycled(a.normal), motion(a.point1), motion(a.point2), 1 + 2 * far,
+                  2 * point_rounding(e.pair) + 2 * point_rounding(asked)},
+                 "turned by 120 degrees about (1, 1, 1) and shifted");
+}
+
+Finding limits_are_reached(const Evidence& e) {
+  if (!e.solve || is_tied(e)) return {};
+  const Contact<double>& a = e.answer;
+  if (is_sphere(e.pair.body1) && is_sphere(e.pair.body2)) {
+    const Vec3<Wide> d = e.pair.body2.position.cast<Wide>() - e.pair.body1.position.cast<Wide>();
+    const Wide overlap = Wide(e.pair.body1.shape.semi_axes[0]) + e.pair.body2.shape.semi_axes[0] - d.norm();
+    const double error = static_cast<double>(std::abs(overlap - a.overlap));
+    return {FindingKind::overlap_error,
+            severity_of(error, 2 * few_of(scale_of(e, e.own))),
+            {},
+            "not the spheres' closed form"};
+  }
+  Pair asked = e.pair;
+  for (Body* body : {&asked.body1, &asked.body2})
+    for (double* n : {&body->shape.n1, &body->shape.n2})
+      if (*n == 2) *n = std::nextafter(2.0, 3.0);
+  if (asked.body1.shape.n1 == e.pair.body1.shape.n1 && asked.body1.shape.n2 == e.pair.body1.shape.n2 &&
+      asked.body2.shape.n1 == e.pair.body2.shape.n1 && asked.body2.shape.n2 == e.pair.body2.shape.n2)
+    return {};
+  return compare(e, asked, {a.overlap, a.normal, a.point1, a.point2, 2, 2 * point_rounding(e.pair)},
+                 "exponents one step above 2");
 }
 
 Finding unit_changes_nothing(const Evidence& e) {
@@ -115,7 +159,7 @@ Finding unit_changes_nothing(const Evidence& e) {
     return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};
   const double error = std::abs(got.overlap - e.answer.overlap * unit);
   return {FindingKind::asymmetric,
-          severity_of(error, 2 * few_of(e.own.condition.overlap * size_of(e.pair)) * unit),
+          severity_of(error, 2 * few_of(e.own.condition.overlap * scale_of(e, e.own)) * unit),
           {},
           "another overlap in a unit 1024 times smaller"};
 }

@@ -6,6 +6,7 @@
 namespace plumb::law {
 
 [[nodiscard]] Finding swap_changes_nothing(const Evidence& e);
+[[nodiscard]] Finding limits_are_reached(const Evidence& e);
 [[nodiscard]] Finding rigid_motion_changes_nothing(const Evidence& e);
 [[nodiscard]] Finding unit_changes_nothing(const Evidence& e);
 [[nodiscard]] Finding repeats_bit_for_bit(const Evidence& e);

@@ -82,7 +82,7 @@ struct PrincipalCurvature {
 
 template <class S = double>
 struct Contact {
-  std::string_view method;          ///< the method that answered
+  std::string_view method;          ///< the method that answered; empty for invalid_input
   Status status = Status::stalled;  ///< pessimistic until a method says otherwise
   Verdict verdict = Verdict::undecided;
   S overlap = std::numeric_limits<S>::quiet_NaN();  ///< length, signed as above

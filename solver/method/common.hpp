@@ -20,8 +20,8 @@ struct SurfaceTerms {
 };
 
 template <class S>
-[[nodiscard]] inline SurfaceTerms<S> surface_terms(const PlacedBody<S>& body, const Vec3<S>& x) {
-  const NormHessian<S> g = gauge_hessian<S>(body.shape, body.to_body(x));
+[[nodiscard]] inline SurfaceTerms<S> surface_terms_about_centre(const PlacedBody<S>& body, const Vec3<S>& from_centre) {
+  const NormHessian<S> g = gauge_hessian<S>(body.shape, body.to_body_direction(from_centre));
   SurfaceTerms<S> out;
   out.gauge = g.value;
   out.gradient = body.to_pair_direction(g.gradient);
@@ -30,6 +30,11 @@ template <class S>
   out.normal = out.gradient / length;
   out.dnormal = (out.hessian - out.normal * (out.normal.transpose() * out.hessian)) / length;
   return out;
+}
+
+template <class S>
+[[nodiscard]] inline SurfaceTerms<S> surface_terms(const PlacedBody<S>& body, const Vec3<S>& x) {
+  return surface_terms_about_centre<S>(body, x - body.centre);
 }
 
 /// Rounding noise of a unit normal, in units of epsilon: powers multiply it.
@@ -44,20 +49,28 @@ struct PointPair {
   Vec3<S> x1, x2;
 };
 
+/// The same, each from its own body's centre: how far apart the bodies are costs no digit of a surface.
+template <class S>
+struct Offsets {
+  Vec3<S> r1, r2;
+
+  [[nodiscard]] PointPair<S> points(const PlacedPair<S>& pair) const { return {r1, pair.body2.centre + r2}; }
+};
+
 /// The documented start: where the line of centres leaves the sphere about each body whose radius is the longest semi-axis
 /// (the spheres that a DEM code has tested for contact just before). Coinciding centres: the line along z.
 template <class S>
-[[nodiscard]] inline PointPair<S> centre_line_start(const PlacedPair<S>& pair) {
+[[nodiscard]] inline Offsets<S> centre_line_start(const PlacedPair<S>& pair) {
   const Vec3<S>& c = pair.body2.centre;
-  const Vec3<S> line = c.isZero(S(0)) ? Vec3<S>::UnitZ().eval() : c / c.norm();
-  return {line * pair.body1.shape.semi_axes.maxCoeff(), c - line * pair.body2.shape.semi_axes.maxCoeff()};
+  const Vec3<S> line = c.isZero(S(0)) ? Vec3<S>::UnitZ().eval() : c / c.stableNorm();
+  return {line * pair.body1.shape.semi_axes.maxCoeff(), -line * pair.body2.shape.semi_axes.maxCoeff()};
 }
 
 /// The points of an earlier contact where there is one, otherwise the documented start.
 template <class S>
-[[nodiscard]] inline PointPair<S> start_points(const PlacedPair<S>& placed, const Pair& pair, const Contact<S>* last) {
+[[nodiscard]] inline Offsets<S> start_points(const PlacedPair<S>& placed, const Pair& pair, const Contact<S>* last) {
   if (last == nullptr || !last->point1.allFinite() || !last->point2.allFinite()) return centre_line_start<S>(placed);
-  return {placed.to_pair_point(last->point1, pair), placed.to_pair_point(last->point2, pair)};
+  return {placed.to_pair_point(last->point1, pair), placed.to_pair_point(last->point2, pair) - placed.body2.centre};
 }
 
 /// |overlap| up to this many epsilon of the pair's size leaves the verdict undecided.

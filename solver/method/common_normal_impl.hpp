@@ -8,14 +8,15 @@
 namespace plumb {
 namespace detail {
 
-/// What the three systems have in common at (x1, x2).
+/// What the three systems have in common at (r1, r2), each from its body's centre.
 template <class S>
 struct PairTerms {
   SurfaceTerms<S> s1, s2;
   Vec3<S> d;
 
-  PairTerms(const PlacedPair<S>& pair, const Vec3<S>& x1, const Vec3<S>& x2)
-      : s1(surface_terms<S>(pair.body1, x1)), s2(surface_terms<S>(pair.body2, x2)), d(x2 - x1) {}
+  PairTerms(const PlacedPair<S>& pair, const Vec3<S>& r1, const Vec3<S>& r2)
+      : s1(surface_terms_about_centre<S>(pair.body1, r1)), s2(surface_terms_about_centre<S>(pair.body2, r2)),
+        d(pair.body2.centre + (r2 - r1)) {}
 };
 
 /// Eqs. 1 to 4: both points on their surfaces, x and y of the normals opposite.
@@ -52,13 +53,14 @@ struct LinNgSystem {
     f.jacobian.template block<1, 3>(4, 3) = sign_dx * du.row(0);
     f.jacobian.template block<1, 3>(5, 0) = -sign_dy * du.row(1);
     f.jacobian.template block<1, 3>(5, 3) = sign_dy * du.row(1) + sign_ny * t.s2.dnormal.row(1);
+    f.noise.setConstant(epsilon<S>() * power_noise<S>(pair));
     // The direction of d carries the rounding of x1 and x2 over their distance.
-    f.noise = epsilon<S>() * (power_noise<S>(pair) + pair.size() / distance);
+    f.noise.template tail<2>().array() += epsilon<S>() * pair.size() / distance;
     return f;
   }
 };
 
-/// n1 + n2 = 0, d + o n1 = 0 with both points on their surfaces: 8 equations of rank 7 in x1, x2, o.
+/// n1 + n2 = 0, d + o n1 = 0 with both points on their surfaces: 8 equations of rank 7 in r1, r2, o.
 template <class S>
 struct NewSystem {
   const PlacedPair<S>& pair;
@@ -76,7 +78,9 @@ struct NewSystem {
     f.jacobian.template block<3, 3>(5, 0) = (overlap * t.s1.dnormal - Mat3<S>::Identity()) / size;
     f.jacobian.template block<3, 3>(5, 3) = Mat3<S>::Identity() / size;
     f.jacobian.template block<3, 1>(5, 6) = t.s1.normal / size;
-    f.noise = epsilon<S>() * power_noise<S>(pair);
+    f.noise.setConstant(epsilon<S>() * power_noise<S>(pair));
+    // d carries the rounding of the distance between the centres.
+    f.noise.template tail<3>().array() += epsilon<S>() * (t.d.stableNorm() / size);
     return f;
   }
 };
@@ -89,7 +93,8 @@ template <class S, int Unknowns>
   out.status = result.status;
   out.iterations = result.iterations;
   out.evaluations = result.evaluations;
-  const PointPair<S> at{result.x.template head<3>(), result.x.template segment<3>(3)};
+  const Offsets<S> found{result.x.template head<3>(), result.x.template segment<3>(3)};
+  const PointPair<S> at = found.points(placed);
   set_contact<S>(out, want, placed, pair, at, surface_terms<S>(placed.body1, at.x1).normal);
   return out;
 }
@@ -97,9 +102,9 @@ template <class S, int Unknowns>
 template <class S, bool keep_signs>
 [[nodiscard]] Contact<S> solve_lin_ng(const Pair& pair, const Want& want, const Contact<S>* last) {
   const PlacedPair<S> placed = place<S>(pair);
-  const PointPair<S> start = start_points<S>(placed, pair, last);
+  const Offsets<S> start = start_points<S>(placed, pair, last);
   Eigen::Matrix<S, 6, 1> x;
-  x << start.x1, start.x2;
+  x << start.r1, start.r2;
   const LinNgSystem<S, keep_signs> system{placed};
   const auto result = Newton<S, 6, 6, LinNgSystem<S, keep_signs>>(system, want).solve(x);
   return to_contact<S, 6>(keep_signs ? "corrected_cn" : "original_cn", result, want, placed, pair);
@@ -120,9 +125,10 @@ Contact<S> corrected_cn(const Pair& pair, const Want& want, const Contact<S>* la
 template <class S>
 Contact<S> new_cn(const Pair& pair, const Want& want, const Contact<S>* last) {
   const PlacedPair<S> placed = place<S>(pair);
-  const PointPair<S> start = start_points<S>(placed, pair, last);
+  const Offsets<S> start = start_points<S>(placed, pair, last);
+  const Vec3<S> normal = surface_terms<S>(placed.body1, start.r1).normal;
   Eigen::Matrix<S, 7, 1> x;
-  x << start.x1, start.x2, surface_terms<S>(placed.body1, start.x1).normal.dot(start.x1 - start.x2);
+  x << start.r1, start.r2, normal.dot(start.r1 - start.r2 - placed.body2.centre);
   const detail::NewSystem<S> system{placed};
   return detail::to_contact<S, 7>("new_cn", Newton<S, 8, 7, detail::NewSystem<S>>(system, want).solve(x), want, placed,
                                   pair);

@@ -27,7 +27,7 @@ struct DeepestSystem {
     f.jacobian.template block<1, 3>(0, 0) = o.gradient.transpose();
     f.jacobian.template block<3, 3>(1, 0) = (t.hessian + lambda * o.hessian) / scale;
     f.jacobian.template block<3, 1>(1, 3) = o.gradient / scale;
-    f.noise = epsilon<S>() * power_noise<S>(pair) * (S(1) + t.gradient.norm() / scale);
+    f.noise.setConstant(epsilon<S>() * power_noise<S>(pair) * (S(1) + t.gradient.norm() / scale));
     return f;
   }
 };
@@ -61,7 +61,7 @@ struct MidwaySystem {
     f.jacobian.template block<1, 3>(3, 0) =
         (s1.gradient * (power1 / s1.gauge) - s2.gradient * (power2 / s2.gauge)).transpose();
     f.jacobian(3, 3) = S(0);
-    f.noise = epsilon<S>() * power_noise<S>(pair) * (S(1) + s1.gradient.norm() / scale);
+    f.noise.setConstant(epsilon<S>() * power_noise<S>(pair) * (S(1) + s1.gradient.norm() / scale));
     return f;
   }
 };
@@ -76,7 +76,7 @@ struct MidwaySystem {
 template <class S>
 Contact<S> geometric_potential(const Pair& pair, const Want& want, const Contact<S>* last) {
   const PlacedPair<S> placed = place<S>(pair);
-  const PointPair<S> start = start_points<S>(placed, pair, last);
+  const PointPair<S> start = start_points<S>(placed, pair, last).points(placed);
   const auto first = detail::solve_deepest<S>(placed, placed.body1, placed.body2, start.x1, want);
   const auto second = detail::solve_deepest<S>(placed, placed.body2, placed.body1, start.x2, want);
   Contact<S> out;
@@ -95,7 +95,7 @@ Contact<S> geometric_potential(const Pair& pair, const Want& want, const Contact
 template <class S>
 Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const Contact<S>* last) {
   const PlacedPair<S> placed = place<S>(pair);
-  const PointPair<S> start = start_points<S>(placed, pair, last);
+  const PointPair<S> start = start_points<S>(placed, pair, last).points(placed);
   const Vec3<S> middle = (start.x1 + start.x2) / S(2);
   const S slope1 = surface_terms<S>(placed.body1, middle).gradient.norm();
   const S slope2 = surface_terms<S>(placed.body2, middle).gradient.norm();

@@ -9,12 +9,25 @@
 namespace plumb {
 namespace {
 
-/// What every method does alike: refuse illegal input, and put its name on the answer.
+/// An answer without what the method found: where it did not converge, that is no answer.
+template <class S>
+Contact<S> withheld(const Contact<S>& answer) {
+  Contact<S> out;
+  out.method = answer.method;
+  out.status = answer.status;
+  out.iterations = answer.iterations;
+  out.evaluations = answer.evaluations;
+  return out;
+}
+
+/// What every method does alike: refuse illegal input, and hand out nothing that its status does not vouch for.
 template <class S, SolveFunction<S> method>
 Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
   Contact<S> out;
   out.status = Status::invalid_input;
-  return is_valid(pair) ? method(pair, want, last) : out;
+  if (!is_valid(pair)) return out;
+  out = method(pair, want, last);
+  return out.status == Status::converged ? out : withheld<S>(out);
 }
 
 template <SolveFunction<double> method, SolveFunction<long double> method_long>

@@ -14,12 +14,12 @@
 
 namespace plumb {
 
-/// F, its Jacobian, and the magnitude below which a component of F is rounding noise.
+/// F, its Jacobian, and for each component of F the magnitude below which it is rounding noise.
 template <class S, int Equations, int Unknowns>
 struct Linearisation {
   Eigen::Matrix<S, Equations, 1> value;
   Eigen::Matrix<S, Equations, Unknowns> jacobian;
-  S noise;
+  Eigen::Matrix<S, Equations, 1> noise;
 };
 
 template <class S, int Unknowns>
@@ -73,8 +73,8 @@ class Newton {
   }
 
   [[nodiscard]] bool is_small_enough() const {
-    const S floor = S(noise_multiple) * here_.noise;
-    return here_.value.cwiseAbs().maxCoeff() <= (S(want_.tolerance) > floor ? S(want_.tolerance) : floor);
+    const auto floor = (S(noise_multiple) * here_.noise.array()).max(S(want_.tolerance));
+    return (here_.value.array().abs() <= floor).all();
   }
 
   [[nodiscard]] Unknown newton_step() {

@@ -36,7 +36,7 @@ struct Solution {
 struct Reference {
   Verdict verdict = Verdict::undecided;
   Solution common_normal;            ///< the one of lowest overlap
-  std::vector<Solution> stationary;  ///< every other common normal found with the right sign, lowest overlap first
+  std::vector<Solution> stationary;  ///< others found whose overlap is within 1e-7 of the size of it, lowest first
   bool searched_all = false;         ///< the search over directions ended before its budget did
   int cells = 0;                     ///< cells of directions that the search looked at
   int starts = 0;                    ///< local solves

@@ -35,10 +35,17 @@ struct Bench {
   Reference reference = find_reference(pair);
   Contact<double> answer = solve_new_cn(pair);
   Solve solve = solve_new_cn;
+  Problem problem = Problem::common_normal;
+  Solution own = reference.common_normal;
 
-  [[nodiscard]] Evidence evidence() const {
-    return {pair, Problem::common_normal, answer, reference, reference.common_normal, solve, true};
+  void answer_by(std::string_view name) {
+    const Method* method = find_method(name);
+    problem = method->problem;
+    own = find_potential_reference(pair, problem);
+    solve = [method](const Pair& p) { return method->solve(p, {}, nullptr); };
+    answer = solve(pair);
   }
+  [[nodiscard]] Evidence evidence() const { return {pair, problem, answer, reference, own, solve, true}; }
   [[nodiscard]] Finding broken() const { return judge(evidence()).finding; }
   [[nodiscard]] Vec3<double> across() const { return answer.normal.unitOrthogonal(); }
 };
@@ -56,6 +63,7 @@ void answer_far_sides_of_spheres(Bench& b) {
   b.pair = {};
   b.pair.body2.position << 1.9, 0, 0;
   b.reference = find_reference(b.pair);
+  b.own = b.reference.common_normal;
   b.answer = solve_new_cn(b.pair);
   b.answer.overlap = 3.9;
   b.answer.normal << -1, 0, 0;
@@ -101,6 +109,28 @@ const std::map<std::string_view, Wrong>& wrong_answers() {
             c.point1[2] *= 1 + 1e-9;
             return c;
           };
+        }}},
+      {"limit",
+       {FindingKind::asymmetric,
+        [](Bench& b) {
+          b.solve = [](const Pair& p) {  // another code for superquadrics, with an error of its own
+            Contact<double> c = solve_new_cn(p);
+            if (p.body1.shape.n1 != 2) c.overlap *= 1 + 1e-9;
+            return c;
+          };
+        }}},
+      {"itself", {FindingKind::misaligned, [](Bench& b) { b.answer.normal += 1e-9 * b.across(); }}},
+      {"deepest",
+       {FindingKind::point_error,
+        [](Bench& b) {
+          b.answer_by("geometric_potential");
+          b.answer.point1 = b.pair.body1.position + Vec3<double>(0, 0, 2);
+        }}},
+      {"balance",
+       {FindingKind::misaligned,
+        [](Bench& b) {
+          b.answer_by("geometric_potential_midway");
+          b.answer.contact_point += 1e-12 * b.across();
         }}},
       {"unit",
        {FindingKind::asymmetric,
@@ -151,6 +181,7 @@ TEST(Laws, ASeparatedPairCalledOverlappingIsAFalseContact) {
   Bench bench;
   bench.pair.body2.position *= 1.5;
   bench.reference = find_reference(bench.pair);
+  bench.own = bench.reference.common_normal;
   bench.answer = solve_new_cn(bench.pair);
   ASSERT_EQ(bench.reference.verdict, Verdict::separated);
   EXPECT_EQ(bench.broken().kind, FindingKind::none) << bench.broken().detail;
@@ -168,6 +199,81 @@ TEST(Laws, WordsAreTheContracts) {
   EXPECT_EQ(name(FindingKind::none), "none");
   EXPECT_EQ(name(FindingKind::crash), "crash");
   EXPECT_EQ(name(FindingKind::nondeterministic), "nondeterministic");
+}
+
+/// A right answer to a potential's own problem breaks none of the laws either.
+TEST(Laws, PotentialsAreJudgedByTheirOwnProblem) {
+  for (const char* name : {"geometric_potential", "geometric_potential_midway"}) {
+    Bench bench;
+    bench.answer_by(name);
+    ASSERT_TRUE(bench.own.solved) << name;
+    EXPECT_EQ(bench.broken().kind, FindingKind::none) << name << ": " << bench.broken().law << bench.broken().detail;
+  }
+}
+
+/// Where flat faces leave the condition numbers infinite, the answer's own equations still hold it.
+TEST(Laws, AnAbsurdPotentialBetweenFlatFacesIsFound) {
+  for (const char* name : {"geometric_potential", "geometric_potential_midway"}) {
+    Bench bench;
+    for (Body* body : {&bench.pair.body1, &bench.pair.body2}) {
+      body->shape = {Vec3<double>::Ones(), 8, 8};
+      body->quaternion = {1, 0, 0, 0};
+    }
+    bench.pair.body2.position << 0, 0, 1.9;
+    bench.reference = find_reference(bench.pair);
+    bench.answer_by(name);
+    bench.solve = {};
+    EXPECT_EQ(bench.broken().kind, FindingKind::none) << name << ": " << bench.broken().law << bench.broken().detail;
+    bench.answer.overlap *= 10;
+    EXPECT_EQ(bench.broken().kind, FindingKind::overlap_error) << name;
+  }
+}
+
+/// From contact to a million radii: what rounding allows grows with the distance, and so does what a double can hold.
+TEST(Laws, SpheresAreRightAtAnyDistance) {
+  for (const double distance : {1.9, 2.5, 40.0, 375.3, 1.4e6, 3.3e20}) {
+    Bench bench;
+    bench.pair = {};
+    bench.pair.body2.position << 0.6 * distance, 0.8 * distance, 0;
+    bench.reference = find_reference(bench.pair);
+    bench.own = bench.reference.common_normal;
+    bench.answer = solve_new_cn(bench.pair);
+    EXPECT_EQ(bench.broken().kind, FindingKind::none)
+        << distance << ": " << bench.broken().law << ", " << bench.broken().detail;
+  }
+}
+
+/// The laws of symmetry see a wrong point, and only that, in any unit of length.
+TEST(Laws, SymmetryIsSeenAtBothEndsOfTheRange) {
+  for (const double unit : {1e-200, 1e-170, 1e-100, 1.0, 1e170, 1e300}) {
+    Bench bench;
+    for (Body* body : {&bench.pair.body1, &bench.pair.body2}) {
+      body->shape.semi_axes *= unit;
+      body->position *= unit;
+    }
+    bench.reference = find_reference(bench.pair);
+    bench.own = bench.reference.common_normal;
+    bench.answer = solve_new_cn(bench.pair);
+    EXPECT_EQ(bench.broken().kind, FindingKind::none) << unit << ": " << bench.broken().law << bench.broken().detail;
+    bench.solve = [first = bench.pair.body1.position](const Pair& p) {
+      Contact<double> c = solve_new_cn(p);
+      if (p.body1.position != first) c.point1 *= 1.1;
+      return c;
+    };
+    EXPECT_EQ(bench.broken().kind, FindingKind::asymmetric) << unit;
+  }
+}
+
+/// A field that is not there cannot be wrong.
+TEST(Laws, APartialAnswerIsJudgedByWhatItHolds) {
+  Bench bench;
+  bench.solve = {};
+  bench.answer.point1 = bench.answer.point2 = bench.answer.contact_point = not_valid<double>();
+  EXPECT_EQ(bench.broken().kind, FindingKind::none) << bench.broken().detail;
+  bench.answer.overlap = std::nan("");
+  EXPECT_EQ(bench.broken().kind, FindingKind::none) << bench.broken().detail;
+  bench.answer.normal *= -1;
+  EXPECT_EQ(bench.broken().kind, FindingKind::misaligned);
 }
 
 /// The mission's claim on a sample (the campaign repeats it on 100 000): convergence of the original says nothing.

@@ -160,13 +160,13 @@ TEST(Methods, JacobiansAreTheDerivatives) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       const Pair pair = generate(family, 5, i).pair;
       const PlacedPair<S> placed = place<S>(pair);
-      const PointPair<S> at = centre_line_start<S>(placed);
+      const Offsets<S> at = centre_line_start<S>(placed);
       Eigen::Matrix<S, 6, 1> six;
-      six << at.x1, at.x2;
+      six << at.r1, at.r2;
       Eigen::Matrix<S, 7, 1> seven;
       seven << six, S(0.1L);
       Eigen::Matrix<S, 4, 1> four;
-      four << at.x1, S(1.3L);
+      four << at.r1, S(1.3L);
       const double small = 1e-6;
       EXPECT_LT((jacobian_error<6, 6>(detail::LinNgSystem<S, false>{placed}, six)), small);
       EXPECT_LT((jacobian_error<6, 6>(detail::LinNgSystem<S, true>{placed}, six)), small);
