@@ -102,11 +102,13 @@ template <class S>
   // X(w / tau): homogeneous of degree alpha1, hence dX = (dx - alpha1 x dtau / tau) / tau^alpha1.
   const S shrink = S(1) / magnitude_power<S>(tau.value, outer.alpha);
   const Mat3<S> dx = (x.jacobian - x.value * tau.gradient.transpose() * (outer.alpha / tau.value)) * shrink;
-  const Vec3<S> v = detail::divide<S>(u.value, shape);
-  const S length = v.norm();
+  // Scaled before the norm: the squares of 1 / 1e-150 would overflow.
+  const auto v = detail::unit_scaled<S>(detail::divide<S>(u.value, shape));
+  using std::ldexp;
+  const S length = ldexp(v.vector.norm(), v.exponent);
   SurfacePoint<S> out;
   out.point = (x.value * shrink).cwiseProduct(shape.semi_axes);
-  out.normal = v / length;
+  out.normal = v.vector / v.vector.norm();
   for (int k = 0; k < 2; ++k) {
     const int column = at.minor(k);
     out.dpoint.col(k) = dx.col(column).cwiseProduct(shape.semi_axes);

@@ -134,5 +134,16 @@ TEST(Curvature, SuperellipseAtItsCorner) {
   }
 }
 
+/// A needle of aspect 1e300: the squares in the normal's length would overflow.
+TEST(Curvature, IsNoNaNAtTheEndsOfTheRange) {
+  for (const double n1 : {1.5, 2.0, 50.0})
+    for (const double n2 : {1.5, 2.0, 50.0}) {
+      const Superellipsoid<double> shape{{1e-150, 1e150, 1e-150}, n1, n2};
+      const PrincipalCurvature<double> c = principal_curvature<double>(shape, shape.semi_axes);
+      EXPECT_FALSE(std::isnan(c.radius1) || std::isnan(c.radius2)) << n1 << ' ' << n2;
+      EXPECT_TRUE(c.direction1.allFinite() && c.direction2.allFinite()) << n1 << ' ' << n2;
+    }
+}
+
 }  // namespace
 }  // namespace plumb
