@@ -139,6 +139,23 @@ TEST(Methods, NoHeapInASolve) {
 }
 #endif
 
+/// One template, two scalars: the answers differ by double's rounding, and long double's is the better one.
+TEST(Methods, LongDoubleGivesTheSameAnswerWithMoreDigits) {
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Pair pair = generate("spheroid", 4, i).pair;
+    for (const Method& method : methods()) {
+      // The published systems' wrong roots are ill conditioned: rounding decides where they end.
+      if (method.name != "auto" && method.name != "new_cn") continue;
+      const Contact<double> c = method.solve(pair, {}, nullptr);
+      const Contact<long double> fine = method.solve_long(pair, {}, nullptr);
+      ASSERT_EQ(fine.status, Status::converged) << method.name;
+      EXPECT_NEAR(c.overlap, static_cast<double>(fine.overlap), 1e-15 * 8 * size_of(pair));
+      const Vec3<long double> d = fine.point2 - fine.point1;
+      EXPECT_LT(static_cast<double>(d.cross(fine.normal).norm()), 1e-18 * 8 * size_of(pair));
+    }
+  }
+}
+
 /// Largest difference of a system's Jacobian from central differences, relative to its largest entry.
 template <int Equations, int Unknowns, class System>
 double jacobian_error(const System& system, const Eigen::Matrix<long double, Unknowns, 1>& x) {

@@ -67,6 +67,20 @@ auto difference(F f, const Vec& x, int i) {
   return Result((above - below) / (2 * kStep));
 }
 
+/// The same template at 100 digits: 50 digits are rounded as well as 50 digits can be.
+TEST(FiftyDigits, AgreeWithAHundred) {
+  for_each("hundred", 40, [](Stream& stream) {
+    const Superellipsoid<double> drawn = draw_shape(stream);
+    const Superellipsoid<Real100> finer{drawn.semi_axes.cast<Real100>(), Real100(drawn.n1), Real100(drawn.n2)};
+    const Vec3<double> u = draw_inner_direction(stream);
+    const auto here = support_point<Fine>(widened(drawn), u.cast<Fine>());
+    const auto there = support_point<Real100>(finer, u.cast<Real100>());
+    const Vec3<Real100> error = here.gradient.cast<Real100>() - there.gradient;
+    const double many = 64 * std::max({1.0, drawn.n1, drawn.n2, 1 / (drawn.n1 - 1), 1 / (drawn.n2 - 1)});
+    EXPECT_LE(static_cast<double>(error.cwiseAbs().maxCoeff()), many * 1e-50 * size(here.gradient));
+  });
+}
+
 TEST(FiftyDigits, GaugeDerivativesAreItsDifferences) {
   for_each("gauge", 60, [](Stream& stream) {
     const Shape s = widened(draw_shape(stream));
