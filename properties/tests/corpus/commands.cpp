@@ -100,9 +100,16 @@ TEST_F(Commands, FilesThatCannotBeReadOrWritten) {
   fs::create_directory(path_ / "empty");
   expect_refusal("replay empty", "empty: holds no case");
   expect_refusal("check good.json --answer none", "none: No such file or directory");
-  const Ran full = plumb("solve good.json 2>&1 >/dev/full");
-  EXPECT_EQ(full.code, 2);
-  EXPECT_EQ(full.out, "standard output: No space left on device\n");
+}
+
+TEST_F(Commands, WhatCannotBePrintedIsOneLineAndTwo) {
+  (void)file("good.json", sample_case());
+  for (const char* arguments : {"solve good.json", "methods", "replay good.json", "solve --help", "methods --help",
+                                "check --help", "replay --help"}) {
+    const Ran full = plumb(std::string(arguments) + " 2>&1 >/dev/full");
+    EXPECT_EQ(full.code, 2) << arguments;
+    EXPECT_EQ(full.out, "standard output: No space left on device\n") << arguments;
+  }
 }
 
 TEST_F(Commands, UsageErrorsAreOneLineAndTwo) {
