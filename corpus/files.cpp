@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 
 #include "corpus/case.hpp"
 
@@ -34,12 +31,10 @@ std::string located(const std::string& file, int line, const std::string& field,
   throw InputFailure(file, 0, "", std::strerror(error));
 }
 
-bool is_blank(const std::string& text) {
-  return text.find_first_not_of(" \t\r\n") == std::string::npos;
-}
-
-std::string rest_of(std::istream& in) {
-  return {std::istreambuf_iterator<char>(in), {}};
+// A case file is one object unless its name or the pipe says that it may be one a line.
+ObjectReader::Layout layout_of(const std::string& path) {
+  const bool may_be_lines = path == "-" || fs::path(path).extension() == ".jsonl";
+  return may_be_lines ? ObjectReader::Layout::by_content : ObjectReader::Layout::one_object;
 }
 
 }  // namespace
@@ -47,48 +42,12 @@ std::string rest_of(std::istream& in) {
 InputFailure::InputFailure(const std::string& file, int line, const std::string& field, const std::string& reason)
     : std::runtime_error(located(file, line, field, reason)) {}
 
-struct CaseReader::State {
-  std::string file;
-  std::ifstream opened;
-  std::istream* in = nullptr;
-  bool one_a_line = true;
-  int line = 0;
-};
-
-CaseReader::CaseReader(const std::string& path) : state_(std::make_unique<State>()) {
-  state_->file = path == "-" ? "standard input" : path;
-  state_->in = &std::cin;
-  if (path == "-") return;
-  if (fs::is_directory(path)) fail(path, EISDIR);
-  state_->one_a_line = fs::path(path).extension() == ".jsonl";
-  state_->opened.open(path, std::ios::binary);
-  if (!state_->opened) fail(path, errno);
-  state_->in = &state_->opened;
-}
-
-CaseReader::~CaseReader() = default;
-
-int CaseReader::line() const {
-  return state_->one_a_line ? state_->line : 0;
-}
+CaseReader::CaseReader(const std::string& path) : objects_(path, layout_of(path)) {}
 
 std::optional<Case> CaseReader::next() {
-  State& state = *state_;
-  std::string text;
-  while (state.one_a_line && std::getline(*state.in, text)) {
-    ++state.line;
-    if (is_blank(text)) continue;
-    // A single case that was written over several lines comes through a pipe as well.
-    if (state.in != &std::cin || state.line > 1 || Json::accept(text)) return parse_case(text, state.file, state.line);
-    const std::string whole = text + "\n" + rest_of(std::cin);
-    if (!Json::accept(whole)) return parse_case(text, state.file, state.line);
-    return parse_case(whole, state.file);
-  }
-  if (state.in->bad()) fail(state.file, EIO);
-  if (state.one_a_line || state.in->eof()) return std::nullopt;
-  text = rest_of(*state.in);
-  state.in->setstate(std::ios::eofbit);
-  return parse_case(text, state.file);
+  const std::optional<std::string> text = objects_.next();
+  if (!text) return std::nullopt;
+  return parse_case(*text, objects_.file(), objects_.line());
 }
 
 namespace {

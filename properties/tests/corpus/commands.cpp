@@ -140,6 +140,28 @@ TEST_F(Commands, ASingleCaseOverSeveralLinesComesThroughAPipe) {
   EXPECT_EQ(lines_of(ran.out).size(), 1U);
 }
 
+TEST_F(Commands, ASingleCaseOverSeveralLinesIsReadFromAnySource) {
+  const std::string pretty = "\n \n" + Json::parse(sample_case()).dump(2) + "\n";
+  (void)file("a.json", pretty);
+  (void)file("a.jsonl", pretty);
+  for (const char* arguments : {"solve a.json --json", "solve a.jsonl --json", "solve - --json <a.json"}) {
+    const Ran ran = plumb(arguments);
+    EXPECT_EQ(ran.code, 0) << arguments;
+    EXPECT_EQ(lines_of(ran.out).size(), 1U) << arguments;
+  }
+}
+
+TEST_F(Commands, WhatIsWrongInACaseOverSeveralLinesIsNamedThrough) {
+  (void)file("a.json", Json::parse(sample_with("[1, 1, 1]", "[1, 0, 1]")).dump(2));
+  const std::string reason = "standard input: bodies[1].shape.superellipsoid.semi_axes[1]: must be finite and above 0";
+  EXPECT_EQ(plumb("solve - <a.json 2>&1 >/dev/null").out, reason + "\n");
+  (void)file("a.json", "{\n  \"format\": NaN\n}\n");
+  EXPECT_TRUE(plumb("solve - <a.json 2>&1").out.starts_with("standard input: format: broken JSON: NaN"));
+  // A line that was cut off stays a bad line.
+  (void)file("a.jsonl", "{\"format\":\n" + sample_case() + "\n");
+  EXPECT_TRUE(plumb("solve a.jsonl 2>&1").out.starts_with("a.jsonl:1: format: broken JSON: "));
+}
+
 TEST_F(Commands, SolveAnswersWithTheContractsFields) {
   (void)file("a.json", sample_case());
   const Json answer = lines_of(plumb("solve a.json --json --repeat 3 --warm").out).at(0);
