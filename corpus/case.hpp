@@ -70,7 +70,8 @@ class CaseReader {
 [[nodiscard]] std::vector<std::filesystem::path> find_case_files(const std::vector<std::string>& paths);
 
 /// Writes text to a file by way of a temporary beside it, so that a full disk or Ctrl-C loses nothing of what was there;
-/// what is no regular file (/dev/stdout, a pipe) is written to directly. Throws InputFailure.
+/// what is no regular file (a pipe, a device) and whatever is under /proc is written to directly, and so are the process's
+/// own descriptors (/dev/stdout, /dev/fd/3), after what was printed so far. Throws InputFailure.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace plumb

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <cstdio>
 #include <cstring>
 
 #include "corpus/case.hpp"
@@ -77,6 +79,8 @@ void add_path(std::vector<fs::path>& files, const std::string& path) {
 class Output {
  public:
   Output(const fs::path& path, int flags) : path_(path), file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  /// What the descriptor stands for; it stays open itself.
+  explicit Output(int descriptor) : file_(::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)) {}
   ~Output() {
     if (file_ >= 0) ::close(file_);
   }
@@ -91,7 +95,7 @@ class Output {
     }
     return file_ >= 0;
   }
-  [[nodiscard]] bool sync() const { return ::fsync(file_) == 0; }
+  [[nodiscard]] bool sync() const { return file_ >= 0 && ::fsync(file_) == 0; }
   [[nodiscard]] bool move_to(const fs::path& target) const { return ::rename(path_.c_str(), target.c_str()) == 0; }
   void remove() const { (void)::unlink(path_.c_str()); }
 
@@ -100,6 +104,13 @@ class Output {
   int file_;
 };
 
+std::optional<int> number_of(const std::string& text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 // Symbolic links are followed, so that the file they point to is replaced and not the link.
 fs::path target_of(const fs::path& path) {
   std::error_code error;
@@ -107,8 +118,25 @@ fs::path target_of(const fs::path& path) {
   return error ? path : target;
 }
 
+/// The N of "/dev/fd/N", also by way of links such as /dev/stdout. To resolve those to the end would name the file that
+/// stands behind: one opened or replaced by that name loses what the process writes to the descriptor itself.
+std::optional<int> own_descriptor(fs::path path) {
+  std::error_code error;
+  path = fs::absolute(path, error).lexically_normal();
+  for (int links = 0; links < 40; ++links) {
+    const fs::path folder = path.parent_path();
+    if (folder == "/dev/fd" || folder == "/proc/self/fd") return number_of(path.filename().string());
+    const fs::path link = fs::read_symlink(path, error);
+    if (error) break;
+    path = (folder / link).lexically_normal();
+  }
+  return std::nullopt;
+}
+
 bool is_special(const fs::path& path) {
   std::error_code error;
+  // Another process's descriptors (/proc/PID/fd) are regular files by their status.
+  if (fs::absolute(path, error).lexically_normal().string().starts_with("/proc/")) return true;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status);
 }
@@ -124,6 +152,11 @@ std::vector<fs::path> find_case_files(const std::vector<std::string>& paths) {
 }
 
 void write_file(const fs::path& path, const std::string& text) {
+  if (const auto descriptor = own_descriptor(path)) {
+    // What was printed before stands before it.
+    if (std::fflush(stdout) != 0 || !Output(*descriptor).write(text)) fail(path.string(), errno);
+    return;
+  }
   if (is_special(path)) {
     if (!Output(path, O_WRONLY).write(text)) fail(path.string(), errno);
     return;

@@ -327,6 +327,18 @@ TEST_F(Commands, ReplayWritesReports) {
   EXPECT_EQ(result["locations"][0]["physicalLocation"]["region"]["startLine"], 2);
 }
 
+TEST_F(Commands, AReportOnStandardOutputKeepsWhatReplayPrints) {
+  (void)file("good.json", sample_case());
+  for (const std::string name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "link"}) {
+    if (name == "link") fs::create_symlink("/dev/stdout", path_ / name);
+    EXPECT_EQ(plumb("replay good.json --junit " + name + " >out").code, 0);
+    const std::string out = run("cat " + (path_ / "out").string()).out;
+    EXPECT_TRUE(out.starts_with("same  auto  none")) << out;
+    EXPECT_LT(out.find("<?xml"), out.find("</testsuites>\n1 cases: ")) << out;
+    EXPECT_NE(out.find("</testsuites>\n1 cases: "), std::string::npos) << out;
+  }
+}
+
 TEST_F(Commands, CtrlCEndsAWaitingCommandWith130) {
   (void)file("a.jsonl", sample_case() + "\n");
   const Ran ran =
