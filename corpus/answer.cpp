@@ -1,12 +1,9 @@
 #include "corpus/answer.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
+#include <filesystem>
+#include <utility>
 
 #include "corpus/fields.hpp"
 #include "corpus/words.hpp"
@@ -94,8 +91,16 @@ int read_count(const Field& field) {
   return static_cast<int>(field.number());
 }
 
-GivenAnswer read_answer(const Field& answer) {
+/// A case file in the answer's place, or an object of other names, says nothing that could be wrong.
+void require_something_to_judge(const Field& answer) {
   if (!answer.value().is_object()) answer.fail("must be an object with the fields of plumb solve");
+  for (const char* field : {"status", "verdict", "overlap", "normal", "points"})
+    if (given(answer, field)) return;
+  throw FieldError("status, verdict, overlap, normal, points", "all missing, so there is nothing to judge");
+}
+
+GivenAnswer read_answer(const Field& answer) {
+  require_something_to_judge(answer);
   GivenAnswer out{"", "answer", {}};
   if (const auto name = given(answer, "name")) out.name = name->text();
   if (const auto method = given(answer, "method")) out.method = method->text();
@@ -106,13 +111,6 @@ GivenAnswer read_answer(const Field& answer) {
   if (const auto count = given(answer, "iterations")) out.contact.iterations = read_count(*count);
   if (const auto count = given(answer, "evaluations")) out.contact.evaluations = read_count(*count);
   return out;
-}
-
-std::string read_text(const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw InputFailure(path, 0, "", std::strerror(EISDIR));
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputFailure(path, 0, "", std::strerror(errno));
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -151,16 +149,15 @@ GivenAnswer parse_answer(const std::string& text, const std::string& file, int l
   }
 }
 
-std::vector<GivenAnswer> read_answers(const std::string& path) {
-  const std::string text = read_text(path);
-  // No object that is spread over lines has another one beginning in its first column.
-  if (text.find("\n{") == std::string::npos) return {parse_answer(text, path)};
-  std::vector<GivenAnswer> answers;
-  std::istringstream lines(text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number)
-    if (line.find_first_not_of(" \t\r") != std::string::npos) answers.push_back(parse_answer(line, path, number));
-  return answers;
+AnswerReader::AnswerReader(const std::string& path)
+    : objects_(path, ObjectReader::Layout::by_content), numbered_(std::filesystem::path(path).extension() == ".jsonl") {
+}
+
+std::optional<GivenAnswer> AnswerReader::next() {
+  const std::optional<std::string> text = objects_.next();
+  if (!text) return std::nullopt;
+  if (std::exchange(any_, true)) numbered_ = true;
+  return parse_answer(*text, objects_.file(), line());
 }
 
 }  // namespace plumb

@@ -258,6 +258,69 @@ TEST_F(Commands, CheckTakesWhatSolvePrints) {
                  "answers: name: 'sample' names several cases of several.jsonl");
 }
 
+/// The case, or the answer's, under another name.
+std::string named(const std::string& name) {
+  return sample_with("sample", name);
+}
+
+std::string right_answer_to(const std::string& name) {
+  return "{\"name\": \"" + name + "\", " + std::string(right_answer).substr(1);
+}
+
+TEST_F(Commands, CheckJudgesTheAnswersBeforeABadLine) {
+  (void)file("cases.jsonl", named("a") + "\n" + named("b") + "\n");
+  (void)file("answers.jsonl", right_answer_to("b") + "\n\n" + right_answer_to("a") + "\n{\"overlap\": \"deep\"}\n" +
+                                  right_answer_to("a") + "\n");
+  const Ran ran = plumb("check cases.jsonl --answer answers.jsonl 2>error");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(lines_of(ran.out).size(), 2U) << ran.out;
+  EXPECT_EQ(run("cat " + (path_ / "error").string()).out, "answers.jsonl:4: overlap: must be a number, not a string\n");
+}
+
+TEST_F(Commands, CheckJudgesTheAnswersToCasesBeforeABadLine) {
+  (void)file("cases.jsonl", named("a") + "\n{\"format\": 1}\n" + named("b") + "\n");
+  const std::string reason = "cases.jsonl:2: format: must be a string, not a number\n";
+  for (const std::string& last : {right_answer_to("a"), right_answer_to("b")}) {
+    (void)file("answers.jsonl", right_answer_to("a") + "\n" + last + "\n");
+    const Ran ran = plumb("check cases.jsonl --answer answers.jsonl 2>error");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(lines_of(ran.out).size(), last == right_answer_to("a") ? 2U : 1U) << ran.out;
+    EXPECT_EQ(run("cat " + (path_ / "error").string()).out, reason);
+  }
+}
+
+TEST_F(Commands, CheckAnswersWhileItsInputIsStillOpen) {
+  (void)file("a.json", sample_case());
+  (void)file("answer", std::string(right_answer) + "\n");
+  // The feeder waits for the judgement before it ends the stream, and spoils it when none comes.
+  const std::string feeder = "cat answer; for i in $(seq 600); do [ -s out ] && exit; sleep 0.1; done; echo late";
+  const Ran ran =
+      plumb("--version >/dev/null; (" + feeder + ") | " + plumb_program + "check a.json --answer - 2>&1 >out");
+  EXPECT_EQ(ran.code, 0) << ran.out;
+}
+
+TEST_F(Commands, CheckRefusesWhatHoldsNothingToJudge) {
+  (void)file("a.json", sample_case());
+  const std::string reason = ": status, verdict, overlap, normal, points: all missing, so there is nothing to judge";
+  for (const std::string& text :
+       {std::string("{}"), sample_case(), std::string(R"({"method": "x", "normal": null})")}) {
+    (void)file("answer.json", text);
+    expect_refusal("check a.json --answer answer.json", "answer.json" + reason);
+  }
+  (void)file("answers.jsonl", std::string(right_answer) + "\n{}\n");
+  expect_refusal("check a.json --answer answers.jsonl", "answers.jsonl:2" + reason);
+  (void)file("answer.json", "\n");
+  expect_refusal("check a.json --answer answer.json", "answer.json: holds no answer");
+}
+
+TEST_F(Commands, CheckReadsAnAnswerOverSeveralLines) {
+  (void)file("a.json", sample_case());
+  (void)file("answer.json", "\n" + Json::parse(right_answer).dump(2) + "\n");
+  const Ran ran = plumb("check a.json --answer answer.json");
+  EXPECT_EQ(ran.code, 0) << ran.out;
+  EXPECT_EQ(lines_of(ran.out).size(), 1U);
+}
+
 std::string expecting(const std::string& expect) {
   return sample_plus(R"("expect": )" + expect);
 }
