@@ -32,20 +32,13 @@ void put_object(Json& out, const char* key, const Json& object) {
   if (!object.empty()) out[key] = object;
 }
 
-void put_diagnosis(Json& out, const Answer& answer) {
-  const Contact<double>& contact = answer.contact;
-  const int sign = sign_of(contact.overlap);
-  const Diagnosis diagnosis = diagnose(answer.pair, contact.point1, contact.point2, sign == 0 ? 1 : sign);
-  Json angles, residues;
-  if (sign != 0) {
-    put(angles, "d_n1", diagnosis.d_n1);
-    put(angles, "d_n2", diagnosis.d_n2);
-  }
-  put(angles, "n1_n2", diagnosis.n1_n2);
+Json residues_json(const Pair& pair, const Contact<double>& contact) {
   constexpr std::array<const char*, 5> names{"R1", "R2", "R3", "R4", "R5"};
-  for (std::size_t i = 0; i < 5; ++i) put(residues, names[i], diagnosis.residues[i]);
-  put_object(out, "angles_deg", angles);
-  put_object(out, "residuals", residues);
+  // The residues are those of the overlapping sense, whatever the sign.
+  const Diagnosis diagnosis = diagnose(pair, contact.point1, contact.point2, 1);
+  Json out;
+  for (std::size_t i = 0; i < 5; ++i) put(out, names[i], diagnosis.residues[i]);
+  return out;
 }
 
 Json radius_json(double radius) {
@@ -119,6 +112,17 @@ int sign_of(double overlap) {
   return (overlap > 0) - (overlap < 0);
 }
 
+Json angles_json(const Pair& pair, const Contact<double>& contact, int overlap_sign) {
+  const Diagnosis diagnosis = diagnose(pair, contact.point1, contact.point2, overlap_sign < 0 ? -1 : 1);
+  Json out;
+  if (overlap_sign != 0) {
+    put(out, "d_n1", diagnosis.d_n1);
+    put(out, "d_n2", diagnosis.d_n2);
+  }
+  put(out, "n1_n2", diagnosis.n1_n2);
+  return out;
+}
+
 Json answer_json(const Answer& answer) {
   const Contact<double>& contact = answer.contact;
   Json out;
@@ -134,7 +138,10 @@ Json answer_json(const Answer& answer) {
   }
   out["iterations"] = contact.iterations;
   out["evaluations"] = contact.evaluations;
-  if (answer.want.points) put_diagnosis(out, answer);
+  if (answer.want.points) {
+    put_object(out, "angles_deg", angles_json(answer.pair, contact, sign_of(contact.overlap)));
+    put_object(out, "residuals", residues_json(answer.pair, contact));
+  }
   if (answer.want.curvature) put_curvature(out, contact);
   if (answer.nanoseconds) out["timing"]["ns"] = *answer.nanoseconds;
   return out;

@@ -22,6 +22,9 @@ struct Answer {
 /// infinite (a flat) is the string "infinite".
 [[nodiscard]] Json answer_json(const Answer& answer);
 
+/// The three angles of "angles_deg"; null when none is valid. Without a sign (0) d_n1 and d_n2 say nothing.
+[[nodiscard]] Json angles_json(const Pair& pair, const Contact<double>& contact, int overlap_sign);
+
 /// +1, -1, or 0 when the overlap has no sign.
 [[nodiscard]] int sign_of(double overlap);
 

@@ -81,7 +81,13 @@ void put(Json& out, const char* key, double value) {
   if (std::isfinite(value)) out[key] = value;
 }
 
-Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& judgement) {
+/// Of the certified overlap; 0 where the reference has none.
+int certified_sign(const Reference& reference) {
+  const Solution& truth = reference.common_normal;
+  return truth.solved ? (truth.overlap > 0) - (truth.overlap < 0) : 0;
+}
+
+Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& judgement, const Json& angles) {
   Json out;
   out["name"] = c.name;
   out["method"] = answer.method;
@@ -90,6 +96,7 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
   if (std::isinf(judgement.finding.severity)) out["severity"] = "infinite";
   put(out, "severity", judgement.finding.severity);
   put(out, "angle_error_deg", judgement.angle_error_deg);
+  if (!angles.is_null()) out["angles_deg"] = angles;
   put(out, "overlap_error", judgement.overlap_error);
   put(out, "point_error", judgement.point_error);
   if (!judgement.judged) out["detail"] = "not judged: the reference has no answer to this method's problem";
@@ -98,8 +105,10 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
 }
 
 FindingKind check_answer(const Case& c, const GivenAnswer& answer) {
-  const Judgement judgement = Judge(c.pair).judge(problem_of(answer.method), answer.contact);
-  print_line(write_json(judgement_json(c, answer, judgement)));
+  Judge judge(c.pair);
+  const Judgement judgement = judge.judge(problem_of(answer.method), answer.contact);
+  const Json angles = angles_json(c.pair, answer.contact, certified_sign(judge.reference()));
+  print_line(write_json(judgement_json(c, answer, judgement, angles)));
   flush_output();
   return judgement.finding.kind;
 }

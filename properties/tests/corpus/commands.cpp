@@ -321,6 +321,37 @@ TEST_F(Commands, CheckReadsAnAnswerOverSeveralLines) {
   EXPECT_EQ(lines_of(ran.out).size(), 1U);
 }
 
+Json angles_of(const Ran& check) {
+  return lines_of(check.out).at(0).value("angles_deg", Json());
+}
+
+TEST_F(Commands, CheckTakesTheAnglesSignFromTheReference) {
+  (void)file("a.json", sample_case());
+  (void)file("right.json", right_answer);
+  for (const char* angle : {"d_n1", "d_n2", "n1_n2"})
+    EXPECT_NEAR(angles_of(plumb("check a.json --answer right.json")).at(angle).get<double>(), 0, 1e-9) << angle;
+  // By the sign of these two answers each angle would be 180.
+  (void)file("far.json", R"({"overlap": -3.5, "normal": [1, 0, 0], "points": [[-1, 0, 0], [2.5, 0, 0]]})");
+  const Json far = angles_of(plumb("check a.json --answer far.json"));
+  EXPECT_NEAR(far.at("d_n1").get<double>(), 0, 1e-9);
+  (void)file("apart.json", sample_with("1.5", "3"));
+  (void)file("gap.json", R"({"overlap": 1, "normal": [1, 0, 0], "points": [[1, 0, 0], [2, 0, 0]]})");
+  const Json gap = angles_of(plumb("check apart.json --answer gap.json"));
+  EXPECT_NEAR(gap.at("d_n1").get<double>(), 0, 1e-9);
+  EXPECT_NEAR(gap.at("d_n2").get<double>(), 0, 1e-9);
+}
+
+TEST_F(Commands, CheckLeavesOutAnglesThatAreNotValid) {
+  (void)file("a.json", sample_case());
+  (void)file("normal.json", R"({"overlap": 0.5, "normal": [1, 0, 0]})");
+  EXPECT_TRUE(angles_of(plumb("check a.json --answer normal.json")).is_null());
+  (void)file("touch.json", sample_with("1.5", "2"));
+  (void)file("point.json", R"({"overlap": 0, "normal": [1, 0, 0], "points": [[1, 0, 0], [1, 0, 0]]})");
+  const Json angles = angles_of(plumb("check touch.json --answer point.json"));
+  EXPECT_FALSE(angles.contains("d_n1") || angles.contains("d_n2"));
+  EXPECT_NEAR(angles.at("n1_n2").get<double>(), 0, 1e-9);
+}
+
 std::string expecting(const std::string& expect) {
   return sample_plus(R"("expect": )" + expect);
 }
