@@ -1,12 +1,9 @@
 #include "corpus/answer.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <sstream>
+#include <filesystem>
+#include <utility>
 
 #include "corpus/fields.hpp"
 #include "corpus/words.hpp"
@@ -35,20 +32,13 @@ void put_object(Json& out, const char* key, const Json& object) {
   if (!object.empty()) out[key] = object;
 }
 
-void put_diagnosis(Json& out, const Answer& answer) {
-  const Contact<double>& contact = answer.contact;
-  const int sign = sign_of(contact.overlap);
-  const Diagnosis diagnosis = diagnose(answer.pair, contact.point1, contact.point2, sign == 0 ? 1 : sign);
-  Json angles, residues;
-  if (sign != 0) {
-    put(angles, "d_n1", diagnosis.d_n1);
-    put(angles, "d_n2", diagnosis.d_n2);
-  }
-  put(angles, "n1_n2", diagnosis.n1_n2);
+Json residues_json(const Pair& pair, const Contact<double>& contact) {
   constexpr std::array<const char*, 5> names{"R1", "R2", "R3", "R4", "R5"};
-  for (std::size_t i = 0; i < 5; ++i) put(residues, names[i], diagnosis.residues[i]);
-  put_object(out, "angles_deg", angles);
-  put_object(out, "residuals", residues);
+  // The residues are those of the overlapping sense, whatever the sign.
+  const Diagnosis diagnosis = diagnose(pair, contact.point1, contact.point2, 1);
+  Json out;
+  for (std::size_t i = 0; i < 5; ++i) put(out, names[i], diagnosis.residues[i]);
+  return out;
 }
 
 Json radius_json(double radius) {
@@ -94,8 +84,16 @@ int read_count(const Field& field) {
   return static_cast<int>(field.number());
 }
 
-GivenAnswer read_answer(const Field& answer) {
+/// A case file in the answer's place, or an object of other names, says nothing that could be wrong.
+void require_something_to_judge(const Field& answer) {
   if (!answer.value().is_object()) answer.fail("must be an object with the fields of plumb solve");
+  for (const char* field : {"status", "verdict", "overlap", "normal", "points"})
+    if (given(answer, field)) return;
+  throw FieldError("status, verdict, overlap, normal, points", "all missing, so there is nothing to judge");
+}
+
+GivenAnswer read_answer(const Field& answer) {
+  require_something_to_judge(answer);
   GivenAnswer out{"", "answer", {}};
   if (const auto name = given(answer, "name")) out.name = name->text();
   if (const auto method = given(answer, "method")) out.method = method->text();
@@ -108,17 +106,21 @@ GivenAnswer read_answer(const Field& answer) {
   return out;
 }
 
-std::string read_text(const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw InputFailure(path, 0, "", std::strerror(EISDIR));
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputFailure(path, 0, "", std::strerror(errno));
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 int sign_of(double overlap) {
   return (overlap > 0) - (overlap < 0);
+}
+
+Json angles_json(const Pair& pair, const Contact<double>& contact, int overlap_sign) {
+  const Diagnosis diagnosis = diagnose(pair, contact.point1, contact.point2, overlap_sign < 0 ? -1 : 1);
+  Json out;
+  if (overlap_sign != 0) {
+    put(out, "d_n1", diagnosis.d_n1);
+    put(out, "d_n2", diagnosis.d_n2);
+  }
+  put(out, "n1_n2", diagnosis.n1_n2);
+  return out;
 }
 
 Json answer_json(const Answer& answer) {
@@ -136,7 +138,10 @@ Json answer_json(const Answer& answer) {
   }
   out["iterations"] = contact.iterations;
   out["evaluations"] = contact.evaluations;
-  if (answer.want.points) put_diagnosis(out, answer);
+  if (answer.want.points) {
+    put_object(out, "angles_deg", angles_json(answer.pair, contact, sign_of(contact.overlap)));
+    put_object(out, "residuals", residues_json(answer.pair, contact));
+  }
   if (answer.want.curvature) put_curvature(out, contact);
   if (answer.nanoseconds) out["timing"]["ns"] = *answer.nanoseconds;
   return out;
@@ -151,16 +156,15 @@ GivenAnswer parse_answer(const std::string& text, const std::string& file, int l
   }
 }
 
-std::vector<GivenAnswer> read_answers(const std::string& path) {
-  const std::string text = read_text(path);
-  // No object that is spread over lines has another one beginning in its first column.
-  if (text.find("\n{") == std::string::npos) return {parse_answer(text, path)};
-  std::vector<GivenAnswer> answers;
-  std::istringstream lines(text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number)
-    if (line.find_first_not_of(" \t\r") != std::string::npos) answers.push_back(parse_answer(line, path, number));
-  return answers;
+AnswerReader::AnswerReader(const std::string& path)
+    : objects_(path, ObjectReader::Layout::by_content), numbered_(std::filesystem::path(path).extension() == ".jsonl") {
+}
+
+std::optional<GivenAnswer> AnswerReader::next() {
+  const std::optional<std::string> text = objects_.next();
+  if (!text) return std::nullopt;
+  if (std::exchange(any_, true)) numbered_ = true;
+  return parse_answer(*text, objects_.file(), line());
 }
 
 }  // namespace plumb

@@ -22,6 +22,9 @@ struct Answer {
 /// infinite (a flat) is the string "infinite".
 [[nodiscard]] Json answer_json(const Answer& answer);
 
+/// The three angles of "angles_deg"; null when none is valid. Without a sign (0) d_n1 and d_n2 say nothing.
+[[nodiscard]] Json angles_json(const Pair& pair, const Contact<double>& contact, int overlap_sign);
+
 /// +1, -1, or 0 when the overlap has no sign.
 [[nodiscard]] int sign_of(double overlap);
 
@@ -33,10 +36,24 @@ struct GivenAnswer {
       contact;  ///< NaN where it is silent; converged, and with the overlap's verdict, unless it says otherwise
 };
 
-/// Reads the fields of `plumb solve`; null is absent, and fields of other names are ignored. Throws InputFailure.
+/// Reads the fields of `plumb solve`; null is absent, and fields of other names are ignored. Throws InputFailure, also when
+/// there is nothing that could be judged.
 [[nodiscard]] GivenAnswer parse_answer(const std::string& text, const std::string& file, int line = 0);
 
-/// Every answer in a file: one object, or one a line. Throws InputFailure.
-[[nodiscard]] std::vector<GivenAnswer> read_answers(const std::string& path);
+/// The answers in a file, one after the other: one object, or one a line, whatever the file's name; "-" is standard input.
+class AnswerReader {
+ public:
+  explicit AnswerReader(const std::string& path);
+  /// nullopt at the end; throws InputFailure.
+  [[nodiscard]] std::optional<GivenAnswer> next();
+  [[nodiscard]] const std::string& file() const { return objects_.file(); }
+  /// Line of the last answer; 0 for what comes first in a file that is not named .jsonl: it may be all that there is.
+  [[nodiscard]] int line() const { return numbered_ ? objects_.line() : 0; }
+
+ private:
+  ObjectReader objects_;
+  bool numbered_;
+  bool any_ = false;
+};
 
 }  // namespace plumb

@@ -3,13 +3,13 @@
 
 #include <array>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "corpus/json_text.hpp"
+#include "corpus/object_reader.hpp"
 #include "solver/contact.hpp"
 
 namespace plumb {
@@ -51,22 +51,18 @@ class InputFailure : public std::runtime_error {
 /// The case as one line of JSON: position and quaternion only, each number the shortest that reads back the same.
 [[nodiscard]] std::string format_case(const Case& c);
 
-/// A source of cases read one after the other: a .json file holds one, a .jsonl file one a line, "-" is standard input (.jsonl).
-/// The cases before a bad line are handed out before it throws.
+/// A source of cases read one after the other: a .json file holds one, a .jsonl file and standard input ("-") hold one a line
+/// or a single one over several. The cases before a bad line are handed out before it throws.
 class CaseReader {
  public:
   explicit CaseReader(const std::string& path);
-  ~CaseReader();
-  CaseReader(const CaseReader&) = delete;
-  CaseReader& operator=(const CaseReader&) = delete;
   /// nullopt at the end; throws InputFailure.
   [[nodiscard]] std::optional<Case> next();
   /// Line of the case that next() handed out last; 0 in a file that is one case.
-  [[nodiscard]] int line() const;
+  [[nodiscard]] int line() const { return objects_.line(); }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  ObjectReader objects_;
 };
 
 /// Every case file at or under the paths, sorted by path: a file that is named is one whatever its name, in a folder *.json
@@ -74,7 +70,8 @@ class CaseReader {
 [[nodiscard]] std::vector<std::filesystem::path> find_case_files(const std::vector<std::string>& paths);
 
 /// Writes text to a file by way of a temporary beside it, so that a full disk or Ctrl-C loses nothing of what was there;
-/// what is no regular file (/dev/stdout, a pipe) is written to directly. Throws InputFailure.
+/// what is no regular file (a pipe, a device) and whatever is under /proc is written to directly, and so are the process's
+/// own descriptors (/dev/stdout, /dev/fd/3), after what was printed so far. Throws InputFailure.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace plumb

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <optional>
+#include <sstream>
 
 #include "corpus/case.hpp"
 #include "corpus/interrupt.hpp"
@@ -23,14 +25,29 @@ int refuse(std::string reason) {
 }
 
 // Help and version are exceptions of the library, too; they print and end with 0.
-int refuse_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
-  return refuse(app.get_name() + ": " + error.what() + " (--help tells more)");
+int end_parsing(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() != 0) return refuse(app.get_name() + ": " + error.what() + " (--help tells more)");
+  // By way of a string: nobody would notice what std::cout could not write.
+  std::ostringstream text;
+  (void)app.exit(error, text, text);
+  if (std::fputs(text.str().c_str(), stdout) < 0) fail_output(errno);
+  flush_output();
+  return exit_done;
+}
+
+/// The exit code where parsing is the end of it.
+std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    return end_parsing(app, error);
+  }
 }
 
 int run_body(const std::function<int()>& body) {
   const int code = body();
-  if (std::fflush(stdout) != 0) fail_output(errno);
+  flush_output();
   return interrupted() ? static_cast<int>(exit_interrupted) : code;
 }
 
@@ -38,11 +55,9 @@ int run_body(const std::function<int()>& body) {
 
 int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
   try {
-    app.parse(argc, argv);
+    if (const auto code = parse(app, argc, argv)) return *code;
     catch_interrupt();
     return run_body(body);
-  } catch (const CLI::ParseError& error) {
-    return refuse_usage(app, error);
   } catch (const InputFailure& error) {
     (void)std::fflush(stdout);
     // What broke the input may have been the interrupt.
@@ -51,6 +66,10 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>
     (void)std::fflush(stdout);
     return refuse(app.get_name() + ": " + error.what());
   }
+}
+
+void flush_output() {
+  if (std::fflush(stdout) != 0) fail_output(errno);
 }
 
 void print_line(const std::string& text) {

@@ -18,4 +18,7 @@ enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interru
 /// Text and a line feed on standard output; throws when it cannot be written.
 void print_line(const std::string& text);
 
+/// Hands out what was printed: where a stream is fed line by line, its reader waits for each answer. Throws as well.
+void flush_output();
+
 }  // namespace plumb

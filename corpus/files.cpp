@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 
 #include "corpus/case.hpp"
 
@@ -34,12 +33,10 @@ std::string located(const std::string& file, int line, const std::string& field,
   throw InputFailure(file, 0, "", std::strerror(error));
 }
 
-bool is_blank(const std::string& text) {
-  return text.find_first_not_of(" \t\r\n") == std::string::npos;
-}
-
-std::string rest_of(std::istream& in) {
-  return {std::istreambuf_iterator<char>(in), {}};
+// A case file is one object unless its name or the pipe says that it may be one a line.
+ObjectReader::Layout layout_of(const std::string& path) {
+  const bool may_be_lines = path == "-" || fs::path(path).extension() == ".jsonl";
+  return may_be_lines ? ObjectReader::Layout::by_content : ObjectReader::Layout::one_object;
 }
 
 }  // namespace
@@ -47,48 +44,12 @@ std::string rest_of(std::istream& in) {
 InputFailure::InputFailure(const std::string& file, int line, const std::string& field, const std::string& reason)
     : std::runtime_error(located(file, line, field, reason)) {}
 
-struct CaseReader::State {
-  std::string file;
-  std::ifstream opened;
-  std::istream* in = nullptr;
-  bool one_a_line = true;
-  int line = 0;
-};
-
-CaseReader::CaseReader(const std::string& path) : state_(std::make_unique<State>()) {
-  state_->file = path == "-" ? "standard input" : path;
-  state_->in = &std::cin;
-  if (path == "-") return;
-  if (fs::is_directory(path)) fail(path, EISDIR);
-  state_->one_a_line = fs::path(path).extension() == ".jsonl";
-  state_->opened.open(path, std::ios::binary);
-  if (!state_->opened) fail(path, errno);
-  state_->in = &state_->opened;
-}
-
-CaseReader::~CaseReader() = default;
-
-int CaseReader::line() const {
-  return state_->one_a_line ? state_->line : 0;
-}
+CaseReader::CaseReader(const std::string& path) : objects_(path, layout_of(path)) {}
 
 std::optional<Case> CaseReader::next() {
-  State& state = *state_;
-  std::string text;
-  while (state.one_a_line && std::getline(*state.in, text)) {
-    ++state.line;
-    if (is_blank(text)) continue;
-    // A single case that was written over several lines comes through a pipe as well.
-    if (state.in != &std::cin || state.line > 1 || Json::accept(text)) return parse_case(text, state.file, state.line);
-    const std::string whole = text + "\n" + rest_of(std::cin);
-    if (!Json::accept(whole)) return parse_case(text, state.file, state.line);
-    return parse_case(whole, state.file);
-  }
-  if (state.in->bad()) fail(state.file, EIO);
-  if (state.one_a_line || state.in->eof()) return std::nullopt;
-  text = rest_of(*state.in);
-  state.in->setstate(std::ios::eofbit);
-  return parse_case(text, state.file);
+  const std::optional<std::string> text = objects_.next();
+  if (!text) return std::nullopt;
+  return parse_case(*text, objects_.file(), objects_.line());
 }
 
 namespace {
@@ -118,6 +79,8 @@ void add_path(std::vector<fs::path>& files, const std::string& path) {
 class Output {
  public:
   Output(const fs::path& path, int flags) : path_(path), file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  /// What the descriptor stands for; it stays open itself.
+  explicit Output(int descriptor) : file_(::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)) {}
   ~Output() {
     if (file_ >= 0) ::close(file_);
   }
@@ -132,7 +95,7 @@ class Output {
     }
     return file_ >= 0;
   }
-  [[nodiscard]] bool sync() const { return ::fsync(file_) == 0; }
+  [[nodiscard]] bool sync() const { return file_ >= 0 && ::fsync(file_) == 0; }
   [[nodiscard]] bool move_to(const fs::path& target) const { return ::rename(path_.c_str(), target.c_str()) == 0; }
   void remove() const { (void)::unlink(path_.c_str()); }
 
@@ -141,6 +104,13 @@ class Output {
   int file_;
 };
 
+std::optional<int> number_of(const std::string& text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 // Symbolic links are followed, so that the file they point to is replaced and not the link.
 fs::path target_of(const fs::path& path) {
   std::error_code error;
@@ -148,8 +118,25 @@ fs::path target_of(const fs::path& path) {
   return error ? path : target;
 }
 
+/// The N of "/dev/fd/N", also by way of links such as /dev/stdout. To resolve those to the end would name the file that
+/// stands behind: one opened or replaced by that name loses what the process writes to the descriptor itself.
+std::optional<int> own_descriptor(fs::path path) {
+  std::error_code error;
+  path = fs::absolute(path, error).lexically_normal();
+  for (int links = 0; links < 40; ++links) {
+    const fs::path folder = path.parent_path();
+    if (folder == "/dev/fd" || folder == "/proc/self/fd") return number_of(path.filename().string());
+    const fs::path link = fs::read_symlink(path, error);
+    if (error) break;
+    path = (folder / link).lexically_normal();
+  }
+  return std::nullopt;
+}
+
 bool is_special(const fs::path& path) {
   std::error_code error;
+  // Another process's descriptors (/proc/PID/fd) are regular files by their status.
+  if (fs::absolute(path, error).lexically_normal().string().starts_with("/proc/")) return true;
   const fs::file_status status = fs::status(path, error);
   return fs::exists(status) && !fs::is_regular_file(status);
 }
@@ -165,6 +152,11 @@ std::vector<fs::path> find_case_files(const std::vector<std::string>& paths) {
 }
 
 void write_file(const fs::path& path, const std::string& text) {
+  if (const auto descriptor = own_descriptor(path)) {
+    // What was printed before stands before it.
+    if (std::fflush(stdout) != 0 || !Output(*descriptor).write(text)) fail(path.string(), errno);
+    return;
+  }
   if (is_special(path)) {
     if (!Output(path, O_WRONLY).write(text)) fail(path.string(), errno);
     return;

@@ -1,9 +1,6 @@
 // plumb solve: the contact of each case by one method or several.
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <cstring>
 #include <sstream>
 
 #include "corpus/answer.hpp"
@@ -85,11 +82,6 @@ void print_answers(const std::vector<Answer>& answers, bool json) {
     print_line(answer_table(answers));
 }
 
-/// Where a stream is fed case by case, its reader waits for each answer.
-void hand_out() {
-  if (std::fflush(stdout) != 0) throw InputFailure("standard output", 0, "", std::strerror(errno));
-}
-
 int solve(const Options& options) {
   const Want want = parse_want(options.want);
   const std::vector<Solver> solvers = chosen_solvers(options);
@@ -102,7 +94,7 @@ int solve(const Options& options) {
     std::vector<Answer> answers;
     for (const Solver& solver : solvers) answers.push_back(solve_case(*c, solver, want, options));
     print_answers(answers, options.json);
-    hand_out();
+    flush_output();
   }
   if (!any && !interrupted()) throw InputFailure(options.cases, 0, "", "holds no case");
   return exit_done;

@@ -1,5 +1,7 @@
 // plumb check: judges anybody's answer to a case by the reference.
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,29 +22,52 @@ struct Options {
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, or .jsonl whose cases the answers name")->required();
-  app.add_option("--answer", options.answers, "the fields of plumb solve: one object, or one a line")->required();
+  app.add_option("--answer", options.answers,
+                 "the fields of plumb solve: one object, or one a line; - for standard input")
+      ->required();
 }
 
-std::vector<Case> read_cases(const std::string& path) {
-  std::vector<Case> cases;
-  CaseReader reader(path);
-  for (auto c = reader.next(); c; c = reader.next()) cases.push_back(std::move(*c));
-  if (cases.empty()) throw InputFailure(path, 0, "", "holds no case");
+/// The cases that the answers are about. After a bad line the answers to those before it are still judged.
+struct Cases {
+  std::vector<Case> read;
+  std::optional<InputFailure> failure;
+};
+
+Cases read_cases(const std::string& path) {
+  Cases cases;
+  try {
+    CaseReader reader(path);
+    for (auto c = reader.next(); c; c = reader.next()) cases.read.push_back(std::move(*c));
+  } catch (const InputFailure& failure) {
+    if (cases.read.empty()) throw;
+    cases.failure = failure;
+  }
+  if (cases.read.empty()) throw InputFailure(path, 0, "", "holds no case");
   return cases;
 }
 
-/// A file with one case needs no name; among several the name must say which.
-const Case& case_of(const GivenAnswer& answer, const std::vector<Case>& cases, const Options& options) {
-  if (cases.size() == 1) return cases.front();
-  const Case* found = nullptr;
-  for (const Case& c : cases) {
-    if (c.name != answer.name) continue;
-    if (found != nullptr)
-      throw InputFailure(options.answers, 0, "name", "'" + answer.name + "' names several cases of " + options.cases);
-    found = &c;
+/// What an answer's error names.
+struct Place {
+  const std::string& answers;
+  int line;
+  const std::string& cases;
+
+  [[noreturn]] void refuse_name(const std::string& name, const std::string& what) const {
+    throw InputFailure(answers, line, "name", "'" + name + "' " + what + " of " + cases);
   }
-  if (found == nullptr)
-    throw InputFailure(options.answers, 0, "name", "'" + answer.name + "' names no case of " + options.cases);
+};
+
+/// A file with one case needs no name; among several the name must say which.
+const Case& case_of(const std::string& name, const Cases& cases, const Place& place) {
+  if (cases.read.size() == 1 && !cases.failure) return cases.read.front();
+  const auto named = [&](const Case& c) { return c.name == name; };
+  const auto found = std::find_if(cases.read.begin(), cases.read.end(), named);
+  if (found == cases.read.end()) {
+    // It may be one of those behind the bad line.
+    if (cases.failure) throw *cases.failure;
+    place.refuse_name(name, "names no case");
+  }
+  if (std::any_of(found + 1, cases.read.end(), named)) place.refuse_name(name, "names several cases");
   return *found;
 }
 
@@ -56,7 +81,13 @@ void put(Json& out, const char* key, double value) {
   if (std::isfinite(value)) out[key] = value;
 }
 
-Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& judgement) {
+/// Of the certified overlap; 0 where the reference has none.
+int certified_sign(const Reference& reference) {
+  const Solution& truth = reference.common_normal;
+  return truth.solved ? (truth.overlap > 0) - (truth.overlap < 0) : 0;
+}
+
+Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& judgement, const Json& angles) {
   Json out;
   out["name"] = c.name;
   out["method"] = answer.method;
@@ -65,6 +96,7 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
   if (std::isinf(judgement.finding.severity)) out["severity"] = "infinite";
   put(out, "severity", judgement.finding.severity);
   put(out, "angle_error_deg", judgement.angle_error_deg);
+  if (!angles.is_null()) out["angles_deg"] = angles;
   put(out, "overlap_error", judgement.overlap_error);
   put(out, "point_error", judgement.point_error);
   if (!judgement.judged) out["detail"] = "not judged: the reference has no answer to this method's problem";
@@ -72,16 +104,29 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
   return out;
 }
 
+FindingKind check_answer(const Case& c, const GivenAnswer& answer) {
+  Judge judge(c.pair);
+  const Judgement judgement = judge.judge(problem_of(answer.method), answer.contact);
+  const Json angles = angles_json(c.pair, answer.contact, certified_sign(judge.reference()));
+  print_line(write_json(judgement_json(c, answer, judgement, angles)));
+  flush_output();
+  return judgement.finding.kind;
+}
+
 int check(const Options& options) {
-  const std::vector<Case> cases = read_cases(options.cases);
+  const Cases cases = read_cases(options.cases);
+  AnswerReader answers(options.answers);
   int code = exit_done;
-  for (const GivenAnswer& answer : read_answers(options.answers)) {
-    if (interrupted()) break;
-    const Case& c = case_of(answer, cases, options);
-    const Judgement judgement = Judge(c.pair).judge(problem_of(answer.method), answer.contact);
-    print_line(write_json(judgement_json(c, answer, judgement)));
-    if (judgement.finding.kind != FindingKind::none) code = exit_finding;
+  bool any = false;
+  while (!interrupted()) {
+    const std::optional<GivenAnswer> answer = answers.next();
+    if (!answer) break;
+    any = true;
+    const Case& c = case_of(answer->name, cases, {answers.file(), answers.line(), options.cases});
+    if (check_answer(c, *answer) != FindingKind::none) code = exit_finding;
   }
+  if (cases.failure) throw *cases.failure;
+  if (!any && !interrupted()) throw InputFailure(options.answers, 0, "", "holds no answer");
   return code;
 }
 

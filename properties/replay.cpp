@@ -1,8 +1,4 @@
 // plumb replay: every kept case against what it expects.
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "properties/replay_case.hpp"
@@ -26,7 +22,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--solver", options.library, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");
-  app.add_flag("--quiet", options.quiet, "print the cases that differ and the last line only");
+  app.add_flag("--quiet", options.quiet, "print the cases that differ or were not judged, and the last line, only");
 }
 
 std::optional<Solver> solver_instead(const Options& options) {
@@ -37,15 +33,6 @@ std::optional<Solver> solver_instead(const Options& options) {
   return solvers.front();
 }
 
-/// 17 digits, so that two runs on the same bits print the same text and no other do.
-std::string line_of(const Replayed& c) {
-  std::string text = fmt::format("{}  {}  {}  {:.17g}  {}  {}", c.differences.empty() ? "same" : "DIFF", c.method,
-                                 name(c.finding.kind), c.finding.severity, place_of(c), c.name);
-  if (!c.judged) text += " (unjudged: the reference has no answer)";
-  for (const std::string& difference : c.differences) text += "; " + difference;
-  return text;
-}
-
 void replay_file(std::vector<Replayed>& done, const std::string& file, const std::optional<Solver>& instead,
                  bool quiet) {
   CaseReader reader(file);
@@ -53,7 +40,7 @@ void replay_file(std::vector<Replayed>& done, const std::string& file, const std
     const std::optional<Case> c = reader.next();
     if (!c) return;
     done.push_back(replay_case(*c, file, reader.line(), instead));
-    if (!quiet || !done.back().differences.empty()) print_line(line_of(done.back()));
+    if (!quiet || outcome(done.back()) != Outcome::as_expected) print_line(replay_line(done.back()));
   }
 }
 
@@ -68,12 +55,8 @@ int replay(const Options& options) {
   for (const auto& file : find_case_files(options.paths)) replay_file(done, file.string(), instead, options.quiet);
   if (done.empty() && !interrupted()) throw InputFailure(options.paths.front(), 0, "", "holds no case");
   write_reports(options, done);
-  const auto differing =
-      std::count_if(done.begin(), done.end(), [](const Replayed& c) { return !c.differences.empty(); });
-  print_line(fmt::format("{} cases: {} as expected, {} differ{}", done.size(),
-                         static_cast<long>(done.size()) - differing, differing,
-                         interrupted() ? " (interrupted: incomplete)" : ""));
-  return differing > 0 ? exit_finding : exit_done;
+  print_line(replay_total(done, !interrupted()));
+  return count_of(done, Outcome::differs) > 0 ? exit_finding : exit_done;
 }
 
 }  // namespace

@@ -79,6 +79,10 @@ void compare_geometry(std::vector<std::string>& differences, const Answered& ans
   compare_points(differences, answered);
 }
 
+std::string why_unsolved(const Solution& solution) {
+  return solution.reason.empty() ? "the reference has no answer" : solution.reason;
+}
+
 bool same_problem(const Case& c, const Solver& solver) {
   const std::vector<Solver> known = all_solvers();
   const auto own = std::find_if(known.begin(), known.end(), [&](const Solver& s) { return s.name == own_method(c); });
@@ -93,13 +97,21 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   const Solver solver = instead ? *instead : solver_named(own_method(c), file, line);
   const auto solve = [&solver](const Pair& pair) { return solver.solve(pair, Want{}, nullptr); };
   const Contact<double> contact = solve(c.pair);
-  const Judgement judgement = Judge(c.pair).judge(solver.problem, contact, solve, solver.unit_keeps_bits);
-  Replayed out{file, line, c.name, solver.name, judgement.finding, judgement.judged, {}, 0};
+  Judge judge(c.pair);
+  const Judgement judgement = judge.judge(solver.problem, contact, solve, solver.unit_keeps_bits);
+  Replayed out{file, line, c.name, solver.name, judgement.finding, {}, {}, 0};
+  if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge.solution(solver.problem));
   const Answered answered{c, contact, out.finding};
   compare_words(out.differences, answered, own_method(c) == solver.name);
   if (same_problem(c, solver)) compare_geometry(out.differences, answered);
   out.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return out;
+}
+
+Outcome outcome(const Replayed& replayed) {
+  if (!replayed.differences.empty()) return Outcome::differs;
+  const bool open = !replayed.unjudged.empty() && replayed.finding.kind == FindingKind::none;
+  return open ? Outcome::not_judged : Outcome::as_expected;
 }
 
 std::string place_of(const Replayed& replayed) {

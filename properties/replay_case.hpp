@@ -17,10 +17,15 @@ struct Replayed {
   std::string name;
   std::string method;
   Finding finding;
-  bool judged = false;                   ///< false: no finding, but also no reference to hold the answer against
+  std::string unjudged;                  ///< why the reference has no answer to this method's problem; empty: it has
   std::vector<std::string> differences;  ///< in words; empty: the case gave what it expects
   double seconds = 0;
 };
+
+enum class Outcome { as_expected, differs, not_judged };
+
+/// Without a reference no finding is no news; a finding of the laws that need none, and what differs, count all the same.
+[[nodiscard]] Outcome outcome(const Replayed& replayed);
 
 /// By the method that the case names (auto when it names none), or by the one that is asked for instead. A case without
 /// an expected finding expects none. Another method than the case's own is not held to the case's status and finding, and

@@ -33,8 +33,17 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+std::string_view word_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::as_expected: return "same";
+    case Outcome::differs: return "DIFF";
+    case Outcome::not_judged: break;
+  }
+  return "open";
+}
+
 bool differs(const Replayed& c) {
-  return !c.differences.empty();
+  return outcome(c) == Outcome::differs;
 }
 
 std::string finding_text(const Replayed& c) {
@@ -46,9 +55,13 @@ std::string finding_text(const Replayed& c) {
 std::string junit_case(const Replayed& c) {
   const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")", escaped(place_of(c)),
                                        escaped(c.name.empty() ? place_of(c) : c.name), c.seconds);
-  if (!differs(c)) return head + "/>\n";
-  return head + fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
-                            escaped(joined(c.differences)), escaped(finding_text(c)));
+  const Outcome result = outcome(c);
+  if (result == Outcome::as_expected) return head + "/>\n";
+  const std::string body = result == Outcome::not_judged
+                               ? fmt::format("<skipped message=\"{}\"/>", escaped(c.unjudged))
+                               : fmt::format("<failure message=\"{}\">{}</failure>", escaped(joined(c.differences)),
+                                             escaped(finding_text(c)));
+  return head + fmt::format(">\n      {}\n    </testcase>\n", body);
 }
 
 // Unreserved characters of RFC 3986 and the slash stand for themselves.
@@ -77,7 +90,8 @@ Json sarif_location(const Replayed& c) {
 }
 
 Json sarif_result(const Replayed& c) {
-  const std::string text = c.name + ": " + finding_text(c);
+  const bool open = outcome(c) == Outcome::not_judged;
+  const std::string text = c.name + ": " + (open ? c.unjudged : finding_text(c));
   Json out;
   out["ruleId"] = name(c.finding.kind);
   out["ruleIndex"] = static_cast<int>(c.finding.kind);
@@ -89,11 +103,30 @@ Json sarif_result(const Replayed& c) {
 
 }  // namespace
 
+std::string replay_line(const Replayed& c) {
+  std::string text = fmt::format("{}  {}  {}  {:.17g}  {}  {}", word_of(outcome(c)), c.method, name(c.finding.kind),
+                                 c.finding.severity, place_of(c), c.name);
+  if (!c.unjudged.empty()) text += " (" + c.unjudged + ")";
+  for (const std::string& difference : c.differences) text += "; " + difference;
+  return text;
+}
+
+std::ptrdiff_t count_of(std::span<const Replayed> cases, Outcome wanted) {
+  return std::count_if(cases.begin(), cases.end(), [&](const Replayed& c) { return outcome(c) == wanted; });
+}
+
+std::string replay_total(std::span<const Replayed> cases, bool complete) {
+  return fmt::format("{} cases: {} as expected, {} differ, {} not judged{}", cases.size(),
+                     count_of(cases, Outcome::as_expected), count_of(cases, Outcome::differs),
+                     count_of(cases, Outcome::not_judged), complete ? "" : " (interrupted: incomplete)");
+}
+
 std::string junit_report(std::span<const Replayed> cases, bool complete) {
   double seconds = 0;
   for (const Replayed& c : cases) seconds += c.seconds;
-  const std::string counts = fmt::format(R"(tests="{}" failures="{}" errors="0" time="{:.6f}")", cases.size(),
-                                         std::count_if(cases.begin(), cases.end(), differs), seconds);
+  const std::string counts =
+      fmt::format(R"(tests="{}" failures="{}" errors="0" skipped="{}" time="{:.6f}")", cases.size(),
+                  count_of(cases, Outcome::differs), count_of(cases, Outcome::not_judged), seconds);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   out += fmt::format("<testsuites {}>\n  <testsuite name=\"plumb replay\" {}>\n", counts, counts);
   if (!complete) out += "    <properties>\n      <property name=\"incomplete\" value=\"true\"/>\n    </properties>\n";
@@ -107,7 +140,8 @@ std::string sarif_report(std::span<const Replayed> cases, bool complete) {
   run["invocations"] = Json::array({{{"executionSuccessful", complete}}});
   run["results"] = Json::array();
   for (const Replayed& c : cases)
-    if (differs(c) || c.finding.kind != FindingKind::none) run["results"].push_back(sarif_result(c));
+    if (outcome(c) != Outcome::as_expected || c.finding.kind != FindingKind::none)
+      run["results"].push_back(sarif_result(c));
   Json out;
   out["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   out["version"] = "2.1.0";

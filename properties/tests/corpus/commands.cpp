@@ -100,9 +100,16 @@ TEST_F(Commands, FilesThatCannotBeReadOrWritten) {
   fs::create_directory(path_ / "empty");
   expect_refusal("replay empty", "empty: holds no case");
   expect_refusal("check good.json --answer none", "none: No such file or directory");
-  const Ran full = plumb("solve good.json 2>&1 >/dev/full");
-  EXPECT_EQ(full.code, 2);
-  EXPECT_EQ(full.out, "standard output: No space left on device\n");
+}
+
+TEST_F(Commands, WhatCannotBePrintedIsOneLineAndTwo) {
+  (void)file("good.json", sample_case());
+  for (const char* arguments : {"solve good.json", "methods", "replay good.json", "solve --help", "methods --help",
+                                "check --help", "replay --help"}) {
+    const Ran full = plumb(std::string(arguments) + " 2>&1 >/dev/full");
+    EXPECT_EQ(full.code, 2) << arguments;
+    EXPECT_EQ(full.out, "standard output: No space left on device\n") << arguments;
+  }
 }
 
 TEST_F(Commands, UsageErrorsAreOneLineAndTwo) {
@@ -131,6 +138,28 @@ TEST_F(Commands, ASingleCaseOverSeveralLinesComesThroughAPipe) {
   const Ran ran = plumb("solve - --json <a.json");
   EXPECT_EQ(ran.code, 0);
   EXPECT_EQ(lines_of(ran.out).size(), 1U);
+}
+
+TEST_F(Commands, ASingleCaseOverSeveralLinesIsReadFromAnySource) {
+  const std::string pretty = "\n \n" + Json::parse(sample_case()).dump(2) + "\n";
+  (void)file("a.json", pretty);
+  (void)file("a.jsonl", pretty);
+  for (const char* arguments : {"solve a.json --json", "solve a.jsonl --json", "solve - --json <a.json"}) {
+    const Ran ran = plumb(arguments);
+    EXPECT_EQ(ran.code, 0) << arguments;
+    EXPECT_EQ(lines_of(ran.out).size(), 1U) << arguments;
+  }
+}
+
+TEST_F(Commands, WhatIsWrongInACaseOverSeveralLinesIsNamedThrough) {
+  (void)file("a.json", Json::parse(sample_with("[1, 1, 1]", "[1, 0, 1]")).dump(2));
+  const std::string reason = "standard input: bodies[1].shape.superellipsoid.semi_axes[1]: must be finite and above 0";
+  EXPECT_EQ(plumb("solve - <a.json 2>&1 >/dev/null").out, reason + "\n");
+  (void)file("a.json", "{\n  \"format\": NaN\n}\n");
+  EXPECT_TRUE(plumb("solve - <a.json 2>&1").out.starts_with("standard input: format: broken JSON: NaN"));
+  // A line that was cut off stays a bad line.
+  (void)file("a.jsonl", "{\"format\":\n" + sample_case() + "\n");
+  EXPECT_TRUE(plumb("solve a.jsonl 2>&1").out.starts_with("a.jsonl:1: format: broken JSON: "));
 }
 
 TEST_F(Commands, SolveAnswersWithTheContractsFields) {
@@ -229,6 +258,100 @@ TEST_F(Commands, CheckTakesWhatSolvePrints) {
                  "answers: name: 'sample' names several cases of several.jsonl");
 }
 
+/// The case, or the answer's, under another name.
+std::string named(const std::string& name) {
+  return sample_with("sample", name);
+}
+
+std::string right_answer_to(const std::string& name) {
+  return "{\"name\": \"" + name + "\", " + std::string(right_answer).substr(1);
+}
+
+TEST_F(Commands, CheckJudgesTheAnswersBeforeABadLine) {
+  (void)file("cases.jsonl", named("a") + "\n" + named("b") + "\n");
+  (void)file("answers.jsonl", right_answer_to("b") + "\n\n" + right_answer_to("a") + "\n{\"overlap\": \"deep\"}\n" +
+                                  right_answer_to("a") + "\n");
+  const Ran ran = plumb("check cases.jsonl --answer answers.jsonl 2>error");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(lines_of(ran.out).size(), 2U) << ran.out;
+  EXPECT_EQ(run("cat " + (path_ / "error").string()).out, "answers.jsonl:4: overlap: must be a number, not a string\n");
+}
+
+TEST_F(Commands, CheckJudgesTheAnswersToCasesBeforeABadLine) {
+  (void)file("cases.jsonl", named("a") + "\n{\"format\": 1}\n" + named("b") + "\n");
+  const std::string reason = "cases.jsonl:2: format: must be a string, not a number\n";
+  for (const std::string& last : {right_answer_to("a"), right_answer_to("b")}) {
+    (void)file("answers.jsonl", right_answer_to("a") + "\n" + last + "\n");
+    const Ran ran = plumb("check cases.jsonl --answer answers.jsonl 2>error");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(lines_of(ran.out).size(), last == right_answer_to("a") ? 2U : 1U) << ran.out;
+    EXPECT_EQ(run("cat " + (path_ / "error").string()).out, reason);
+  }
+}
+
+TEST_F(Commands, CheckAnswersWhileItsInputIsStillOpen) {
+  (void)file("a.json", sample_case());
+  (void)file("answer", std::string(right_answer) + "\n");
+  // The feeder waits for the judgement before it ends the stream, and spoils it when none comes.
+  const std::string feeder = "cat answer; for i in $(seq 600); do [ -s out ] && exit; sleep 0.1; done; echo late";
+  const Ran ran =
+      plumb("--version >/dev/null; (" + feeder + ") | " + plumb_program + "check a.json --answer - 2>&1 >out");
+  EXPECT_EQ(ran.code, 0) << ran.out;
+}
+
+TEST_F(Commands, CheckRefusesWhatHoldsNothingToJudge) {
+  (void)file("a.json", sample_case());
+  const std::string reason = ": status, verdict, overlap, normal, points: all missing, so there is nothing to judge";
+  for (const std::string& text :
+       {std::string("{}"), sample_case(), std::string(R"({"method": "x", "normal": null})")}) {
+    (void)file("answer.json", text);
+    expect_refusal("check a.json --answer answer.json", "answer.json" + reason);
+  }
+  (void)file("answers.jsonl", std::string(right_answer) + "\n{}\n");
+  expect_refusal("check a.json --answer answers.jsonl", "answers.jsonl:2" + reason);
+  (void)file("answer.json", "\n");
+  expect_refusal("check a.json --answer answer.json", "answer.json: holds no answer");
+}
+
+TEST_F(Commands, CheckReadsAnAnswerOverSeveralLines) {
+  (void)file("a.json", sample_case());
+  (void)file("answer.json", "\n" + Json::parse(right_answer).dump(2) + "\n");
+  const Ran ran = plumb("check a.json --answer answer.json");
+  EXPECT_EQ(ran.code, 0) << ran.out;
+  EXPECT_EQ(lines_of(ran.out).size(), 1U);
+}
+
+Json angles_of(const Ran& check) {
+  return lines_of(check.out).at(0).value("angles_deg", Json());
+}
+
+TEST_F(Commands, CheckTakesTheAnglesSignFromTheReference) {
+  (void)file("a.json", sample_case());
+  (void)file("right.json", right_answer);
+  for (const char* angle : {"d_n1", "d_n2", "n1_n2"})
+    EXPECT_NEAR(angles_of(plumb("check a.json --answer right.json")).at(angle).get<double>(), 0, 1e-9) << angle;
+  // By the sign of these two answers each angle would be 180.
+  (void)file("far.json", R"({"overlap": -3.5, "normal": [1, 0, 0], "points": [[-1, 0, 0], [2.5, 0, 0]]})");
+  const Json far = angles_of(plumb("check a.json --answer far.json"));
+  EXPECT_NEAR(far.at("d_n1").get<double>(), 0, 1e-9);
+  (void)file("apart.json", sample_with("1.5", "3"));
+  (void)file("gap.json", R"({"overlap": 1, "normal": [1, 0, 0], "points": [[1, 0, 0], [2, 0, 0]]})");
+  const Json gap = angles_of(plumb("check apart.json --answer gap.json"));
+  EXPECT_NEAR(gap.at("d_n1").get<double>(), 0, 1e-9);
+  EXPECT_NEAR(gap.at("d_n2").get<double>(), 0, 1e-9);
+}
+
+TEST_F(Commands, CheckLeavesOutAnglesThatAreNotValid) {
+  (void)file("a.json", sample_case());
+  (void)file("normal.json", R"({"overlap": 0.5, "normal": [1, 0, 0]})");
+  EXPECT_TRUE(angles_of(plumb("check a.json --answer normal.json")).is_null());
+  (void)file("touch.json", sample_with("1.5", "2"));
+  (void)file("point.json", R"({"overlap": 0, "normal": [1, 0, 0], "points": [[1, 0, 0], [1, 0, 0]]})");
+  const Json angles = angles_of(plumb("check touch.json --answer point.json"));
+  EXPECT_FALSE(angles.contains("d_n1") || angles.contains("d_n2"));
+  EXPECT_NEAR(angles.at("n1_n2").get<double>(), 0, 1e-9);
+}
+
 std::string expecting(const std::string& expect) {
   return sample_plus(R"("expect": )" + expect);
 }
@@ -251,7 +374,7 @@ TEST_F(Commands, ReplayHoldsACaseToWhatItExpects) {
     EXPECT_EQ(ran.code, 1) << expect;
     EXPECT_TRUE(ran.out.starts_with("DIFF  auto  ")) << ran.out;
     EXPECT_NE(ran.out.find(difference), std::string::npos) << ran.out;
-    EXPECT_NE(ran.out.find("\n2 cases: 1 as expected, 1 differ\n"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("\n2 cases: 1 as expected, 1 differ, 0 not judged\n"), std::string::npos) << ran.out;
   }
 }
 
@@ -296,6 +419,18 @@ TEST_F(Commands, ReplayWritesReports) {
   EXPECT_EQ(result["level"], "error");
   EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "a%20b.jsonl");
   EXPECT_EQ(result["locations"][0]["physicalLocation"]["region"]["startLine"], 2);
+}
+
+TEST_F(Commands, AReportOnStandardOutputKeepsWhatReplayPrints) {
+  (void)file("good.json", sample_case());
+  for (const std::string name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "link"}) {
+    if (name == "link") fs::create_symlink("/dev/stdout", path_ / name);
+    EXPECT_EQ(plumb("replay good.json --junit " + name + " >out").code, 0);
+    const std::string out = run("cat " + (path_ / "out").string()).out;
+    EXPECT_TRUE(out.starts_with("same  auto  none")) << out;
+    EXPECT_LT(out.find("<?xml"), out.find("</testsuites>\n1 cases: ")) << out;
+    EXPECT_NE(out.find("</testsuites>\n1 cases: "), std::string::npos) << out;
+  }
 }
 
 TEST_F(Commands, CtrlCEndsAWaitingCommandWith130) {

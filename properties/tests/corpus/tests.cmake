@@ -1,5 +1,7 @@
 # The programs that these tests start, and foreign solvers to load.
 target_link_libraries(test_corpus PRIVATE fmt::fmt)
+target_sources(test_corpus PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/replay_case.cpp
+                                   ${CMAKE_CURRENT_SOURCE_DIR}/replay_reports.cpp)
 foreach(variant IN ITEMS sphere future mute)
   add_library(foreign_${variant} MODULE ${folder}/foreign/${variant}.c)
   target_include_directories(foreign_${variant} PRIVATE ${PROJECT_SOURCE_DIR})

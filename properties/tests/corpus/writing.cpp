@@ -1,4 +1,5 @@
 // What is written reads back to the same bits, in the fewest digits, and never costs what was there before.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <unistd.h>
@@ -167,6 +168,16 @@ TEST_F(Folder, NamesTheFileThatCannotBeWritten) {
   EXPECT_NE(error_of(path_), "none");
   EXPECT_TRUE(fs::is_directory(path_));
   EXPECT_EQ(files(), 0);
+}
+
+TEST_F(Folder, OwnDescriptorsAreWrittenTo) {
+  const int file = ::open((path_ / "a").c_str(), O_WRONLY | O_CREAT, 0600);
+  ASSERT_EQ(::write(file, "one ", 4), 4);
+  write_file("/dev/fd/" + std::to_string(file), "two ");
+  ASSERT_EQ(::write(file, "three", 5), 5);
+  ::close(file);
+  EXPECT_EQ(text_of(path_ / "a"), "one two three");
+  EXPECT_EQ(error_of("/dev/fd/" + std::to_string(file)), "/dev/fd/" + std::to_string(file) + ": Bad file descriptor");
 }
 
 TEST_F(Folder, CaseFilesAreFoundInOrder) {
