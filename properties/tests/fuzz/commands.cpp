@@ -60,6 +60,10 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+Json summary_in(const fs::path& out) {
+  return Json::parse(text_of(out / "summary.json"));
+}
+
 /// Exit 2, and one line that names what is wrong.
 void expect_refused(const std::vector<std::string>& arguments, const std::string& word) {
   const fs::path log = scratch() / "stderr";
@@ -112,6 +116,15 @@ TEST(Commands, KeptFailuresReplay) {
       << text_of(folder / "stderr");
 }
 
+TEST(Commands, AMethodNamedTwiceAnswersOnce) {
+  const fs::path folder = scratch(), out = folder / "out";
+  EXPECT_EQ(exit_of(start({"campaign", "--family", "spheroid", "--cases", "3", "--method", "new_cn,new_cn", "--out",
+                           out.string()},
+                          folder / "stderr")),
+            0);
+  EXPECT_EQ(summary_in(out).at("methods").at("new_cn").at("x_answers"), 3);
+}
+
 TEST(Targets, PairStandsItsSeeds) {
   const fs::path log = scratch() / "stderr";
   EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0) << text_of(log);
@@ -132,7 +145,7 @@ TEST(Commands, InterruptKeepsWhatIsDone) {
   std::this_thread::sleep_for(std::chrono::seconds(2));
   ASSERT_EQ(kill(child, SIGINT), 0);
   EXPECT_EQ(exit_of(child), 130);
-  const Json summary = Json::parse(text_of(out / "summary.json"));
+  const Json summary = summary_in(out);
   EXPECT_EQ(summary.at("incomplete"), true);
   EXPECT_GT(summary.at("cases").get<int>(), 0);
   EXPECT_EQ(summary.at("methods").at("original_cn").at("x_answers"), summary.at("cases"));
