@@ -25,15 +25,6 @@ struct Round {
   Judge judge;
 };
 
-bool is_published(const std::string& method, const Solver& asked, const CampaignOptions& options) {
-  if (method == asked.name) return asked.published;
-  static const std::vector<Solver> known = all_solvers();
-  for (const auto* list : {&known, &options.solvers})
-    for (const Solver& solver : *list)
-      if (solver.name == method) return solver.published;
-  return asked.published;
-}
-
 bool asked_too(const std::string& method, const CampaignOptions& options) {
   return std::any_of(options.solvers.begin(), options.solvers.end(), [&](const Solver& s) { return s.name == method; });
 }
@@ -67,12 +58,14 @@ std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
 /// True when the reference was beaten.
 bool judge_answer(Round& round, const Solver& solver) {
   const JudgedAnswer judged = solve_and_judge(round.judge, round.c.pair, solver);
-  const std::string method = answering_method(solver, judged.answer);
-  if (method != solver.name) ++round.results.answered_by[solver.name][method];
-  // An answer of a method that is asked itself counts once, there.
-  if (method != solver.name && asked_too(method, round.options)) return false;
+  const std::string answering = answering_method(solver, judged.answer);
+  if (answering != solver.name) ++round.results.answered_by[solver.name][answering];
+  // Where all methods are asked, the same answer counts once, to the method that gave it. Who asks for `auto` by name
+  // asks whether plumb's own choice is right: the answer is plumb's, whichever method it was taken from.
+  if (answering != solver.name && round.options.all_methods && asked_too(answering, round.options)) return false;
+  const std::string& method = solver.name;
   for (Tally* tally : tallies_of(round, method)) {
-    tally->published = is_published(method, solver, round.options);
+    tally->published = solver.published;
     add_answer(*tally, judged.answer, judged.judgement, judged.nanoseconds);
   }
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
@@ -118,9 +111,9 @@ void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, Progr
 
 }  // namespace
 
-Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed, const std::string& methods) {
+Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed, const std::string& options) {
   return {family, cases, [=](std::uint64_t index) { return generate(family, seed, index); },
-          fmt::format("plumb campaign --family {} --cases {} --seed {} --method {}", family, cases, seed, methods)};
+          fmt::format("plumb campaign --family {} --cases {} --seed {}{}", family, cases, seed, options)};
 }
 
 void judge_case(Results& results, const Source& source, std::uint64_t index, const CampaignOptions& options) {

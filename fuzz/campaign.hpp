@@ -27,13 +27,15 @@ struct Shard {
 
 struct CampaignOptions {
   std::vector<Solver> solvers;
+  bool all_methods = false;  ///< every method of this build is asked, none by name
   std::uint64_t seed = 1;
   unsigned threads = 1;
   Shard shard;
 };
 
+/// `options`: what to append to the command that repeats this source's campaign, with a blank before each option.
 [[nodiscard]] Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed,
-                                   const std::string& methods);
+                                   const std::string& options);
 
 /// Judges until all is done or interrupted(); shows its progress. Never throws what a case or a solver throws: that is counted
 /// as a finding (crash) or as an error of the harness.

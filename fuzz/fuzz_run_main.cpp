@@ -57,7 +57,7 @@ Source real_source(const std::string& folder) {
 std::vector<Source> sources_of(const Arguments& args) {
   std::vector<Source> sources{real_source(args.real)};
   for (const Rate& family : kFamilies)
-    sources.push_back(family_source(family.what, scaled(family, args.minutes), args.seed, "all"));
+    sources.push_back(family_source(family.what, scaled(family, args.minutes), args.seed, " --method all"));
   return sources;
 }
 
@@ -71,7 +71,7 @@ std::string engine_text(const EngineRun& run) {
 int fuzz_run(const Arguments& args) {
   const std::vector<Source> sources = sources_of(args);
   prepare_folder(args.out);
-  const CampaignOptions options{all_solvers(), args.seed, args.threads, {}};
+  const CampaignOptions options{all_solvers(), true, args.seed, args.threads, {}};
   const Results results = run_campaign(sources, options);
   write_results(results, args.out);
   EngineRun engine;

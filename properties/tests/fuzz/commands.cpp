@@ -125,6 +125,15 @@ TEST(Commands, AMethodNamedTwiceAnswersOnce) {
   EXPECT_EQ(summary_in(out).at("methods").at("new_cn").at("x_answers"), 3);
 }
 
+TEST(Commands, AutoHasARowOnlyWhenAskedByName) {
+  const fs::path folder = scratch(), out = folder / "out";
+  for (const std::string methods : {"all", "original_cn,auto"}) {
+    exit_of(start({"campaign", "--family", "spheroid", "--cases", "3", "--method", methods, "--out", out.string()},
+                  folder / "stderr"));
+    EXPECT_EQ(summary_in(out).at("methods").contains("auto"), methods != "all");
+  }
+}
+
 TEST(Targets, PairStandsItsSeeds) {
   const fs::path log = scratch() / "stderr";
   EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0) << text_of(log);
