@@ -149,6 +149,7 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   Results results;
   for (Results& part : parts) results.merge(std::move(part));
   results.seed = options.seed;
+  results.libraries = options.libraries;
   results.threads = static_cast<unsigned>(parts.size());
   results.seconds = progress.seconds();
   results.incomplete = done.load() < total;

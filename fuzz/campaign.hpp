@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct CampaignOptions {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   Shard shard;
+  std::map<std::string, std::string> libraries = {};  ///< foreign solver -> absolute path, for the commands that replay
 };
 
 /// `options`: what to append to the command that repeats this source's campaign, with a blank before each option.

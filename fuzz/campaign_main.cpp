@@ -1,6 +1,8 @@
 // plumb campaign: random cases of the families, judged.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "corpus/command.hpp"
 #include "fuzz/arguments.hpp"
 #include "fuzz/shell_word.hpp"
@@ -37,7 +39,9 @@ CampaignOptions options_of(const Arguments& args) {
   const std::string methods = methods_of(args);
   CampaignOptions options{{}, methods == "all", args.seed, args.threads, parse_shard(args.shard)};
   if (!methods.empty()) options.solvers = find_solvers(methods);
-  if (!args.solver.empty()) options.solvers.push_back(load_solver(args.solver));
+  if (args.solver.empty()) return options;
+  options.solvers.push_back(load_solver(args.solver));
+  options.libraries[options.solvers.back().name] = std::filesystem::absolute(args.solver).string();
   return options;
 }
 

@@ -70,6 +70,7 @@ Json bins_json(const Results& results) {
           {"buckets", results.buckets},
           {"answered_by", results.answered_by},
           {"harness_errors", results.harness_errors},
+          {"libraries", results.libraries},
           {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
 }
 
@@ -81,6 +82,7 @@ Results parse_bins(const Json& json) {
   json.at("buckets").get_to(results.buckets);
   json.at("answered_by").get_to(results.answered_by);
   json.at("harness_errors").get_to(results.harness_errors);
+  json.at("libraries").get_to(results.libraries);
   json.at("timing").at("seconds").get_to(results.seconds);
   json.at("timing").at("threads").get_to(results.threads);
   return results;
@@ -111,6 +113,7 @@ void Results::merge(Results&& other) {
   for (const auto& [asked, answered] : other.answered_by)
     for (const auto& [by, n] : answered) answered_by[asked][by] += n;
   for (const auto& [message, n] : other.harness_errors) harness_errors[message] += n;
+  libraries.insert(other.libraries.begin(), other.libraries.end());
   kept.merge(std::move(other.kept));
   seconds += other.seconds;
   threads = std::max(threads, other.threads);

@@ -36,6 +36,7 @@ struct Results {
   std::map<std::string, std::map<std::string, std::uint64_t>>
       answered_by;                                      ///< asked -> answered -> count, where they differ
   std::map<std::string, std::uint64_t> harness_errors;  ///< message -> cases
+  std::map<std::string, std::string> libraries;         ///< foreign solver -> absolute path of its library
   KeptFailures kept;
   double seconds = 0;  ///< wall clock, added up over merged runs
   unsigned threads = 0;

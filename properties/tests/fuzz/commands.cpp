@@ -30,8 +30,7 @@ fs::path scratch() {
   return folder;
 }
 
-pid_t start_program(const std::string& program, std::vector<std::string> arguments, const fs::path& log) {
-  arguments.insert(arguments.begin(), PLUMB_BINARY_DIR "/bin/" + program);
+pid_t spawn(std::vector<std::string> arguments, const fs::path& log) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
@@ -45,6 +44,11 @@ pid_t start_program(const std::string& program, std::vector<std::string> argumen
   return child;
 }
 
+pid_t start_program(const std::string& program, std::vector<std::string> arguments, const fs::path& log) {
+  arguments.insert(arguments.begin(), PLUMB_BINARY_DIR "/bin/" + program);
+  return spawn(std::move(arguments), log);
+}
+
 pid_t start(const std::vector<std::string>& arguments, const fs::path& log) {
   return start_program("plumb", arguments, log);
 }
@@ -53,6 +57,12 @@ int exit_of(pid_t child) {
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Runs a script in a folder, with the programs in its path; what it says on stderr is in FOLDER/stderr.
+int exit_of_script(const std::string& script, const fs::path& folder) {
+  const std::string head = "cd '" + folder.string() + "' && PATH=" PLUMB_BINARY_DIR "/bin:$PATH\n";
+  return exit_of(spawn({"/bin/bash", "-c", head + script}, folder / "stderr"));
 }
 
 std::string text_of(const fs::path& path) {
@@ -132,6 +142,24 @@ TEST(Commands, AutoHasARowOnlyWhenAskedByName) {
                   folder / "stderr"));
     EXPECT_EQ(summary_in(out).at("methods").contains("auto"), methods != "all");
   }
+}
+
+TEST(Commands, ThePrintedCommandReplaysAForeignSolver) {
+  const fs::path folder = scratch();
+  fs::copy_file(PLUMB_BINARY_DIR "/tests/foreign_sphere.so", folder / "one's own.so");
+  ASSERT_EQ(
+      exit_of_script(
+          R"(plumb campaign --family spheroid --cases 3 --solver "one's own.so" --out "the folder" >table)", folder),
+      1);
+  std::ifstream table(folder / "table");
+  int replayed = 0;
+  for (std::string line; std::getline(table, line);) {
+    if (line.find(" replay ") == std::string::npos) continue;
+    const std::string command = line.substr(line.find_first_of("/'"));
+    EXPECT_EQ(exit_of_script(command, folder), 0) << command << '\n' << text_of(folder / "stderr");
+    ++replayed;
+  }
+  EXPECT_GT(replayed, 0);
 }
 
 TEST(Targets, PairStandsItsSeeds) {
