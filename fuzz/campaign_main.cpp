@@ -1,6 +1,4 @@
 // plumb campaign: random cases of the families, judged.
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "corpus/command.hpp"
@@ -57,11 +55,7 @@ int campaign(const Arguments& args) {
   for (const std::string& family : find_families(args.family))
     sources.push_back(family_source(family, static_cast<std::uint64_t>(args.cases), args.seed, command_options(args)));
   if (!args.out.empty()) prepare_folder(args.out);
-  const Results results = run_campaign(sources, options);
-  if (!args.out.empty()) write_results(results, args.out);
-  fmt::print("{}", table_text(results));
-  if (!args.out.empty()) fmt::print("{}", kept_text(results, args.out));
-  return exit_code(results);
+  return report(run_campaign(sources, options), args.out);
 }
 
 }  // namespace

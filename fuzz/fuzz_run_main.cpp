@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "corpus/command.hpp"
@@ -72,14 +73,15 @@ int fuzz_run(const Arguments& args) {
   const std::vector<Source> sources = sources_of(args);
   prepare_folder(args.out);
   const CampaignOptions options{all_solvers(), true, args.seed, args.threads, {}};
-  const Results results = run_campaign(sources, options);
-  write_results(results, args.out);
+  const int found = report(run_campaign(sources, options), args.out);
+  // The engine shows its progress on stderr: below the table, also where both go to one file.
+  (void)std::fflush(stdout);
   EngineRun engine;
   if (!args.fuzzer.empty() && !interrupted())
     engine = run_engine({args.fuzzer, args.seeds, args.out, scaled(kEngine, args.minutes), args.seed});
-  fmt::print("{}{}{}", table_text(results), engine_text(engine), kept_text(results, args.out));
+  fmt::print("{}", engine_text(engine));
   add_to_summary(engine, args.out);
-  return std::max(exit_code(results), engine.found.empty() ? 0 : 1);
+  return std::max(found, engine.found.empty() ? 0 : 1);
 }
 
 }  // namespace

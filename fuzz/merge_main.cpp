@@ -23,9 +23,7 @@ int merge(const Arguments& args) {
   }
   // After the reading: --out may be one of the folders that were read.
   prepare_folder(args.out);
-  write_results(all, args.out);
-  fmt::print("{}{}", table_text(all), kept_text(all, args.out));
-  return exit_code(all);
+  return report(all, args.out);
 }
 
 }  // namespace

@@ -88,9 +88,10 @@ Results parse_bins(const Json& json) {
   return results;
 }
 
-/// Only what write() names, so that a folder with other files in it loses none.
-void remove_kept(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
+/// Only what write_results() names, so that a folder with other files in it loses none.
+void remove_old_results(const fs::path& folder) {
+  for (const char* file : {"summary.json", "campaign.bins"}) fs::remove(folder / file);
+  for (const auto& entry : fs::directory_iterator(folder / "failures")) {
     const std::string file = entry.path().filename().string();
     if (file.ends_with("--simplest.json") || file.ends_with("--worst.json")) fs::remove(entry.path());
   }
@@ -158,13 +159,14 @@ void prepare_folder(const fs::path& folder) {
   const fs::path probe = folder / "failures" / ".writable";
   if (!std::ofstream(probe)) throw InputFailure(folder.string(), 0, "--out", "cannot write there");
   fs::remove(probe, error);
-  remove_kept(folder / "failures");
+  remove_old_results(folder);
 }
 
 void write_results(const Results& results, const fs::path& folder) {
-  results.kept.write(folder / "failures");
-  write_file(folder / "campaign.bins", bins_json(results).dump() + "\n");
+  // The counts first: they are small, and what a disk that fills up during the many failures leaves is then still a result.
   write_file(folder / "summary.json", summary_json(results).dump(2) + "\n");
+  write_file(folder / "campaign.bins", bins_json(results).dump() + "\n");
+  results.kept.write(folder / "failures");
 }
 
 Results read_results(const fs::path& folder) {

@@ -55,8 +55,8 @@ struct Results {
 
 [[nodiscard]] Json summary_json(const Results& results);
 
-/// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. Failures that an
-/// earlier run left there are removed, so that the folder holds those of this one.
+/// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. What an earlier run
+/// left there is removed, so that a folder never shows one run's counts beside another's failures, or those of a run that died.
 void prepare_folder(const std::filesystem::path& folder);
 void write_results(const Results& results, const std::filesystem::path& folder);
 /// Throws InputFailure.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 #include <vector>
 
@@ -160,6 +161,15 @@ std::string rest_of(const std::vector<Line>& lines, std::size_t shown, const fs:
                      alike ? replay_command(failures, library) : failures.string());
 }
 
+std::exception_ptr failure_to_write(const Results& results, const fs::path& folder) {
+  try {
+    if (!folder.empty()) write_results(results, folder);
+    return nullptr;
+  } catch (const InputFailure&) {
+    return std::current_exception();
+  }
+}
+
 }  // namespace
 
 std::string table_text(const Results& results) {
@@ -184,6 +194,14 @@ std::string kept_text(const Results& results, const fs::path& folder) {
     text += fmt::format("{:>9}  {}\n", grouped(lines[i].count),
                         replay_command(failures / (lines[i].bucket + "--worst.json"), lines[i].library));
   return lines.size() > shown ? text + rest_of(lines, shown, failures) : text;
+}
+
+int report(const Results& results, const fs::path& folder) {
+  const std::exception_ptr failed = failure_to_write(results, folder);
+  fmt::print("{}", table_text(results));
+  if (failed) std::rethrow_exception(failed);
+  if (!folder.empty()) fmt::print("{}", kept_text(results, folder));
+  return exit_code(results);
 }
 
 }  // namespace plumb

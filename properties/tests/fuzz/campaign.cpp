@@ -142,6 +142,28 @@ TEST(CampaignAuto, AmongAllMethodsItsAnswerCountsOnceWhereItCameFrom) {
   EXPECT_EQ(exit_code(results), 0);
 }
 
+TEST_F(Campaign, AFolderThatIsUsedAgainForgetsTheOldRun) {
+  const fs::path folder = fresh_folder("again");
+  prepare_folder(folder);
+  write_results(*single, folder);
+  write_file(folder / "notes.txt", "");
+  prepare_folder(folder);
+  EXPECT_FALSE(fs::exists(folder / "summary.json"));
+  EXPECT_FALSE(fs::exists(folder / "campaign.bins"));
+  EXPECT_TRUE(fs::is_empty(folder / "failures"));
+  EXPECT_TRUE(fs::exists(folder / "notes.txt"));
+}
+
+TEST_F(Campaign, TheCountsAreThereWhereTheFailuresHaveNoRoom) {
+  const fs::path folder = fresh_folder("full");
+  prepare_folder(folder);
+  fs::remove(folder / "failures");
+  write_file(folder / "failures", "no folder");
+  EXPECT_THROW(write_results(*single, folder), InputFailure);
+  EXPECT_TRUE(fs::exists(folder / "summary.json"));
+  EXPECT_TRUE(fs::exists(folder / "campaign.bins"));
+}
+
 TEST(CampaignErrors, AThrowingSolverIsACrashOfTheSolver) {
   Solver broken;
   broken.name = "broken";

@@ -162,6 +162,17 @@ TEST(Commands, ThePrintedCommandReplaysAForeignSolver) {
   EXPECT_GT(replayed, 0);
 }
 
+TEST(Commands, AFullDiskLeavesTheTable) {
+  const fs::path folder = scratch();
+  // No file may grow above 1 KiB, which looks like a full disk to whoever ignores the signal; the pipe has no such limit.
+  const std::string script =
+      "(trap '' XFSZ; ulimit -f 1; plumb campaign --family spheroid --cases 2 --out out) | cat >table\n"
+      "exit ${PIPESTATUS[0]}";
+  EXPECT_EQ(exit_of_script(script, folder), 2);
+  EXPECT_NE(text_of(folder / "table").find("spheroid: 2 cases"), std::string::npos);
+  EXPECT_NE(text_of(folder / "stderr").find("out/summary.json: "), std::string::npos) << text_of(folder / "stderr");
+}
+
 TEST(Targets, PairStandsItsSeeds) {
   const fs::path log = scratch() / "stderr";
   EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0) << text_of(log);
