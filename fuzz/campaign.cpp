@@ -102,6 +102,17 @@ Work work_at(const std::vector<Source>& sources, const std::vector<std::uint64_t
   return {&sources[at], k * shard.count + shard.number - 1};
 }
 
+Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& options) {
+  Asked asked;
+  asked.seed = options.seed;
+  for (const Source& source : sources) asked.cases[source.family] = source.cases;
+  for (const Solver& solver : options.solvers) asked.methods.insert(solver.name);
+  asked.all_methods = options.all_methods;
+  asked.shards = options.shard.count;
+  asked.done = {options.shard.number};
+  return asked;
+}
+
 void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, Progress& progress) {
   while (done.load() < total && !interrupted()) {
     progress.show(done.load());
@@ -148,11 +159,11 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   }
   Results results;
   for (Results& part : parts) results.merge(std::move(part));
-  results.seed = options.seed;
+  results.asked = asked_of(sources, options);
   results.libraries = options.libraries;
   results.threads = static_cast<unsigned>(parts.size());
   results.seconds = progress.seconds();
-  results.incomplete = done.load() < total;
+  results.interrupted = done.load() < total;
   progress.finish(done.load());
   return results;
 }

@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kFormat = "plumb/bins-2";
+
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
 }
@@ -63,9 +65,9 @@ FamilyResults read_family(const Json& json) {
 Json bins_json(const Results& results) {
   Json families = Json::object();
   for (const auto& [name, family] : results.families) families[name] = family_json(family);
-  return {{"format", "plumb/bins-1"},
-          {"seed", results.seed},
-          {"incomplete", results.incomplete},
+  return {{"format", kFormat},
+          {"asked", results.asked.to_json()},
+          {"interrupted", results.interrupted},
           {"families", families},
           {"buckets", results.buckets},
           {"answered_by", results.answered_by},
@@ -76,8 +78,10 @@ Json bins_json(const Results& results) {
 
 Results parse_bins(const Json& json) {
   Results results;
-  json.at("seed").get_to(results.seed);
-  json.at("incomplete").get_to(results.incomplete);
+  const Json& format = json.at("format");
+  if (format != kFormat) throw FieldError("format", "is " + format.dump() + ", must be \"" + kFormat + "\"");
+  results.asked = Asked::from_json(json.at("asked"));
+  json.at("interrupted").get_to(results.interrupted);
   for (const auto& [name, family] : json.at("families").items()) results.families[name] = read_family(family);
   json.at("buckets").get_to(results.buckets);
   json.at("answered_by").get_to(results.answered_by);
@@ -108,7 +112,7 @@ void FamilyResults::merge(const FamilyResults& other) {
 }
 
 void Results::merge(Results&& other) {
-  incomplete = incomplete || other.incomplete;
+  interrupted = interrupted || other.interrupted;
   for (const auto& [name, family] : other.families) families[name].merge(family);
   for (const auto& [bucket, n] : other.buckets) buckets[bucket] += n;
   for (const auto& [asked, answered] : other.answered_by)
@@ -133,7 +137,7 @@ Tallies Results::methods() const {
 }
 
 int exit_code(const Results& results) {
-  if (results.incomplete) return 130;
+  if (results.incomplete()) return 130;
   bool found = !results.harness_errors.empty();
   for (const auto& [name, family] : results.families) {
     found = found || family.reference_beaten > 0;
@@ -176,11 +180,13 @@ Results read_results(const fs::path& folder) {
   std::stringstream text;
   text << in.rdbuf();
   try {
-    Results results = parse_bins(Json::parse(text.str()));
+    Results results = parse_bins(read_json(text.str()));
     results.kept.read(folder / "failures");
     return results;
+  } catch (const FieldError& e) {
+    throw InputFailure(path.string(), 0, e.field, e.what());
   } catch (const Json::exception& e) {
-    throw InputFailure(path.string(), 0, "campaign.bins", e.what());
+    throw InputFailure(path.string(), 0, "", e.what());
   }
 }
 

@@ -1,7 +1,7 @@
 // What a campaign found, in a form that adds up (over threads, shards and runs), and its files.
 //
 // DIR/summary.json   the contract's summary
-// DIR/campaign.bins      the counts behind it, for `plumb merge`
+// DIR/campaign.bins  the counts behind it, for `plumb merge`
 // DIR/failures/      the simplest and the worst case of each bucket
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/asked.hpp"
 #include "fuzz/kept.hpp"
 #include "fuzz/tally.hpp"
 
@@ -29,8 +30,9 @@ struct FamilyResults {
 };
 
 struct Results {
-  std::uint64_t seed = 0;
-  bool incomplete = false;
+  Asked asked;
+  bool interrupted = false;     ///< this run, or one of those that were merged
+  bool shards_missing = false;  ///< from a merge; one shard alone is all that was asked of it
   std::map<std::string, FamilyResults> families;
   std::map<std::string, std::uint64_t> buckets;  ///< failures in each
   std::map<std::string, std::map<std::string, std::uint64_t>>
@@ -44,9 +46,10 @@ struct Results {
   void merge(Results&& other);
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] Tallies methods() const;  ///< over all families
+  [[nodiscard]] bool incomplete() const { return interrupted || shards_missing; }
 };
 
-/// 1 when a method that is no published baseline, the reference or the harness has a finding; 130 when interrupted; else 0.
+/// 1 when a method that is no published baseline, the reference or the harness has a finding; 130 when incomplete; else 0.
 [[nodiscard]] int exit_code(const Results& results);
 
 /// real, spheroid, ellipsoid, superquadric, hard; methods in the order of `plumb methods`, foreign ones last.
@@ -59,7 +62,7 @@ struct Results {
 /// left there is removed, so that a folder never shows one run's counts beside another's failures, or those of a run that died.
 void prepare_folder(const std::filesystem::path& folder);
 void write_results(const Results& results, const std::filesystem::path& folder);
-/// Throws InputFailure.
+/// Throws InputFailure, which names the file.
 [[nodiscard]] Results read_results(const std::filesystem::path& folder);
 
 }  // namespace plumb

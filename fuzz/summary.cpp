@@ -95,9 +95,9 @@ Json host_json() {
 Json summary_json(const Results& results) {
   Json json;
   json["cases"] = results.cases();
-  json["seed"] = results.seed;
+  json["seed"] = results.asked.seed;
   json["families"] = family_order(results);
-  if (results.incomplete) json["incomplete"] = true;
+  if (results.incomplete()) json["incomplete"] = true;
   json["methods"] = methods_json(results.methods());
   json["x_answered_by"] = results.answered_by;
   json["x_harness_errors"] = results.harness_errors;

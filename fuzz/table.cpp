@@ -109,7 +109,10 @@ std::string notes(const Results& results) {
       text += fmt::format("  {} answered by {} in {} cases: they count as {}'s.\n", asked, by, grouped(n),
                           methods.contains(asked) ? asked : by);
   for (const auto& [message, n] : results.harness_errors) text += fmt::format("  HARNESS ERROR {}\n", message);
-  if (results.incomplete) text += "  INCOMPLETE: interrupted; what was done is counted.\n";
+  if (results.interrupted) text += "  INCOMPLETE: interrupted; what was done is counted.\n";
+  if (results.shards_missing)
+    text += fmt::format("  INCOMPLETE: {} of {} shards; what they did is counted.\n", results.asked.done.size(),
+                        results.asked.shards);
   return text;
 }
 

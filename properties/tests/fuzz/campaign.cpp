@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "fuzz/judging.hpp"
+#include "fuzz/merge.hpp"
 #include "properties/families.hpp"
 
 namespace plumb {
@@ -45,6 +46,13 @@ fs::path fresh_folder(const std::string& name) {
   return folder;
 }
 
+std::string written(const std::string& name, const Results& results) {
+  const fs::path folder = fresh_folder(name);
+  prepare_folder(folder);
+  write_results(results, folder);
+  return folder.string();
+}
+
 class Campaign : public testing::Test {
  protected:
   static void SetUpTestSuite() { single = new Results(run_campaign(sources(), options(1))); }
@@ -77,24 +85,17 @@ TEST_F(Campaign, ThreadsDoNotMatter) {
 }
 
 TEST_F(Campaign, MergedShardsAreTheSingleRun) {
-  Results all;
-  for (std::uint64_t i = 1; i <= 3; ++i) {
-    const fs::path folder = fresh_folder("shard" + std::to_string(i));
-    prepare_folder(folder);
-    write_results(run_campaign(sources(), options(1, {i, 3})), folder);
-    Results part = read_results(folder);
-    all.seed = part.seed;
-    all.merge(std::move(part));
-  }
+  std::vector<std::string> folders;
+  for (std::uint64_t i = 1; i <= 3; ++i)
+    folders.push_back(written("shard" + std::to_string(i), run_campaign(sources(), options(1, {i, 3}))));
+  const Results all = merge_folders(folders);
+  EXPECT_FALSE(all.incomplete());
   EXPECT_EQ(comparable(all), comparable(*single));
   EXPECT_EQ(kept_texts(all), kept_texts(*single));
 }
 
 TEST_F(Campaign, KeptFailuresReplayToTheSameSeverity) {
-  const fs::path folder = fresh_folder("kept");
-  prepare_folder(folder);
-  write_results(*single, folder);
-  const auto files = find_case_files({(folder / "failures").string()});
+  const auto files = find_case_files({written("kept", *single) + "/failures"});
   ASSERT_EQ(files.size(), 2 * single->kept.buckets().size());
   for (const fs::path& file : files) {
     CaseReader reader(file.string());
@@ -143,9 +144,7 @@ TEST(CampaignAuto, AmongAllMethodsItsAnswerCountsOnceWhereItCameFrom) {
 }
 
 TEST_F(Campaign, AFolderThatIsUsedAgainForgetsTheOldRun) {
-  const fs::path folder = fresh_folder("again");
-  prepare_folder(folder);
-  write_results(*single, folder);
+  const fs::path folder = written("again", *single);
   write_file(folder / "notes.txt", "");
   prepare_folder(folder);
   EXPECT_FALSE(fs::exists(folder / "summary.json"));

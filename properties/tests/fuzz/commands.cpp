@@ -112,6 +112,18 @@ TEST(Commands, MergeOfNothing) {
                  "campaign.bins");
 }
 
+TEST(Commands, MergeOfOneShardTwice) {
+  const fs::path folder = scratch(), shard = folder / "shard";
+  ASSERT_EQ(exit_of(start({"campaign", "--family", "spheroid", "--cases", "4", "--method", "new_cn", "--shard", "1/2",
+                           "--out", shard.string()},
+                          folder / "stderr")),
+            0);
+  const std::string script =
+      "plumb merge shard shard --out twice; test $? = 2 && plumb merge shard --out half; exit $?";
+  EXPECT_EQ(exit_of_script(script, folder), 130);
+  EXPECT_EQ(summary_in(folder / "half").at("incomplete"), true);
+}
+
 TEST(Commands, FamiliesAreListed) {
   EXPECT_EQ(exit_of(start({"families"}, scratch() / "stderr")), 0);
 }
@@ -148,8 +160,8 @@ TEST(Commands, ThePrintedCommandReplaysAForeignSolver) {
   const fs::path folder = scratch();
   fs::copy_file(PLUMB_BINARY_DIR "/tests/foreign_sphere.so", folder / "one's own.so");
   ASSERT_EQ(
-      exit_of_script(
-          R"(plumb campaign --family spheroid --cases 3 --solver "one's own.so" --out "the folder" >table)", folder),
+      exit_of_script(R"(plumb campaign --family spheroid --cases 3 --solver "one's own.so" --out "the folder" >table)",
+                     folder),
       1);
   std::ifstream table(folder / "table");
   int replayed = 0;
