@@ -19,7 +19,7 @@ struct Arguments {
 void declare(CLI::App& app, Arguments& args) {
   app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")
       ->required();
-  app.add_option("--cases", args.cases, "cases of each family")->required()->check(CLI::PositiveNumber);
+  app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
   app.add_option("--seed", args.seed, "same seed, same cases and results")->capture_default_str();
   app.add_option("--method", args.method, "methods with commas, or all (the default without --solver)");
   app.add_option("--solver", args.solver, "a shared library behind solver/plumb_solver.h");

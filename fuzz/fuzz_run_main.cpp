@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   plumb::Arguments args;
   CLI::App app("Real pairs, random families and the coverage-guided target, judged; one table", "plumb fuzz-run");
   app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")
-      ->check(CLI::PositiveNumber)
+      ->check(plumb::refuse_minutes)
       ->capture_default_str();
   app.add_option("--seed", args.seed)->capture_default_str();
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));

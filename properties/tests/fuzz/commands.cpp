@@ -87,7 +87,13 @@ TEST(Commands, UnknownFamily) {
   expect_refused({"campaign", "--family", "cubes", "--cases", "1"}, "cubes");
 }
 TEST(Commands, NoCases) {
-  expect_refused({"campaign", "--family", "all", "--cases", "0"}, "--cases");
+  for (const char* cases : {"0", "2.5", "nan", "x"})
+    expect_refused({"campaign", "--family", "all", "--cases", cases}, std::string("--cases: '") + cases + "' is not");
+}
+TEST(Commands, NoMinutes) {
+  for (const char* minutes : {"nan", "inf", "0", "-1", "1e300", "x"})
+    expect_refused({"fuzz-run", "--minutes", minutes, "--out", scratch().string()},
+                   std::string("--minutes: '") + minutes + "' is not");
 }
 TEST(Commands, NegativeCases) {
   expect_refused({"campaign", "--family", "all", "--cases", "-3"}, "--cases");
@@ -188,6 +194,18 @@ TEST(Commands, AFullDiskLeavesTheTable) {
 TEST(Targets, PairStandsItsSeeds) {
   const fs::path log = scratch() / "stderr";
   EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0) << text_of(log);
+}
+
+TEST(Targets, ASettingOfNoUseIsRefusedInOneLine) {
+  const fs::path folder = scratch();
+  for (const std::string variable : {"PLUMB_FUZZ_METHOD", "PLUMB_FUZZ_ABORT"}) {
+    const std::string script = variable + "=foo replay-pair '" PLUMB_SOURCE_DIR "/fuzz/seeds'";
+    EXPECT_EQ(exit_of_script(script, folder), 2);
+    const std::string text = text_of(folder / "stderr");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    EXPECT_EQ(text.find(variable + ": "), 0u) << text;
+    EXPECT_NE(text.find("foo"), std::string::npos) << text;
+  }
 }
 
 TEST(Targets, CaseStandsTheCorpusAndTheSeeds) {
