@@ -80,7 +80,9 @@ void judge_answers(Round& round) {
   FamilyResults& family = round.results.families[round.source.family];
   ++family.cases;
   family.reference_beaten += beaten ? 1 : 0;
-  family.reference_unsolved += round.judge.reference().common_normal.solved ? 0 : 1;
+  const Reference& reference = round.judge.reference();
+  family.reference_unsolved += reference.common_normal.solved ? 0 : 1;
+  family.search_budget_ended += reference.searched_all ? 0 : 1;
 }
 
 /// The k-th case of the shard, over all sources.

@@ -47,6 +47,7 @@ Json family_json(const FamilyResults& family) {
   for (const auto& [name, tallies] : family.generators) generators[name] = tallies_json(tallies);
   return {{"cases", family.cases},
           {"reference_unsolved", family.reference_unsolved},
+          {"search_budget_ended", family.search_budget_ended},
           {"reference_beaten", family.reference_beaten},
           {"methods", tallies_json(family.methods)},
           {"generators", generators}};
@@ -56,6 +57,7 @@ FamilyResults read_family(const Json& json) {
   FamilyResults family;
   json.at("cases").get_to(family.cases);
   json.at("reference_unsolved").get_to(family.reference_unsolved);
+  json.at("search_budget_ended").get_to(family.search_budget_ended);
   json.at("reference_beaten").get_to(family.reference_beaten);
   family.methods = read_tallies(json.at("methods"));
   for (const auto& [name, tallies] : json.at("generators").items()) family.generators[name] = read_tallies(tallies);
@@ -106,6 +108,7 @@ void remove_old_results(const fs::path& folder) {
 void FamilyResults::merge(const FamilyResults& other) {
   cases += other.cases;
   reference_unsolved += other.reference_unsolved;
+  search_budget_ended += other.search_budget_ended;
   reference_beaten += other.reference_beaten;
   merge_tallies(methods, other.methods);
   for (const auto& [name, tallies] : other.generators) merge_tallies(generators[name], tallies);

@@ -21,8 +21,9 @@ using Tallies = std::map<std::string, Tally>;  ///< by the method that answered
 
 struct FamilyResults {
   std::uint64_t cases = 0;
-  std::uint64_t reference_unsolved = 0;  ///< no certified common normal: CN methods go unjudged
-  std::uint64_t reference_beaten = 0;    ///< an answer's normal proves a lower overlap than the reference's
+  std::uint64_t reference_unsolved = 0;   ///< no certified common normal: CN methods go unjudged
+  std::uint64_t search_budget_ended = 0;  ///< the reference is the lowest of what was searched, not of all directions
+  std::uint64_t reference_beaten = 0;     ///< an answer's normal proves a lower overlap than the reference's
   Tallies methods;
   std::map<std::string, Tallies> generators;  ///< of the family `hard`
 

@@ -57,7 +57,9 @@ Json methods_json(const Tallies& tallies) {
 Json family_summary(const FamilyResults& family) {
   return {{"cases", family.cases},
           {"reference",
-           {{"unsolved", share_json(family.reference_unsolved, family.cases)}, {"beaten", family.reference_beaten}}},
+           {{"unsolved", share_json(family.reference_unsolved, family.cases)},
+            {"x_search_budget_ended", family.search_budget_ended},
+            {"beaten", family.reference_beaten}}},
           {"methods", methods_json(family.methods)}};
 }
 

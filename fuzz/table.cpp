@@ -93,6 +93,8 @@ std::string family_heading(const std::string& name, const FamilyResults& family)
   if (family.reference_unsolved > 0)
     text += fmt::format(", {} without a reference ({} %)", grouped(family.reference_unsolved),
                         share_text(family.reference_unsolved, family.cases));
+  if (family.search_budget_ended > 0)
+    text += fmt::format(", {} with an unfinished search", grouped(family.search_budget_ended));
   if (family.reference_beaten > 0)
     text += fmt::format(", the reference BEATEN in {}", grouped(family.reference_beaten));
   return text + "\n";

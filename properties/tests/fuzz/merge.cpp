@@ -25,6 +25,7 @@ class Merge : public testing::Test {
     Results results;
     results.asked = {7, {{"spheroid", 30}}, {"new_cn", "original_cn"}, false, 3, {number}};
     results.families["spheroid"].cases = 10;
+    results.families["spheroid"].search_budget_ended = 1;
     if (change) change(results);
     const fs::path folder = root_ / std::to_string(folders_++);
     prepare_folder(folder);
@@ -57,6 +58,7 @@ void expect_refused(const std::vector<std::string>& folders, const std::vector<s
 TEST_F(Merge, AllShardsAreTheWhole) {
   const Results all = merge_folders({shard(2), shard(3), shard(1)});
   EXPECT_EQ(all.cases(), 30u);
+  EXPECT_EQ(summary_json(all)["x_families"]["spheroid"]["reference"]["x_search_budget_ended"], 3);
   EXPECT_FALSE(all.incomplete());
 }
 
