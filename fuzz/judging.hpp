@@ -12,7 +12,7 @@ struct JudgedAnswer {
   double nanoseconds = 0;  ///< of the one solve that is judged
 };
 
-/// Solves and judges; an exception out of the solver is the finding `crash`.
+/// Solves and judges; a C++ exception out of the solver is the finding `crash` (a signal ends the process).
 [[nodiscard]] JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver);
 
 /// The method that the answer names (`auto` answers by new_cn until it has a solver of its own), else the one that was asked.
