@@ -35,6 +35,11 @@ std::string known_names() {
   return names;
 }
 
+// A method that is named twice would have each of its answers counted twice.
+bool contains(const std::vector<Solver>& solvers, const std::string& name) {
+  return std::any_of(solvers.begin(), solvers.end(), [&](const Solver& solver) { return solver.name == name; });
+}
+
 Solver find_solver(const std::string& name) {
   if (const Method* method = find_method(name)) return solver_of(*method);
   throw InputFailure("--method", 0, name, "no such method; there are " + known_names());
@@ -52,7 +57,8 @@ std::vector<Solver> find_solvers(const std::string& names) {
   if (names == "all") return all_solvers();
   std::vector<Solver> solvers;
   std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) solvers.push_back(find_solver(name));
+  for (std::string name; std::getline(list, name, ',');)
+    if (!contains(solvers, name)) solvers.push_back(find_solver(name));
   if (solvers.empty()) throw InputFailure("--method", 0, "", "names no method; there are " + known_names());
   return solvers;
 }

@@ -4,12 +4,26 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <sstream>
 #include <thread>
 
 #include "properties/families.hpp"
 
 namespace plumb {
+namespace {
+
+/// The number that the whole text is.
+template <class Number>
+std::optional<Number> whole(const std::string& text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || last != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
 
 std::vector<std::string> find_families(const std::string& names) {
   std::vector<std::string> known, found;
@@ -36,6 +50,18 @@ Shard parse_shard(const std::string& text) {
       slash && count.ec == std::errc() && count.ptr == end && 1 <= shard.number && shard.number <= shard.count;
   if (!legal) throw InputFailure("plumb campaign", 0, "--shard", fmt::format("'{}' is not i/n with 1 <= i <= n", text));
   return shard;
+}
+
+std::string refuse_count(const std::string& text) {
+  const auto count = whole<std::int64_t>(text);
+  return count && *count > 0 ? "" : fmt::format("'{}' is not a whole number above 0", text);
+}
+
+std::string refuse_minutes(const std::string& text) {
+  constexpr double most = 1e6;  // two years; the counts that it stands for are far from overflow
+  const auto minutes = whole<double>(text);
+  return minutes && *minutes > 0 && *minutes <= most ? ""
+                                                     : fmt::format("'{}' is not a number above 0, at most 1e6", text);
 }
 
 unsigned default_threads() {

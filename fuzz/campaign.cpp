@@ -25,15 +25,6 @@ struct Round {
   Judge judge;
 };
 
-bool is_published(const std::string& method, const Solver& asked, const CampaignOptions& options) {
-  if (method == asked.name) return asked.published;
-  static const std::vector<Solver> known = all_solvers();
-  for (const auto* list : {&known, &options.solvers})
-    for (const Solver& solver : *list)
-      if (solver.name == method) return solver.published;
-  return asked.published;
-}
-
 bool asked_too(const std::string& method, const CampaignOptions& options) {
   return std::any_of(options.solvers.begin(), options.solvers.end(), [&](const Solver& s) { return s.name == method; });
 }
@@ -67,12 +58,14 @@ std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
 /// True when the reference was beaten.
 bool judge_answer(Round& round, const Solver& solver) {
   const JudgedAnswer judged = solve_and_judge(round.judge, round.c.pair, solver);
-  const std::string method = answering_method(solver, judged.answer);
-  if (method != solver.name) ++round.results.answered_by[solver.name][method];
-  // An answer of a method that is asked itself counts once, there.
-  if (method != solver.name && asked_too(method, round.options)) return false;
+  const std::string answering = answering_method(solver, judged.answer);
+  if (answering != solver.name) ++round.results.answered_by[solver.name][answering];
+  // Where all methods are asked, the same answer counts once, to the method that gave it. Who asks for `auto` by name
+  // asks whether plumb's own choice is right: the answer is plumb's, whichever method it was taken from.
+  if (answering != solver.name && round.options.all_methods && asked_too(answering, round.options)) return false;
+  const std::string& method = solver.name;
   for (Tally* tally : tallies_of(round, method)) {
-    tally->published = is_published(method, solver, round.options);
+    tally->published = solver.published;
     add_answer(*tally, judged.answer, judged.judgement, judged.nanoseconds);
   }
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
@@ -87,7 +80,9 @@ void judge_answers(Round& round) {
   FamilyResults& family = round.results.families[round.source.family];
   ++family.cases;
   family.reference_beaten += beaten ? 1 : 0;
-  family.reference_unsolved += round.judge.reference().common_normal.solved ? 0 : 1;
+  const Reference& reference = round.judge.reference();
+  family.reference_unsolved += reference.common_normal.solved ? 0 : 1;
+  family.search_budget_ended += reference.searched_all ? 0 : 1;
 }
 
 /// The k-th case of the shard, over all sources.
@@ -109,6 +104,17 @@ Work work_at(const std::vector<Source>& sources, const std::vector<std::uint64_t
   return {&sources[at], k * shard.count + shard.number - 1};
 }
 
+Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& options) {
+  Asked asked;
+  asked.seed = options.seed;
+  for (const Source& source : sources) asked.cases[source.family] = source.cases;
+  for (const Solver& solver : options.solvers) asked.methods.insert(solver.name);
+  asked.all_methods = options.all_methods;
+  asked.shards = options.shard.count;
+  asked.done = {options.shard.number};
+  return asked;
+}
+
 void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, Progress& progress) {
   while (done.load() < total && !interrupted()) {
     progress.show(done.load());
@@ -118,9 +124,9 @@ void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, Progr
 
 }  // namespace
 
-Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed, const std::string& methods) {
+Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed, const std::string& options) {
   return {family, cases, [=](std::uint64_t index) { return generate(family, seed, index); },
-          fmt::format("plumb campaign --family {} --cases {} --seed {} --method {}", family, cases, seed, methods)};
+          fmt::format("plumb campaign --family {} --cases {} --seed {}{}", family, cases, seed, options)};
 }
 
 void judge_case(Results& results, const Source& source, std::uint64_t index, const CampaignOptions& options) {
@@ -155,10 +161,11 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   }
   Results results;
   for (Results& part : parts) results.merge(std::move(part));
-  results.seed = options.seed;
+  results.asked = asked_of(sources, options);
+  results.libraries = options.libraries;
   results.threads = static_cast<unsigned>(parts.size());
   results.seconds = progress.seconds();
-  results.incomplete = done.load() < total;
+  results.interrupted = done.load() < total;
   progress.finish(done.load());
   return results;
 }

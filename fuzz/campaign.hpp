@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,16 +28,20 @@ struct Shard {
 
 struct CampaignOptions {
   std::vector<Solver> solvers;
+  bool all_methods = false;  ///< every method of this build is asked, none by name
   std::uint64_t seed = 1;
   unsigned threads = 1;
   Shard shard;
+  std::map<std::string, std::string> libraries = {};  ///< foreign solver -> absolute path, for the commands that replay
 };
 
+/// `options`: what to append to the command that repeats this source's campaign, with a blank before each option.
 [[nodiscard]] Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed,
-                                   const std::string& methods);
+                                   const std::string& options);
 
-/// Judges until all is done or interrupted(); shows its progress. Never throws what a case or a solver throws: that is counted
-/// as a finding (crash) or as an error of the harness.
+/// Judges until all is done or interrupted(); shows its progress. A C++ exception is never passed on: out of a solver it
+/// counts as a finding (crash), out of anything else as an error of the harness. What ends the process (a signal, a sanitizer,
+/// abort() or exit() in a foreign solver) ends the campaign.
 [[nodiscard]] Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options);
 
 /// One case into the results, as each worker does it.

@@ -1,8 +1,9 @@
 // plumb campaign: random cases of the families, judged.
-#include <fmt/format.h>
+#include <filesystem>
 
 #include "corpus/command.hpp"
 #include "fuzz/arguments.hpp"
+#include "fuzz/shell_word.hpp"
 #include "fuzz/table.hpp"
 
 namespace plumb {
@@ -18,7 +19,7 @@ struct Arguments {
 void declare(CLI::App& app, Arguments& args) {
   app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")
       ->required();
-  app.add_option("--cases", args.cases, "cases of each family")->required()->check(CLI::PositiveNumber);
+  app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
   app.add_option("--seed", args.seed, "same seed, same cases and results")->capture_default_str();
   app.add_option("--method", args.method, "methods with commas, or all (the default without --solver)");
   app.add_option("--solver", args.solver, "a shared library behind solver/plumb_solver.h");
@@ -27,29 +28,34 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("--out", args.out, "folder for summary.json, campaign.bins and failures/");
 }
 
-std::vector<Solver> solvers_of(const Arguments& args) {
-  std::vector<Solver> solvers;
-  if (!args.method.empty() || args.solver.empty()) solvers = find_solvers(args.method.empty() ? "all" : args.method);
-  if (!args.solver.empty()) solvers.push_back(load_solver(args.solver));
-  return solvers;
+/// Without either option: all. A foreign solver is asked alone unless methods are named beside it.
+std::string methods_of(const Arguments& args) {
+  return args.method.empty() && args.solver.empty() ? "all" : args.method;
 }
 
-std::string methods_in_words(const Arguments& args) {
-  if (args.solver.empty()) return args.method.empty() ? "all" : args.method;
-  return (args.method.empty() ? "" : args.method + " ") + "--solver " + args.solver;
+CampaignOptions options_of(const Arguments& args) {
+  const std::string methods = methods_of(args);
+  CampaignOptions options{{}, methods == "all", args.seed, args.threads, parse_shard(args.shard)};
+  if (!methods.empty()) options.solvers = find_solvers(methods);
+  if (args.solver.empty()) return options;
+  options.solvers.push_back(load_solver(args.solver));
+  options.libraries[options.solvers.back().name] = std::filesystem::absolute(args.solver).string();
+  return options;
+}
+
+std::string command_options(const Arguments& args) {
+  const std::string methods = methods_of(args);
+  const std::string by_name = methods.empty() ? "" : " --method " + methods;
+  return by_name + (args.solver.empty() ? "" : " --solver " + shell_word(args.solver));
 }
 
 int campaign(const Arguments& args) {
-  CampaignOptions options{solvers_of(args), args.seed, args.threads, parse_shard(args.shard)};
+  const CampaignOptions options = options_of(args);
   std::vector<Source> sources;
   for (const std::string& family : find_families(args.family))
-    sources.push_back(family_source(family, static_cast<std::uint64_t>(args.cases), args.seed, methods_in_words(args)));
+    sources.push_back(family_source(family, static_cast<std::uint64_t>(args.cases), args.seed, command_options(args)));
   if (!args.out.empty()) prepare_folder(args.out);
-  const Results results = run_campaign(sources, options);
-  if (!args.out.empty()) write_results(results, args.out);
-  fmt::print("{}", table_text(results));
-  if (!args.out.empty()) fmt::print("{}", kept_text(results, args.out));
-  return exit_code(results);
+  return report(run_campaign(sources, options), args.out);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "corpus/command.hpp"
@@ -57,7 +58,7 @@ Source real_source(const std::string& folder) {
 std::vector<Source> sources_of(const Arguments& args) {
   std::vector<Source> sources{real_source(args.real)};
   for (const Rate& family : kFamilies)
-    sources.push_back(family_source(family.what, scaled(family, args.minutes), args.seed, "all"));
+    sources.push_back(family_source(family.what, scaled(family, args.minutes), args.seed, " --method all"));
   return sources;
 }
 
@@ -71,15 +72,16 @@ std::string engine_text(const EngineRun& run) {
 int fuzz_run(const Arguments& args) {
   const std::vector<Source> sources = sources_of(args);
   prepare_folder(args.out);
-  const CampaignOptions options{all_solvers(), args.seed, args.threads, {}};
-  const Results results = run_campaign(sources, options);
-  write_results(results, args.out);
+  const CampaignOptions options{all_solvers(), true, args.seed, args.threads, {}};
+  const int found = report(run_campaign(sources, options), args.out);
+  // The engine shows its progress on stderr: below the table, also where both go to one file.
+  (void)std::fflush(stdout);
   EngineRun engine;
   if (!args.fuzzer.empty() && !interrupted())
     engine = run_engine({args.fuzzer, args.seeds, args.out, scaled(kEngine, args.minutes), args.seed});
-  fmt::print("{}{}{}", table_text(results), engine_text(engine), kept_text(results, args.out));
+  fmt::print("{}", engine_text(engine));
   add_to_summary(engine, args.out);
-  return std::max(exit_code(results), engine.found.empty() ? 0 : 1);
+  return std::max(found, engine.found.empty() ? 0 : 1);
 }
 
 }  // namespace
@@ -89,7 +91,7 @@ int main(int argc, char** argv) {
   plumb::Arguments args;
   CLI::App app("Real pairs, random families and the coverage-guided target, judged; one table", "plumb fuzz-run");
   app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")
-      ->check(CLI::PositiveNumber)
+      ->check(plumb::refuse_minutes)
       ->capture_default_str();
   app.add_option("--seed", args.seed)->capture_default_str();
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));

@@ -12,11 +12,10 @@ struct JudgedAnswer {
   double nanoseconds = 0;  ///< of the one solve that is judged
 };
 
-/// Solves and judges; an exception out of the solver is the finding `crash`.
+/// Solves and judges; a C++ exception out of the solver is the finding `crash` (a signal ends the process).
 [[nodiscard]] JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver);
 
-/// The method to which an answer counts: the one that the answer names. `auto` answers by new_cn until it has a solver of its
-/// own; such an answer is the published method's, with its known faults, and not a claim of plumb's.
+/// The method that the answer names (`auto` answers by new_cn until it has a solver of its own), else the one that was asked.
 [[nodiscard]] std::string answering_method(const Solver& asked, const Contact<double>& answer);
 
 /// How far below the reference's overlap a body-to-body depth along the answer's normal lies, relative to the size; > 0

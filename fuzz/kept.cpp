@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -26,6 +27,17 @@ Json severity_json(double severity) {
 
 double read_severity(const Json& json) {
   return json.is_number() ? json.get<double>() : std::numeric_limits<double>::infinity();
+}
+
+/// A kept file is a case like any other, but it must say what orders it among the failures.
+Failure read_failure(const std::filesystem::path& path) {
+  try {
+    std::optional<Case> c = CaseReader(path.string()).next();
+    if (!c) throw InputFailure(path.string(), 0, "", "holds no case");
+    return failure_of(std::move(*c));
+  } catch (const Json::exception& e) {
+    throw InputFailure(path.string(), 0, "provenance", e.what());
+  }
 }
 
 }  // namespace
@@ -83,8 +95,7 @@ void KeptFailures::read(const std::filesystem::path& folder) {
     const std::string file = path.filename().string();
     for (const std::string_view suffix : {kSimplest, kWorst}) {
       if (!file.ends_with(suffix)) continue;
-      CaseReader reader(path.string());
-      if (auto c = reader.next()) add(file.substr(0, file.size() - suffix.size()), failure_of(std::move(*c)));
+      add(file.substr(0, file.size() - suffix.size()), read_failure(path));
     }
   }
 }

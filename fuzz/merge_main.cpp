@@ -1,5 +1,5 @@
 // plumb merge: the results of several campaigns as one.
-#include <fmt/format.h>
+#include "fuzz/merge.hpp"
 
 #include "corpus/command.hpp"
 #include "fuzz/table.hpp"
@@ -13,19 +13,10 @@ struct Arguments {
 };
 
 int merge(const Arguments& args) {
-  Results all = read_results(args.folders.front());
-  for (std::size_t i = 1; i < args.folders.size(); ++i) {
-    Results next = read_results(args.folders[i]);
-    if (next.seed != all.seed)
-      throw InputFailure(args.folders[i], 0, "seed",
-                         fmt::format("is {}, that of {} is {}", next.seed, args.folders.front(), all.seed));
-    all.merge(std::move(next));
-  }
+  const Results all = merge_folders(args.folders);
   // After the reading: --out may be one of the folders that were read.
   prepare_folder(args.out);
-  write_results(all, args.out);
-  fmt::print("{}{}", table_text(all), kept_text(all, args.out));
-  return exit_code(all);
+  return report(all, args.out);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // replay-TARGET FILE..: what the target says of stored inputs, with any compiler. Folders stand for their files.
-// Exit 1 when an input stops the engine, 2 when a file cannot be read.
+// Exit 1 when an input stops the engine, 2 when a file cannot be read or a setting is of no use.
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -42,8 +43,14 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s FILE..\n", argv[0]);
     return 2;
   }
-  int worst = 0;
-  for (int i = 1; i < argc; ++i)
-    for (const fs::path& file : files_at(argv[i])) worst = std::max(worst, replay(file));
-  return worst;
+  try {
+    int worst = 0;
+    for (int i = 1; i < argc; ++i)
+      for (const fs::path& file : files_at(argv[i])) worst = std::max(worst, replay(file));
+    return worst;
+  } catch (const std::exception& e) {
+    (void)std::fflush(stdout);
+    std::fprintf(stderr, "%s\n", e.what());
+    return 2;
+  }
 }

@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kFormat = "plumb/bins-2";
+
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
 }
@@ -45,6 +47,7 @@ Json family_json(const FamilyResults& family) {
   for (const auto& [name, tallies] : family.generators) generators[name] = tallies_json(tallies);
   return {{"cases", family.cases},
           {"reference_unsolved", family.reference_unsolved},
+          {"search_budget_ended", family.search_budget_ended},
           {"reference_beaten", family.reference_beaten},
           {"methods", tallies_json(family.methods)},
           {"generators", generators}};
@@ -54,6 +57,7 @@ FamilyResults read_family(const Json& json) {
   FamilyResults family;
   json.at("cases").get_to(family.cases);
   json.at("reference_unsolved").get_to(family.reference_unsolved);
+  json.at("search_budget_ended").get_to(family.search_budget_ended);
   json.at("reference_beaten").get_to(family.reference_beaten);
   family.methods = read_tallies(json.at("methods"));
   for (const auto& [name, tallies] : json.at("generators").items()) family.generators[name] = read_tallies(tallies);
@@ -63,32 +67,37 @@ FamilyResults read_family(const Json& json) {
 Json bins_json(const Results& results) {
   Json families = Json::object();
   for (const auto& [name, family] : results.families) families[name] = family_json(family);
-  return {{"format", "plumb/bins-1"},
-          {"seed", results.seed},
-          {"incomplete", results.incomplete},
+  return {{"format", kFormat},
+          {"asked", results.asked.to_json()},
+          {"interrupted", results.interrupted},
           {"families", families},
           {"buckets", results.buckets},
           {"answered_by", results.answered_by},
           {"harness_errors", results.harness_errors},
+          {"libraries", results.libraries},
           {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
 }
 
 Results parse_bins(const Json& json) {
   Results results;
-  json.at("seed").get_to(results.seed);
-  json.at("incomplete").get_to(results.incomplete);
+  const Json& format = json.at("format");
+  if (format != kFormat) throw FieldError("format", "is " + format.dump() + ", must be \"" + kFormat + "\"");
+  results.asked = Asked::from_json(json.at("asked"));
+  json.at("interrupted").get_to(results.interrupted);
   for (const auto& [name, family] : json.at("families").items()) results.families[name] = read_family(family);
   json.at("buckets").get_to(results.buckets);
   json.at("answered_by").get_to(results.answered_by);
   json.at("harness_errors").get_to(results.harness_errors);
+  json.at("libraries").get_to(results.libraries);
   json.at("timing").at("seconds").get_to(results.seconds);
   json.at("timing").at("threads").get_to(results.threads);
   return results;
 }
 
-/// Only what write() names, so that a folder with other files in it loses none.
-void remove_kept(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
+/// Only what write_results() names, so that a folder with other files in it loses none.
+void remove_old_results(const fs::path& folder) {
+  for (const char* file : {"summary.json", "campaign.bins"}) fs::remove(folder / file);
+  for (const auto& entry : fs::directory_iterator(folder / "failures")) {
     const std::string file = entry.path().filename().string();
     if (file.ends_with("--simplest.json") || file.ends_with("--worst.json")) fs::remove(entry.path());
   }
@@ -99,18 +108,20 @@ void remove_kept(const fs::path& folder) {
 void FamilyResults::merge(const FamilyResults& other) {
   cases += other.cases;
   reference_unsolved += other.reference_unsolved;
+  search_budget_ended += other.search_budget_ended;
   reference_beaten += other.reference_beaten;
   merge_tallies(methods, other.methods);
   for (const auto& [name, tallies] : other.generators) merge_tallies(generators[name], tallies);
 }
 
 void Results::merge(Results&& other) {
-  incomplete = incomplete || other.incomplete;
+  interrupted = interrupted || other.interrupted;
   for (const auto& [name, family] : other.families) families[name].merge(family);
   for (const auto& [bucket, n] : other.buckets) buckets[bucket] += n;
   for (const auto& [asked, answered] : other.answered_by)
     for (const auto& [by, n] : answered) answered_by[asked][by] += n;
   for (const auto& [message, n] : other.harness_errors) harness_errors[message] += n;
+  libraries.insert(other.libraries.begin(), other.libraries.end());
   kept.merge(std::move(other.kept));
   seconds += other.seconds;
   threads = std::max(threads, other.threads);
@@ -129,7 +140,7 @@ Tallies Results::methods() const {
 }
 
 int exit_code(const Results& results) {
-  if (results.incomplete) return 130;
+  if (results.incomplete()) return 130;
   bool found = !results.harness_errors.empty();
   for (const auto& [name, family] : results.families) {
     found = found || family.reference_beaten > 0;
@@ -155,13 +166,14 @@ void prepare_folder(const fs::path& folder) {
   const fs::path probe = folder / "failures" / ".writable";
   if (!std::ofstream(probe)) throw InputFailure(folder.string(), 0, "--out", "cannot write there");
   fs::remove(probe, error);
-  remove_kept(folder / "failures");
+  remove_old_results(folder);
 }
 
 void write_results(const Results& results, const fs::path& folder) {
-  results.kept.write(folder / "failures");
-  write_file(folder / "campaign.bins", bins_json(results).dump() + "\n");
+  // The counts first: they are small, and what a disk that fills up during the many failures leaves is then still a result.
   write_file(folder / "summary.json", summary_json(results).dump(2) + "\n");
+  write_file(folder / "campaign.bins", bins_json(results).dump() + "\n");
+  results.kept.write(folder / "failures");
 }
 
 Results read_results(const fs::path& folder) {
@@ -171,11 +183,13 @@ Results read_results(const fs::path& folder) {
   std::stringstream text;
   text << in.rdbuf();
   try {
-    Results results = parse_bins(Json::parse(text.str()));
+    Results results = parse_bins(read_json(text.str()));
     results.kept.read(folder / "failures");
     return results;
+  } catch (const FieldError& e) {
+    throw InputFailure(path.string(), 0, e.field, e.what());
   } catch (const Json::exception& e) {
-    throw InputFailure(path.string(), 0, "campaign.bins", e.what());
+    throw InputFailure(path.string(), 0, "", e.what());
   }
 }
 

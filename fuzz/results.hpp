@@ -1,7 +1,7 @@
 // What a campaign found, in a form that adds up (over threads, shards and runs), and its files.
 //
 // DIR/summary.json   the contract's summary
-// DIR/campaign.bins      the counts behind it, for `plumb merge`
+// DIR/campaign.bins  the counts behind it, for `plumb merge`
 // DIR/failures/      the simplest and the worst case of each bucket
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/asked.hpp"
 #include "fuzz/kept.hpp"
 #include "fuzz/tally.hpp"
 
@@ -20,8 +21,9 @@ using Tallies = std::map<std::string, Tally>;  ///< by the method that answered
 
 struct FamilyResults {
   std::uint64_t cases = 0;
-  std::uint64_t reference_unsolved = 0;  ///< no certified common normal: CN methods go unjudged
-  std::uint64_t reference_beaten = 0;    ///< an answer's normal proves a lower overlap than the reference's
+  std::uint64_t reference_unsolved = 0;   ///< no certified common normal: CN methods go unjudged
+  std::uint64_t search_budget_ended = 0;  ///< the reference is the lowest of what was searched, not of all directions
+  std::uint64_t reference_beaten = 0;     ///< an answer's normal proves a lower overlap than the reference's
   Tallies methods;
   std::map<std::string, Tallies> generators;  ///< of the family `hard`
 
@@ -29,13 +31,15 @@ struct FamilyResults {
 };
 
 struct Results {
-  std::uint64_t seed = 0;
-  bool incomplete = false;
+  Asked asked;
+  bool interrupted = false;     ///< this run, or one of those that were merged
+  bool shards_missing = false;  ///< from a merge; one shard alone is all that was asked of it
   std::map<std::string, FamilyResults> families;
   std::map<std::string, std::uint64_t> buckets;  ///< failures in each
   std::map<std::string, std::map<std::string, std::uint64_t>>
       answered_by;                                      ///< asked -> answered -> count, where they differ
   std::map<std::string, std::uint64_t> harness_errors;  ///< message -> cases
+  std::map<std::string, std::string> libraries;         ///< foreign solver -> absolute path of its library
   KeptFailures kept;
   double seconds = 0;  ///< wall clock, added up over merged runs
   unsigned threads = 0;
@@ -43,9 +47,10 @@ struct Results {
   void merge(Results&& other);
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] Tallies methods() const;  ///< over all families
+  [[nodiscard]] bool incomplete() const { return interrupted || shards_missing; }
 };
 
-/// 1 when a method that is no published baseline, the reference or the harness has a finding; 130 when interrupted; else 0.
+/// 1 when a method that is no published baseline, the reference or the harness has a finding; 130 when incomplete; else 0.
 [[nodiscard]] int exit_code(const Results& results);
 
 /// real, spheroid, ellipsoid, superquadric, hard; methods in the order of `plumb methods`, foreign ones last.
@@ -54,11 +59,11 @@ struct Results {
 
 [[nodiscard]] Json summary_json(const Results& results);
 
-/// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. Failures that an
-/// earlier run left there are removed, so that the folder holds those of this one.
+/// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. What an earlier run
+/// left there is removed, so that a folder never shows one run's counts beside another's failures, or those of a run that died.
 void prepare_folder(const std::filesystem::path& folder);
 void write_results(const Results& results, const std::filesystem::path& folder);
-/// Throws InputFailure.
+/// Throws InputFailure, which names the file.
 [[nodiscard]] Results read_results(const std::filesystem::path& folder);
 
 }  // namespace plumb

@@ -57,7 +57,9 @@ Json methods_json(const Tallies& tallies) {
 Json family_summary(const FamilyResults& family) {
   return {{"cases", family.cases},
           {"reference",
-           {{"unsolved", share_json(family.reference_unsolved, family.cases)}, {"beaten", family.reference_beaten}}},
+           {{"unsolved", share_json(family.reference_unsolved, family.cases)},
+            {"x_search_budget_ended", family.search_budget_ended},
+            {"beaten", family.reference_beaten}}},
           {"methods", methods_json(family.methods)}};
 }
 
@@ -95,9 +97,9 @@ Json host_json() {
 Json summary_json(const Results& results) {
   Json json;
   json["cases"] = results.cases();
-  json["seed"] = results.seed;
+  json["seed"] = results.asked.seed;
   json["families"] = family_order(results);
-  if (results.incomplete) json["incomplete"] = true;
+  if (results.incomplete()) json["incomplete"] = true;
   json["methods"] = methods_json(results.methods());
   json["x_answered_by"] = results.answered_by;
   json["x_harness_errors"] = results.harness_errors;

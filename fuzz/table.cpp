@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 #include <vector>
 
 #include "fuzz/progress.hpp"
+#include "fuzz/shell_word.hpp"
 
 namespace plumb {
 namespace {
@@ -91,6 +93,8 @@ std::string family_heading(const std::string& name, const FamilyResults& family)
   if (family.reference_unsolved > 0)
     text += fmt::format(", {} without a reference ({} %)", grouped(family.reference_unsolved),
                         share_text(family.reference_unsolved, family.cases));
+  if (family.search_budget_ended > 0)
+    text += fmt::format(", {} with an unfinished search", grouped(family.search_budget_ended));
   if (family.reference_beaten > 0)
     text += fmt::format(", the reference BEATEN in {}", grouped(family.reference_beaten));
   return text + "\n";
@@ -101,11 +105,16 @@ std::string notes(const Results& results) {
       "\n  conv.%: of all answers; share: of the judged answers, with its Clopper-Pearson interval;\n"
       "  >0.01deg: per cent of the converged answers; p50, p99, max: their angle to the certified common normal, "
       "degrees;\n  iter: p50/p99 of the iterations of all answers; time: median of one solve.\n";
+  const Tallies methods = results.methods();
   for (const auto& [asked, answered] : results.answered_by)
     for (const auto& [by, n] : answered)
-      text += fmt::format("  {} answered by {} in {} cases: they count as {}'s.\n", asked, by, grouped(n), by);
+      text += fmt::format("  {} answered by {} in {} cases: they count as {}'s.\n", asked, by, grouped(n),
+                          methods.contains(asked) ? asked : by);
   for (const auto& [message, n] : results.harness_errors) text += fmt::format("  HARNESS ERROR {}\n", message);
-  if (results.incomplete) text += "  INCOMPLETE: interrupted; what was done is counted.\n";
+  if (results.interrupted) text += "  INCOMPLETE: interrupted; what was done is counted.\n";
+  if (results.shards_missing)
+    text += fmt::format("  INCOMPLETE: {} of {} shards; what they did is counted.\n", results.asked.done.size(),
+                        results.asked.shards);
   return text;
 }
 
@@ -113,27 +122,57 @@ std::string notes(const Results& results) {
 std::string plumb_command() {
   const fs::path plumb = fs::read_symlink("/proc/self/exe").parent_path() / "plumb";
   const std::string here = fs::proximate(plumb).string();
-  return here.starts_with("..") ? plumb.string() : here;
+  return shell_word(here.starts_with("..") ? plumb.string() : here);
 }
 
 struct Line {
   bool own;  ///< of a method that is no published baseline, or of the reference
   std::uint64_t count;
   std::string bucket;
+  std::string library;  ///< of the foreign solver that failed; else empty
 };
+
+/// A case names a foreign solver but never its library: replay takes that from whoever runs it.
+std::string library_of(const Results& results, const std::string& method) {
+  const auto library = results.libraries.find(method);
+  return library == results.libraries.end() ? "" : library->second;
+}
 
 std::vector<Line> sorted_buckets(const Results& results) {
   const Tallies methods = results.methods();
   std::vector<Line> lines;
   for (const auto& [bucket, kept] : results.kept.buckets()) {
-    const auto method = methods.find(kept.worst.kept.expect.method.value_or("reference"));
+    const std::string name = kept.worst.kept.expect.method.value_or("reference");
+    const auto method = methods.find(name);
     const auto count = results.buckets.find(bucket);
     lines.push_back({method == methods.end() || !method->second.published,
-                     count == results.buckets.end() ? 1 : count->second, bucket});
+                     count == results.buckets.end() ? 1 : count->second, bucket, library_of(results, name)});
   }
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& a, const Line& b) { return std::pair(a.own, a.count) > std::pair(b.own, b.count); });
   return lines;
+}
+
+std::string replay_command(const fs::path& cases, const std::string& library) {
+  return fmt::format("{} replay {}{}", plumb_command(), shell_word(cases.string()),
+                     library.empty() ? "" : " --solver " + shell_word(library));
+}
+
+/// One command replays the whole folder only when one library, or none, answers for all of it.
+std::string rest_of(const std::vector<Line>& lines, std::size_t shown, const fs::path& failures) {
+  const std::string& library = lines.front().library;
+  const bool alike = std::all_of(lines.begin(), lines.end(), [&](const Line& l) { return l.library == library; });
+  return fmt::format("           and {} more; all of them: {}\n", lines.size() - shown,
+                     alike ? replay_command(failures, library) : failures.string());
+}
+
+std::exception_ptr failure_to_write(const Results& results, const fs::path& folder) {
+  try {
+    if (!folder.empty()) write_results(results, folder);
+    return nullptr;
+  } catch (const InputFailure&) {
+    return std::current_exception();
+  }
 }
 
 }  // namespace
@@ -153,16 +192,21 @@ std::string kept_text(const Results& results, const fs::path& folder) {
   constexpr std::size_t shown = 24;
   const auto lines = sorted_buckets(results);
   if (lines.empty()) return "\nno failures.\n";
-  const std::string replay = plumb_command() + " replay ";
   const fs::path failures = folder / "failures";
   std::string text = fmt::format(
       "\nkept failures: {} buckets, the simplest and the worst case of each; count, then the command:\n", lines.size());
   for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
-    text += fmt::format("{:>9}  {}{}\n", grouped(lines[i].count), replay,
-                        (failures / (lines[i].bucket + "--worst.json")).string());
-  if (lines.size() > shown)
-    text += fmt::format("           and {} more; all of them: {}{}\n", lines.size() - shown, replay, failures.string());
-  return text;
+    text += fmt::format("{:>9}  {}\n", grouped(lines[i].count),
+                        replay_command(failures / (lines[i].bucket + "--worst.json"), lines[i].library));
+  return lines.size() > shown ? text + rest_of(lines, shown, failures) : text;
+}
+
+int report(const Results& results, const fs::path& folder) {
+  const std::exception_ptr failed = failure_to_write(results, folder);
+  fmt::print("{}", table_text(results));
+  if (failed) std::rethrow_exception(failed);
+  if (!folder.empty()) fmt::print("{}", kept_text(results, folder));
+  return exit_code(results);
 }
 
 }  // namespace plumb

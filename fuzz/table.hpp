@@ -14,4 +14,9 @@ namespace plumb {
 /// The kept failures, those of plumb's own code first, then the most frequent, each with the command that replays it.
 [[nodiscard]] std::string kept_text(const Results& results, const std::filesystem::path& folder);
 
+/// Leaves the files in `folder` (unless that is empty), then prints the table and the kept failures; returns the exit code.
+/// Neither a full disk nor a closed pipe loses both: when the files cannot be written, the InputFailure is thrown after the
+/// table is printed.
+[[nodiscard]] int report(const Results& results, const std::filesystem::path& folder);
+
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -26,6 +27,14 @@ double upper_edge(int bin, Histogram::Scale scale) {
   if (bin == kZeroBin) return 0;
   if (bin == kInfiniteBin) return std::numeric_limits<double>::infinity();
   return std::pow(10.0, static_cast<double>(bin) / kBinsPerDecade);
+}
+
+int read_bin(const std::string& text) {
+  int bin = 0;
+  const char* const end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, bin);
+  if (error != std::errc() || last != end) throw FieldError("bins", "'" + text + "' is no number of a bin");
+  return bin;
 }
 
 template <std::size_t N>
@@ -75,7 +84,7 @@ Json Histogram::to_json() const {
 }
 
 void Histogram::read(const Json& json) {
-  for (const auto& [bin, n] : json.at("bins").items()) bins_[std::stoi(bin)] = n.get<std::uint64_t>();
+  for (const auto& [bin, n] : json.at("bins").items()) bins_[read_bin(bin)] = n.get<std::uint64_t>();
   const Json& max = json.at("max");
   max_ = max.is_null() ? std::numeric_limits<double>::infinity() : max.get<double>();
 }

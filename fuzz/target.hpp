@@ -13,6 +13,7 @@ struct Outcome {
   std::string line;   ///< in words, one line
 };
 
+/// Throws InputFailure for settings of the environment that are of no use, and for a finding that cannot be written.
 [[nodiscard]] Outcome examine(std::span<const std::uint8_t> bytes);
 
 }  // namespace plumb

@@ -2,10 +2,11 @@
 //
 // Environment
 //   PLUMB_FUZZ_METHOD   the method that answers; default auto
-//   PLUMB_FUZZ_ABORT    the findings that stop the engine (known.hpp). By default a silent wrong answer does (converged, and
-//                       a law is broken), and so do a crash, a number that is not finite, an answer that differs from run to
-//                       run or with the bodies exchanged. An answer that says of itself that it is none does not: `nonconverged`
-//                       with its own status is legal, the campaign counts it.
+//   PLUMB_FUZZ_ABORT    the findings that stop the engine (known.hpp). By default every finding does, but `nonconverged`, which
+//                       is an answer that says of itself that it is none, and the known faults of the method that answered,
+//                       up to the severity that known.cpp gives for each: of new_cn, and of auto while that answers by it, these
+//                       are another common normal, a wrong contact verdict, a failing related pair, a number that is not
+//                       finite and an error at the rounding floor.
 //   PLUMB_FUZZ_OUT      a folder: the case of a finding that stops is written there, ready for plumb replay
 #include <fmt/format.h>
 
@@ -26,8 +27,17 @@ std::string environment(const char* variable, const char* otherwise) {
   return value == nullptr ? otherwise : value;
 }
 
+/// The variable takes the place of --method, and is named where its value is refused.
+Solver solver_asked() {
+  try {
+    return find_solvers(environment("PLUMB_FUZZ_METHOD", "auto")).front();
+  } catch (const InputFailure& e) {
+    throw InputFailure("PLUMB_FUZZ_METHOD", 0, "", e.what());
+  }
+}
+
 struct Settings {
-  Solver solver = find_solvers(environment("PLUMB_FUZZ_METHOD", "auto")).front();
+  Solver solver = solver_asked();
   AbortRule rule{environment("PLUMB_FUZZ_ABORT", "default")};
   std::filesystem::path out = environment("PLUMB_FUZZ_OUT", "");
 };

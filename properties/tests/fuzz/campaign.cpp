@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "fuzz/judging.hpp"
+#include "fuzz/merge.hpp"
 #include "properties/families.hpp"
 
 namespace plumb {
@@ -17,11 +18,11 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSeed = 7;
 
 CampaignOptions options(unsigned threads, Shard shard = {}) {
-  return {find_solvers("original_cn,new_cn,auto,geometric_potential_midway"), kSeed, threads, shard};
+  return {find_solvers("original_cn,new_cn,auto,geometric_potential_midway"), false, kSeed, threads, shard};
 }
 
 std::vector<Source> sources() {
-  return {family_source("spheroid", 40, kSeed, "all"), family_source("hard", 33, kSeed, "all")};
+  return {family_source("spheroid", 40, kSeed, ""), family_source("hard", 33, kSeed, "")};
 }
 
 /// All that must not depend on how the work was divided.
@@ -43,6 +44,13 @@ fs::path fresh_folder(const std::string& name) {
   const fs::path folder = fs::path(testing::TempDir()) / ("plumb_" + name);
   fs::remove_all(folder);
   return folder;
+}
+
+std::string written(const std::string& name, const Results& results) {
+  const fs::path folder = fresh_folder(name);
+  prepare_folder(folder);
+  write_results(results, folder);
+  return folder.string();
 }
 
 class Campaign : public testing::Test {
@@ -77,24 +85,17 @@ TEST_F(Campaign, ThreadsDoNotMatter) {
 }
 
 TEST_F(Campaign, MergedShardsAreTheSingleRun) {
-  Results all;
-  for (std::uint64_t i = 1; i <= 3; ++i) {
-    const fs::path folder = fresh_folder("shard" + std::to_string(i));
-    prepare_folder(folder);
-    write_results(run_campaign(sources(), options(1, {i, 3})), folder);
-    Results part = read_results(folder);
-    all.seed = part.seed;
-    all.merge(std::move(part));
-  }
+  std::vector<std::string> folders;
+  for (std::uint64_t i = 1; i <= 3; ++i)
+    folders.push_back(written("shard" + std::to_string(i), run_campaign(sources(), options(1, {i, 3}))));
+  const Results all = merge_folders(folders);
+  EXPECT_FALSE(all.incomplete());
   EXPECT_EQ(comparable(all), comparable(*single));
   EXPECT_EQ(kept_texts(all), kept_texts(*single));
 }
 
 TEST_F(Campaign, KeptFailuresReplayToTheSameSeverity) {
-  const fs::path folder = fresh_folder("kept");
-  prepare_folder(folder);
-  write_results(*single, folder);
-  const auto files = find_case_files({(folder / "failures").string()});
+  const auto files = find_case_files({written("kept", *single) + "/failures"});
   ASSERT_EQ(files.size(), 2 * single->kept.buckets().size());
   for (const fs::path& file : files) {
     CaseReader reader(file.string());
@@ -110,20 +111,72 @@ TEST_F(Campaign, KeptFailuresReplayToTheSameSeverity) {
   }
 }
 
+/// Answers by a published method, and wrongly: what `auto` may do.
+Solver wrong_auto() {
+  Solver solver;
+  solver.name = "auto";
+  solver.solve = [](const Pair&, const Want&, const Contact<double>*) {
+    Contact<double> answer;
+    answer.status = Status::stalled;
+    answer.method = "new_cn";
+    return answer;
+  };
+  return solver;
+}
+
+Results asked(std::vector<Solver> solvers, bool all_methods) {
+  return run_campaign({family_source("spheroid", 2, kSeed, "")}, {std::move(solvers), all_methods, kSeed, 1, {}});
+}
+
+TEST(CampaignAuto, AskedByNameItsFindingsArePlumbsOwn) {
+  const Results results = asked({find_solvers("new_cn").front(), wrong_auto()}, false);
+  EXPECT_EQ(results.methods().at("new_cn").cases, 2u);
+  EXPECT_EQ(results.methods().at("auto").failures(), 2u);
+  EXPECT_EQ(results.answered_by.at("auto").at("new_cn"), 2u);
+  EXPECT_EQ(exit_code(results), 1);
+}
+
+TEST(CampaignAuto, AmongAllMethodsItsAnswerCountsOnceWhereItCameFrom) {
+  const Results results = asked({find_solvers("new_cn").front(), wrong_auto()}, true);
+  EXPECT_EQ(results.methods().at("new_cn").cases, 2u);
+  EXPECT_FALSE(results.methods().contains("auto"));
+  EXPECT_EQ(exit_code(results), 0);
+}
+
+TEST_F(Campaign, AFolderThatIsUsedAgainForgetsTheOldRun) {
+  const fs::path folder = written("again", *single);
+  write_file(folder / "notes.txt", "");
+  prepare_folder(folder);
+  EXPECT_FALSE(fs::exists(folder / "summary.json"));
+  EXPECT_FALSE(fs::exists(folder / "campaign.bins"));
+  EXPECT_TRUE(fs::is_empty(folder / "failures"));
+  EXPECT_TRUE(fs::exists(folder / "notes.txt"));
+}
+
+TEST_F(Campaign, TheCountsAreThereWhereTheFailuresHaveNoRoom) {
+  const fs::path folder = fresh_folder("full");
+  prepare_folder(folder);
+  fs::remove(folder / "failures");
+  write_file(folder / "failures", "no folder");
+  EXPECT_THROW(write_results(*single, folder), InputFailure);
+  EXPECT_TRUE(fs::exists(folder / "summary.json"));
+  EXPECT_TRUE(fs::exists(folder / "campaign.bins"));
+}
+
 TEST(CampaignErrors, AThrowingSolverIsACrashOfTheSolver) {
   Solver broken;
   broken.name = "broken";
   broken.solve = [](const Pair&, const Want&, const Contact<double>*) -> Contact<double> {
     throw std::runtime_error("deliberate");
   };
-  const Results results = run_campaign({family_source("spheroid", 2, kSeed, "all")}, {{broken}, kSeed, 2, {}});
+  const Results results = run_campaign({family_source("spheroid", 2, kSeed, "")}, {{broken}, false, kSeed, 2, {}});
   EXPECT_EQ(results.methods().at("broken").of(FindingKind::crash), 2u);
   EXPECT_EQ(exit_code(results), 1);
 }
 
 TEST(CampaignErrors, AThrowingSourceIsAnErrorOfTheHarness) {
   const Source broken{"spheroid", 2, [](std::uint64_t) -> Case { throw std::runtime_error("deliberate"); }, ""};
-  const Results results = run_campaign({broken}, {find_solvers("new_cn"), kSeed, 1, {}});
+  const Results results = run_campaign({broken}, {find_solvers("new_cn"), false, kSeed, 1, {}});
   EXPECT_EQ(results.harness_errors.size(), 2u);
   EXPECT_EQ(exit_code(results), 1);
 }

@@ -30,8 +30,7 @@ fs::path scratch() {
   return folder;
 }
 
-pid_t start_program(const std::string& program, std::vector<std::string> arguments, const fs::path& log) {
-  arguments.insert(arguments.begin(), PLUMB_BINARY_DIR "/bin/" + program);
+pid_t spawn(std::vector<std::string> arguments, const fs::path& log) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
@@ -45,6 +44,11 @@ pid_t start_program(const std::string& program, std::vector<std::string> argumen
   return child;
 }
 
+pid_t start_program(const std::string& program, std::vector<std::string> arguments, const fs::path& log) {
+  arguments.insert(arguments.begin(), PLUMB_BINARY_DIR "/bin/" + program);
+  return spawn(std::move(arguments), log);
+}
+
 pid_t start(const std::vector<std::string>& arguments, const fs::path& log) {
   return start_program("plumb", arguments, log);
 }
@@ -55,9 +59,19 @@ int exit_of(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// Runs a script in a folder, with the programs in its path; what it says on stderr is in FOLDER/stderr.
+int exit_of_script(const std::string& script, const fs::path& folder) {
+  const std::string head = "cd '" + folder.string() + "' && PATH=" PLUMB_BINARY_DIR "/bin:$PATH\n";
+  return exit_of(spawn({"/bin/bash", "-c", head + script}, folder / "stderr"));
+}
+
 std::string text_of(const fs::path& path) {
   std::ifstream in(path);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Json summary_in(const fs::path& out) {
+  return Json::parse(text_of(out / "summary.json"));
 }
 
 /// Exit 2, and one line that names what is wrong.
@@ -73,7 +87,13 @@ TEST(Commands, UnknownFamily) {
   expect_refused({"campaign", "--family", "cubes", "--cases", "1"}, "cubes");
 }
 TEST(Commands, NoCases) {
-  expect_refused({"campaign", "--family", "all", "--cases", "0"}, "--cases");
+  for (const char* cases : {"0", "2.5", "nan", "x"})
+    expect_refused({"campaign", "--family", "all", "--cases", cases}, std::string("--cases: '") + cases + "' is not");
+}
+TEST(Commands, NoMinutes) {
+  for (const char* minutes : {"nan", "inf", "0", "-1", "1e300", "x"})
+    expect_refused({"fuzz-run", "--minutes", minutes, "--out", scratch().string()},
+                   std::string("--minutes: '") + minutes + "' is not");
 }
 TEST(Commands, NegativeCases) {
   expect_refused({"campaign", "--family", "all", "--cases", "-3"}, "--cases");
@@ -98,6 +118,18 @@ TEST(Commands, MergeOfNothing) {
                  "campaign.bins");
 }
 
+TEST(Commands, MergeOfOneShardTwice) {
+  const fs::path folder = scratch(), shard = folder / "shard";
+  ASSERT_EQ(exit_of(start({"campaign", "--family", "spheroid", "--cases", "4", "--method", "new_cn", "--shard", "1/2",
+                           "--out", shard.string()},
+                          folder / "stderr")),
+            0);
+  const std::string script =
+      "plumb merge shard shard --out twice; test $? = 2 && plumb merge shard --out half; exit $?";
+  EXPECT_EQ(exit_of_script(script, folder), 130);
+  EXPECT_EQ(summary_in(folder / "half").at("incomplete"), true);
+}
+
 TEST(Commands, FamiliesAreListed) {
   EXPECT_EQ(exit_of(start({"families"}, scratch() / "stderr")), 0);
 }
@@ -112,9 +144,68 @@ TEST(Commands, KeptFailuresReplay) {
       << text_of(folder / "stderr");
 }
 
+TEST(Commands, AMethodNamedTwiceAnswersOnce) {
+  const fs::path folder = scratch(), out = folder / "out";
+  EXPECT_EQ(exit_of(start({"campaign", "--family", "spheroid", "--cases", "3", "--method", "new_cn,new_cn", "--out",
+                           out.string()},
+                          folder / "stderr")),
+            0);
+  EXPECT_EQ(summary_in(out).at("methods").at("new_cn").at("x_answers"), 3);
+}
+
+TEST(Commands, AutoHasARowOnlyWhenAskedByName) {
+  const fs::path folder = scratch(), out = folder / "out";
+  for (const std::string methods : {"all", "original_cn,auto"}) {
+    exit_of(start({"campaign", "--family", "spheroid", "--cases", "3", "--method", methods, "--out", out.string()},
+                  folder / "stderr"));
+    EXPECT_EQ(summary_in(out).at("methods").contains("auto"), methods != "all");
+  }
+}
+
+TEST(Commands, ThePrintedCommandReplaysAForeignSolver) {
+  const fs::path folder = scratch();
+  fs::copy_file(PLUMB_BINARY_DIR "/tests/foreign_sphere.so", folder / "one's own.so");
+  ASSERT_EQ(
+      exit_of_script(R"(plumb campaign --family spheroid --cases 3 --solver "one's own.so" --out "the folder" >table)",
+                     folder),
+      1);
+  std::ifstream table(folder / "table");
+  int replayed = 0;
+  for (std::string line; std::getline(table, line);) {
+    if (line.find(" replay ") == std::string::npos) continue;
+    const std::string command = line.substr(line.find_first_of("/'"));
+    EXPECT_EQ(exit_of_script(command, folder), 0) << command << '\n' << text_of(folder / "stderr");
+    ++replayed;
+  }
+  EXPECT_GT(replayed, 0);
+}
+
+TEST(Commands, AFullDiskLeavesTheTable) {
+  const fs::path folder = scratch();
+  // No file may grow above 1 KiB, which looks like a full disk to whoever ignores the signal; the pipe has no such limit.
+  const std::string script =
+      "(trap '' XFSZ; ulimit -f 1; plumb campaign --family spheroid --cases 2 --out out) | cat >table\n"
+      "exit ${PIPESTATUS[0]}";
+  EXPECT_EQ(exit_of_script(script, folder), 2);
+  EXPECT_NE(text_of(folder / "table").find("spheroid: 2 cases"), std::string::npos);
+  EXPECT_NE(text_of(folder / "stderr").find("out/summary.json: "), std::string::npos) << text_of(folder / "stderr");
+}
+
 TEST(Targets, PairStandsItsSeeds) {
   const fs::path log = scratch() / "stderr";
   EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0) << text_of(log);
+}
+
+TEST(Targets, ASettingOfNoUseIsRefusedInOneLine) {
+  const fs::path folder = scratch();
+  for (const std::string variable : {"PLUMB_FUZZ_METHOD", "PLUMB_FUZZ_ABORT"}) {
+    const std::string script = variable + "=foo replay-pair '" PLUMB_SOURCE_DIR "/fuzz/seeds'";
+    EXPECT_EQ(exit_of_script(script, folder), 2);
+    const std::string text = text_of(folder / "stderr");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    EXPECT_EQ(text.find(variable + ": "), 0u) << text;
+    EXPECT_NE(text.find("foo"), std::string::npos) << text;
+  }
 }
 
 TEST(Targets, CaseStandsTheCorpusAndTheSeeds) {
@@ -132,7 +223,7 @@ TEST(Commands, InterruptKeepsWhatIsDone) {
   std::this_thread::sleep_for(std::chrono::seconds(2));
   ASSERT_EQ(kill(child, SIGINT), 0);
   EXPECT_EQ(exit_of(child), 130);
-  const Json summary = Json::parse(text_of(out / "summary.json"));
+  const Json summary = summary_in(out);
   EXPECT_EQ(summary.at("incomplete"), true);
   EXPECT_GT(summary.at("cases").get<int>(), 0);
   EXPECT_EQ(summary.at("methods").at("original_cn").at("x_answers"), summary.at("cases"));

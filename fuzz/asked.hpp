@@ -1,0 +1,26 @@
+// What a campaign was asked for, and which parts of it are done: only parts of one campaign add up.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+
+#include "corpus/case.hpp"
+
+namespace plumb {
+
+struct Asked {
+  std::uint64_t seed = 0;
+  std::map<std::string, std::uint64_t> cases;  ///< of each family, in all shards together
+  std::set<std::string> methods;
+  bool all_methods = false;      ///< none was asked by name, so that an answer of `auto` counts where it came from
+  std::uint64_t shards = 1;      ///< into how many parts the cases were divided
+  std::set<std::uint64_t> done;  ///< which of them are here, counted from 1
+
+  [[nodiscard]] Json to_json() const;
+  /// Throws FieldError or Json::exception.
+  [[nodiscard]] static Asked from_json(const Json& json);
+};
+
+}  // namespace plumb
