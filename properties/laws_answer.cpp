@@ -91,7 +91,7 @@ Finding answers_are_finite(const Evidence& e) {
   const Contact<double>& a = e.answer;
   const bool infinite = std::isinf(a.overlap) || has_infinity(a.normal) || has_infinity(a.point1) ||
                         has_infinity(a.point2) || has_infinity(a.contact_point);
-  const bool whole = std::isfinite(a.overlap) && a.normal.allFinite() && has_points(e) && a.contact_point.allFinite();
+  const bool whole = std::isfinite(a.overlap) && a.normal.allFinite() && has_points(e);
   const bool missing = a.status == Status::converged && e.own.solved && e.solve && !whole;
   if (a.status == Status::not_finite) return {FindingKind::not_finite, wrong_altogether, {}, "status not_finite"};
   if (infinite || missing) return {FindingKind::not_finite, wrong_altogether, {}, "a NaN or an infinity in the answer"};

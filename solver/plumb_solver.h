@@ -1,10 +1,14 @@
 /* The C door: what a foreign solver implements so that plumb can exercise and judge it.
  *
  * Build a shared library that exports plumb_solver_version and plumb_solver_solve; then
- *     plumb solve CASE --solver ./libmine.so          plumb campaign --family all --solver ./libmine.so
+ *     plumb solve CASE --solver ./libmine.so
+ *     plumb campaign --family all --cases 1000 --seed 1 --solver ./libmine.so --out DIR
+ * (without --method the library alone is judged). It is judged as a common-normal solver; the answers of one that solves
+ * another problem go through `plumb check` with "method": "geometric_potential_midway" or "geometric_potential".
  *
  * Lengths in the caller's unit, world frame, rotation = quaternion / |quaternion| takes body axes to world axes.
- * Set to NaN whatever you do not compute. The functions may be called from several threads at once.
+ * With PLUMB_CONVERGED fill overlap, normal and points (a NaN there counts as not_finite); contact_point may be NaN.
+ * Otherwise leave NaN what you do not have. The functions may be called from several threads at once.
  */
 #ifndef PLUMB_SOLVER_H
 #define PLUMB_SOLVER_H
@@ -52,7 +56,7 @@ typedef struct plumb_contact {
 /* Returns PLUMB_SOLVER_VERSION of the header that the library was built with. */
 int plumb_solver_version(void);
 
-/* Returns 0, or non-zero when it refuses the pair ("I cannot" is a legal answer). */
+/* Returns 0, or non-zero when it refuses the pair (legal; it counts as nonconverged). */
 int plumb_solver_solve(const plumb_pair* pair, plumb_contact* contact);
 
 #ifdef __cplusplus
