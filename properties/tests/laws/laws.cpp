@@ -76,8 +76,11 @@ struct Wrong {
   std::function<void(Bench&)> spoil;
 };
 
-const std::map<std::string_view, Wrong>& wrong_answers() {
-  static const std::map<std::string_view, Wrong> all{
+using WrongAnswers = std::map<std::string_view, Wrong>;
+
+/// Answers that are wrong in themselves.
+WrongAnswers wrong_fields() {
+  return {
       {"finite", {FindingKind::not_finite, [](Bench& b) { b.answer.point2[1] = std::nan(""); }}},
       {"converges", {FindingKind::nonconverged, [](Bench& b) { b.answer.status = Status::stalled; }}},
       {"verdict", {FindingKind::missed_contact, [](Bench& b) { b.answer.verdict = Verdict::separated; }}},
@@ -87,71 +90,66 @@ const std::map<std::string_view, Wrong>& wrong_answers() {
         [](Bench& b) { b.answer.point1 += 1e-9 * b.across(), b.answer.point2 -= 1e-9 * b.across(); }}},
       {"collinear", {FindingKind::misaligned, [](Bench& b) { b.answer.point1 += 1e-12 * b.across(); }}},
       {"normal", {FindingKind::misaligned, [](Bench& b) { b.answer.normal += 1e-12 * b.across(); }}},
+      {"itself", {FindingKind::misaligned, [](Bench& b) { b.answer.normal += 1e-9 * b.across(); }}},
       {"surface",
        {FindingKind::off_surface,
         [](Bench& b) { b.answer.point1 += 1e-12 * b.answer.normal, b.answer.point2 -= 1e-12 * b.answer.normal; }}},
       {"overlap", {FindingKind::overlap_error, [](Bench& b) { b.answer.overlap *= 1 + 1e-10; }}},
       {"points", {FindingKind::point_error, [](Bench& b) { b.answer.point1 += 1e-12 * b.across(); }}},
-      {"swap",
-       {FindingKind::asymmetric,
-        [](Bench& b) {
-          b.solve = [first = b.pair.body1.position](const Pair& p) {
-            Contact<double> c = solve_new_cn(p);
-            if (p.body1.position != first) c.overlap *= 1 + 1e-9;
-            return c;
-          };
-        }}},
-      {"motion",
-       {FindingKind::asymmetric,
-        [](Bench& b) {
-          b.solve = [](const Pair& p) {  // sees the axes of the world
-            Contact<double> c = solve_new_cn(p);
-            c.point1[2] *= 1 + 1e-9;
-            return c;
-          };
-        }}},
-      {"limit",
-       {FindingKind::asymmetric,
-        [](Bench& b) {
-          b.solve = [](const Pair& p) {  // another code for superquadrics, with an error of its own
-            Contact<double> c = solve_new_cn(p);
-            if (p.body1.shape.n1 != 2) c.overlap *= 1 + 1e-9;
-            return c;
-          };
-        }}},
-      {"itself", {FindingKind::misaligned, [](Bench& b) { b.answer.normal += 1e-9 * b.across(); }}},
-      {"deepest",
-       {FindingKind::point_error,
-        [](Bench& b) {
-          b.answer_by("geometric_potential");
-          b.answer.point1 = b.pair.body1.position + Vec3<double>(0, 0, 2);
-        }}},
-      {"balance",
-       {FindingKind::misaligned,
-        [](Bench& b) {
-          b.answer_by("geometric_potential_midway");
-          b.answer.contact_point += 1e-12 * b.across();
-        }}},
-      {"unit",
-       {FindingKind::asymmetric,
-        [](Bench& b) {
-          b.solve = [](const Pair& p) {  // an absolute tolerance: the anti-pattern that the law is for
-            Contact<double> c = solve_new_cn(p);
-            c.overlap += 1e-12;
-            return c;
-          };
-        }}},
-      {"repeat",
-       {FindingKind::nondeterministic,
-        [](Bench& b) {
-          b.solve = [calls = 0](const Pair& p) mutable {
-            Contact<double> c = solve_new_cn(p);
-            c.point1[0] = std::nextafter(c.point1[0], 2 + ++calls);
-            return c;
-          };
-        }}},
       {"evaluations", {FindingKind::slow, [](Bench& b) { b.answer.evaluations = 1001; }}},
   };
+}
+
+WrongAnswers wrong_potentials() {
+  const auto not_deepest = [](Bench& b) {
+    b.answer_by("geometric_potential");
+    b.answer.point1 = b.pair.body1.position + Vec3<double>(0, 0, 2);
+  };
+  const auto not_midway = [](Bench& b) {
+    b.answer_by("geometric_potential_midway");
+    b.answer.contact_point += 1e-12 * b.across();
+  };
+  return {{"deepest", {FindingKind::point_error, not_deepest}}, {"balance", {FindingKind::misaligned, not_midway}}};
+}
+
+/// new_cn, and then a fault of its own for some pairs.
+template <class Fault>
+std::function<void(Bench&)> solver_with(Fault fault) {
+  return [fault](Bench& b) {
+    b.solve = [fault, first = b.pair.body1.position](const Pair& p) mutable {
+      Contact<double> c = solve_new_cn(p);
+      fault(p, p.body1.position != first, c);
+      return c;
+    };
+  };
+}
+
+/// Solvers whose answers to related pairs do not fit together.
+WrongAnswers wrong_solvers() {
+  using Answer = Contact<double>;
+  const auto depends_on_order = [](const Pair&, bool exchanged, Answer& c) { c.overlap *= exchanged ? 1 + 1e-9 : 1; };
+  const auto sees_the_worlds_axes = [](const Pair&, bool, Answer& c) { c.point1[2] *= 1 + 1e-9; };
+  const auto another_code_for_superquadrics = [](const Pair& p, bool, Answer& c) {
+    c.overlap *= p.body1.shape.n1 == 2 ? 1 : 1 + 1e-9;
+  };
+  const auto absolute_tolerance = [](const Pair&, bool, Answer& c) { c.overlap += 1e-12; };
+  const auto remembers = [calls = 0](const Pair&, bool, Answer& c) mutable {
+    c.point1[0] = std::nextafter(c.point1[0], 2 + ++calls);
+  };
+  return {{"swap", {FindingKind::asymmetric, solver_with(depends_on_order)}},
+          {"motion", {FindingKind::asymmetric, solver_with(sees_the_worlds_axes)}},
+          {"limit", {FindingKind::asymmetric, solver_with(another_code_for_superquadrics)}},
+          {"unit", {FindingKind::asymmetric, solver_with(absolute_tolerance)}},
+          {"repeat", {FindingKind::nondeterministic, solver_with(remembers)}}};
+}
+
+const WrongAnswers& wrong_answers() {
+  static const WrongAnswers all = [] {
+    WrongAnswers out = wrong_fields();
+    out.merge(wrong_potentials());
+    out.merge(wrong_solvers());
+    return out;
+  }();
   return all;
 }
 
