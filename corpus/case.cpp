@@ -36,11 +36,12 @@ std::array<double, 4> read_orientation(const Field& orientation) {
   orientation.require_object({"quaternion_wxyz", "euler_zxz", "euler_zxz_deg"});
   const auto quaternion = orientation.find("quaternion_wxyz");
   const auto radians = orientation.find("euler_zxz"), degrees = orientation.find("euler_zxz_deg");
-  if (quaternion.has_value() + radians.has_value() + degrees.has_value() != 1)
-    orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
-  if (quaternion) return quaternion->numbers<4>();
-  if (radians) return quaternion_from_euler(radians->numbers<3>());
-  return quaternion_from_euler_deg(degrees.value().numbers<3>());
+  if (quaternion.has_value() + radians.has_value() + degrees.has_value() == 1) {
+    if (quaternion) return quaternion->numbers<4>();
+    if (radians) return quaternion_from_euler(radians->numbers<3>());
+    if (degrees) return quaternion_from_euler_deg(degrees->numbers<3>());
+  }
+  orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
 }
 
 /// Without a position when a placement gives it.
