@@ -44,6 +44,9 @@ class InputFailure : public std::runtime_error {
   InputFailure(const std::string& file, int line, const std::string& field, const std::string& reason);
 };
 
+/// Throws the InputFailure of an errno.
+[[noreturn]] void fail_with(const std::string& file, int error);
+
 /// Reads one case from JSON text; `file` and `line` (0: none) name the source in errors. Euler angles and placement are
 /// evaluated in 50 digits and each component is rounded once to the nearest double.
 [[nodiscard]] Case parse_case(const std::string& text, const std::string& file, int line = 0);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <optional>
 #include <sstream>
@@ -20,17 +19,13 @@ int refuse(std::string reason) {
   return exit_unusable;
 }
 
-[[noreturn]] void fail_output(int error) {
-  throw InputFailure("standard output", 0, "", std::strerror(error));
-}
-
 // Help and version are exceptions of the library, too; they print and end with 0.
 int end_parsing(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() != 0) return refuse(app.get_name() + ": " + error.what() + " (--help tells more)");
   // By way of a string: nobody would notice what std::cout could not write.
   std::ostringstream text;
   (void)app.exit(error, text, text);
-  if (std::fputs(text.str().c_str(), stdout) < 0) fail_output(errno);
+  if (std::fputs(text.str().c_str(), stdout) < 0) fail_with("standard output", errno);
   flush_output();
   return exit_done;
 }
@@ -69,11 +64,11 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>
 }
 
 void flush_output() {
-  if (std::fflush(stdout) != 0) fail_output(errno);
+  if (std::fflush(stdout) != 0) fail_with("standard output", errno);
 }
 
 void print_line(const std::string& text) {
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fputc('\n', stdout) == EOF) fail_output(errno);
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fputc('\n', stdout) == EOF) fail_with("standard output", errno);
 }
 
 }  // namespace plumb

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 
 #include "corpus/case.hpp"
+#include "corpus/number_text.hpp"
 
 namespace plumb {
 namespace {
@@ -29,10 +29,6 @@ std::string located(const std::string& file, int line, const std::string& field,
   return one_line(out + ": " + reason);
 }
 
-[[noreturn]] void fail(const std::string& file, int error) {
-  throw InputFailure(file, 0, "", std::strerror(error));
-}
-
 // A case file is one object unless its name or the pipe says that it may be one a line.
 ObjectReader::Layout layout_of(const std::string& path) {
   const bool may_be_lines = path == "-" || fs::path(path).extension() == ".jsonl";
@@ -43,6 +39,10 @@ ObjectReader::Layout layout_of(const std::string& path) {
 
 InputFailure::InputFailure(const std::string& file, int line, const std::string& field, const std::string& reason)
     : std::runtime_error(located(file, line, field, reason)) {}
+
+void fail_with(const std::string& file, int error) {
+  throw InputFailure(file, 0, "", std::strerror(error));
+}
 
 CaseReader::CaseReader(const std::string& path) : objects_(path, layout_of(path)) {}
 
@@ -68,7 +68,7 @@ void add_folder(std::vector<fs::path>& files, const std::string& folder) {
 void add_path(std::vector<fs::path>& files, const std::string& path) {
   try {
     if (fs::is_directory(path)) return add_folder(files, path);
-    if (!fs::exists(path)) fail(path, ENOENT);
+    if (!fs::exists(path)) fail_with(path, ENOENT);
     files.emplace_back(path);
   } catch (const fs::filesystem_error& error) {
     throw InputFailure(error.path1().empty() ? path : error.path1().string(), 0, "", error.code().message());
@@ -104,13 +104,6 @@ class Output {
   int file_;
 };
 
-std::optional<int> number_of(const std::string& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 // Symbolic links are followed, so that the file they point to is replaced and not the link.
 fs::path target_of(const fs::path& path) {
   std::error_code error;
@@ -125,7 +118,7 @@ std::optional<int> own_descriptor(fs::path path) {
   path = fs::absolute(path, error).lexically_normal();
   for (int links = 0; links < 40; ++links) {
     const fs::path folder = path.parent_path();
-    if (folder == "/dev/fd" || folder == "/proc/self/fd") return number_of(path.filename().string());
+    if (folder == "/dev/fd" || folder == "/proc/self/fd") return number_from<int>(path.filename().string());
     const fs::path link = fs::read_symlink(path, error);
     if (error) break;
     path = (folder / link).lexically_normal();
@@ -154,11 +147,11 @@ std::vector<fs::path> find_case_files(const std::vector<std::string>& paths) {
 void write_file(const fs::path& path, const std::string& text) {
   if (const auto descriptor = own_descriptor(path)) {
     // What was printed before stands before it.
-    if (std::fflush(stdout) != 0 || !Output(*descriptor).write(text)) fail(path.string(), errno);
+    if (std::fflush(stdout) != 0 || !Output(*descriptor).write(text)) fail_with(path.string(), errno);
     return;
   }
   if (is_special(path)) {
-    if (!Output(path, O_WRONLY).write(text)) fail(path.string(), errno);
+    if (!Output(path, O_WRONLY).write(text)) fail_with(path.string(), errno);
     return;
   }
   const fs::path target = target_of(path);
@@ -166,7 +159,7 @@ void write_file(const fs::path& path, const std::string& text) {
   if (temporary.write(text) && temporary.sync() && temporary.move_to(target)) return;
   const int error = errno;
   temporary.remove();
-  fail(path.string(), error);
+  fail_with(path.string(), error);
 }
 
 }  // namespace plumb

@@ -1,7 +1,6 @@
 #include "corpus/object_reader.hpp"
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -13,10 +12,6 @@ namespace plumb {
 namespace {
 
 constexpr const char* blanks = " \t\r\n";
-
-[[noreturn]] void fail(const std::string& file, int error) {
-  throw InputFailure(file, 0, "", std::strerror(error));
-}
 
 bool is_blank(const std::string& text) {
   return text.find_first_not_of(blanks) == std::string::npos;
@@ -42,9 +37,9 @@ bool is_one_object(const std::string& first, const std::string& rest) {
 ObjectReader::ObjectReader(const std::string& path, Layout layout)
     : file_(path == "-" ? "standard input" : path), in_(&std::cin), whole_(layout == Layout::one_object) {
   if (path == "-") return;
-  if (std::filesystem::is_directory(path)) fail(path, EISDIR);
+  if (std::filesystem::is_directory(path)) fail_with(path, EISDIR);
   opened_.open(path, std::ios::binary);
-  if (!opened_) fail(path, errno);
+  if (!opened_) fail_with(path, errno);
   in_ = &opened_;
 }
 
@@ -60,14 +55,14 @@ std::optional<std::string> ObjectReader::next() {
     whole_ = is_one_object(text, following);
     return whole_ ? text + "\n" + following : text;
   }
-  if (in_->bad()) fail(file_, EIO);
+  if (in_->bad()) fail_with(file_, EIO);
   return std::nullopt;
 }
 
 std::optional<std::string> ObjectReader::rest() {
   if (std::exchange(any_, true)) return std::nullopt;
   std::string text = rest_of(*in_);
-  if (in_->bad()) fail(file_, EIO);
+  if (in_->bad()) fail_with(file_, EIO);
   return text;
 }
 

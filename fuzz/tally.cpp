@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
-#include <charconv>
 #include <cmath>
 #include <limits>
+
+#include "corpus/number_text.hpp"
 
 namespace plumb {
 namespace {
@@ -30,11 +31,9 @@ double upper_edge(int bin, Histogram::Scale scale) {
 }
 
 int read_bin(const std::string& text) {
-  int bin = 0;
-  const char* const end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data(), end, bin);
-  if (error != std::errc() || last != end) throw FieldError("bins", "'" + text + "' is no number of a bin");
-  return bin;
+  const auto bin = number_from<int>(text);
+  if (!bin) throw FieldError("bins", "'" + text + "' is no number of a bin");
+  return *bin;
 }
 
 template <std::size_t N>
