@@ -48,10 +48,10 @@ double normal_rounding(const Evidence& e, const SeenPoint& at) {
   return few + point_rounding(e.pair) / at.sharpest;
 }
 
-double opposition_severity(const Evidence& e, const SeenPair& s) {
+double opposition_severity(const Evidence& e, const SeenPoint& at1, const SeenPoint& at2) {
   const double angle =
-      static_cast<double>(2 * std::atan2((s.at1.normal + s.at2.normal).norm(), (s.at1.normal - s.at2.normal).norm()));
-  return severity_of(angle, normal_rounding(e, s.at1) + normal_rounding(e, s.at2));
+      static_cast<double>(2 * std::atan2((at1.normal + at2.normal).norm(), (at1.normal - at2.normal).norm()));
+  return severity_of(angle, normal_rounding(e, at1) + normal_rounding(e, at2));
 }
 
 /// |d x n1| against its rounding, and the sign of d.n1 once |d| is above it.
@@ -126,7 +126,8 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
   const double still_a_common_normal = 1e3;
   const SeenPair s = see(e);
-  if (opposition_severity(e, s) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal)
+  if (opposition_severity(e, s.at1, s.at2) > still_a_common_normal ||
+      collinearity_severity(e, s) > still_a_common_normal)
     return {};
   // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
   const Solution& truth = nearest(e);
@@ -140,7 +141,8 @@ Finding has_the_lowest_overlap(const Evidence& e) {
 
 Finding normals_are_opposite(const Evidence& e) {
   if (e.problem != Problem::common_normal || !shows_surfaces(e)) return {};
-  return {FindingKind::misaligned, opposition_severity(e, see(e)), {}, "n1 + n2 is not 0"};
+  const SeenPair s = see(e);
+  return {FindingKind::misaligned, opposition_severity(e, s.at1, s.at2), {}, "n1 + n2 is not 0"};
 }
 
 Finding points_lie_on_the_normal(const Evidence& e) {
@@ -182,9 +184,7 @@ Finding points_are_deepest(const Evidence& e) {
 Finding potentials_balance_midway(const Evidence& e) {
   if (e.problem != Problem::midway || !e.answer.contact_point.allFinite() || !resolves_surfaces(e.pair)) return {};
   const SeenPoint at1 = see(e.pair.body1, e.answer.contact_point), at2 = see(e.pair.body2, e.answer.contact_point);
-  const double opposite =
-      static_cast<double>(2 * std::atan2((at1.normal + at2.normal).norm(), (at1.normal - at2.normal).norm()));
-  const double turned = severity_of(opposite, normal_rounding(e, at1) + normal_rounding(e, at2));
+  const double turned = opposition_severity(e, at1, at2);
   const Wide n1 = e.pair.body1.shape.n1, n2 = e.pair.body2.shape.n1;
   const double uneven = static_cast<double>(std::abs(n1 * std::log(at1.gauge) - n2 * std::log(at2.gauge)));
   const auto slope = [&](const SeenPoint& at, Wide n) { return static_cast<double>(n / at.gauge) * at.slope; };
