@@ -41,7 +41,7 @@ Vec3<S> start_direction(const PlacedPair<S>& pair, const Vec3<S>& v) {
     const Mat3<S> a = body->rotation * body->shape.semi_axes.asDiagonal();
     sum += a * a.transpose();
   }
-  const Vec3<S> n = sum.ldlt().solve(v);
+  const Vec3<S> n = detail::unit_scaled<S>(sum.ldlt().solve(v)).vector;
   const S length = n.norm();
   return length > S(0) && length < std::numeric_limits<S>::infinity() ? Vec3<S>(n / length) : Vec3<S>::UnitZ().eval();
 }
