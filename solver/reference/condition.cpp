@@ -1,62 +1,86 @@
 #include "solver/reference/condition.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
+
+#include "solver/reference/real.hpp"
+#include "solver/reference/sensitivity.hpp"
 
 namespace plumb::reference {
 namespace {
 
-using R = Real50;
-using Responses = Eigen::Matrix<R, 4, 3>;
-
-struct Size {
-  R normal, points;
-};
-
-/// How far the normal and the points move for the chart steps in `x` (one column a unit disturbance).
-Size size_of_response(const PlacedPair<R>& pair, const ChartPair<R>& at, const Responses& x) {
-  const SurfacePoint<R> s1 = surface_point<R>(pair.body1.shape, at.at1);
-  const SurfacePoint<R> s2 = surface_point<R>(pair.body2.shape, at.at2);
-  const R normal = (s1.dnormal * x.topRows<2>()).norm();
-  const R point1 = (s1.dpoint * x.topRows<2>()).norm();
-  const R point2 = (s2.dpoint * x.bottomRows<2>()).norm();
-  return {normal, point1 > point2 ? point1 : point2};
+/// lambda of the exponents (sensitivity.hpp) times p and n; zero where the coordinate is zero.
+template <class S>
+void set_by_exponents(SurfaceJet<S>& jet, const Superellipsoid<S>& shape) {
+  using std::log;
+  const Vec3<S> v = detail::divide<S>(jet.point, shape).cwiseAbs();
+  const S rho = pair_norm<S>(v[0], v[1], Exponent<S>::primal(shape.n2));
+  const auto log_or_zero = [](const S& x) { return x > S(0) ? S(log(x)) : S(0); };
+  const S outer = log_or_zero(rho);
+  const Vec3<S> by_n1{outer, outer, log_or_zero(v[2])};
+  const Vec3<S> by_n2{v[0] > S(0) ? S(log(v[0] / rho)) : S(0), v[1] > S(0) ? S(log(v[1] / rho)) : S(0), S(0)};
+  int column = 3;
+  for (const Vec3<S>& lambda : {by_n1, by_n2}) {
+    const Vec3<S> turn = lambda.cwiseProduct(jet.normal);
+    jet.point_by_shape.col(column) = -lambda.cwiseProduct(jet.point);
+    jet.normal_by_shape.col(column++) = turn - jet.normal * jet.normal.dot(turn);
+  }
 }
 
-/// Of less than full rank, to 50 digits: flat on flat lets the points slide and keeps the normal, a continuum of common
-/// normals (bodies of revolution) turns it too.
-bool normal_is_free(const PlacedPair<R>& pair, const ChartResidual<R>& f, const ChartPair<R>& at) {
-  const Eigen::FullPivLU<Eigen::Matrix<R, 6, 4>> lu(f.jacobian);
-  const Eigen::Matrix<R, 4, Eigen::Dynamic, 0, 4, 4> slides = lu.kernel();
-  const R small("1e-15");
-  return (surface_point<R>(pair.body1.shape, at.at1).dnormal * slides.topRows<2>()).norm() > small * slides.norm();
+template <class S>
+SurfaceJet<S> surface_jet(const PlacedBody<S>& body, const CubePoint<S>& at) {
+  const SurfacePoint<S> s = surface_point<S>(body.shape, at);
+  SurfaceJet<S> jet{s.point, s.normal, s.dpoint, s.dnormal, ByShape<S>::Zero(), ByShape<S>::Zero()};
+  for (int i = 0; i < 3; ++i) {
+    jet.point_by_shape(i, i) = s.point[i];
+    jet.normal_by_shape.col(i) = s.normal * (s.normal[i] * s.normal[i]);
+    jet.normal_by_shape(i, i) -= s.normal[i];
+  }
+  set_by_exponents<S>(jet, body.shape);
+  return jet.turned(body.rotation);
+}
+
+/// Of less than full rank: flat on flat lets the points slide and keeps the normal, a continuum of common normals (bodies
+/// of revolution) turns it too.
+template <class S>
+bool normal_is_free(const ContactJet<S>& at, const Eigen::Matrix<S, 6, 4>& jacobian) {
+  using std::pow;
+  const Eigen::FullPivLU<Eigen::Matrix<S, 6, 4>> lu(jacobian);
+  const Eigen::Matrix<S, 4, Eigen::Dynamic, 0, 4, 4> slides = lu.kernel();
+  const S small = pow(epsilon<S>(), S(0.3));
+  for (Eigen::Index k = 0; k < slides.cols(); ++k) {
+    const Vec3<S> turn = at.body1.dnormal.col(0) * slides(0, k) + at.body1.dnormal.col(1) * slides(1, k);
+    if (turn.norm() > small * slides.col(k).norm()) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
-// Disturbances: a translation of body 2 by e_k adds l x e_k to the second equation; a rotation about the contact point by
-// e_k adds e_k x n2 to the first.
-Condition condition_of(const PlacedPair<R>& pair, const Goal<R>& goal, const ChartPair<R>& at) {
-  const ChartResidual<R> f = chart_residual<R>(pair, goal, at);
-  const Vec3<R> l = collinear_with<R>(pair, goal, f);
-  Eigen::Matrix<R, 6, 3> translation = Eigen::Matrix<R, 6, 3>::Zero(), rotation = translation;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3<R> e = Vec3<R>::Unit(k);
-    translation.col(k).tail<3>() = l.cross(e);
-    rotation.col(k).head<3>() = e.cross(f.normal1);
-  }
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<R, 6, 4>> solver(f.jacobian);
-  const R size = pair.size();
-  const Size by_translation = size_of_response(pair, at, solver.solve(translation));
-  const Size by_rotation = size_of_response(pair, at, solver.solve(rotation));
+template <class S>
+Condition condition_of(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<S>& at) {
+  const ContactJet<S> jet{surface_jet<S>(pair.body1, at.at1), surface_jet<S>(pair.body2, at.at2), pair.body2.centre,
+                          pair.size()};
+  const Linearised<S> by = linearised<S>(jet, goal);
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<S, 6, 4>> solver(by.jacobian);
+  const Magnitudes<S> found = magnitudes<S>(jet, by, solver.solve(by.change));
   Condition out;
-  out.normal = static_cast<double>(R(1) + size * by_translation.normal + by_rotation.normal);
-  if (solver.rank() == 4)
-    out.points = static_cast<double>(R(1) + by_translation.points + by_rotation.points / size);
-  else if (normal_is_free(pair, f, at))
-    out.normal = std::numeric_limits<double>::infinity();
+  out.overlap = static_cast<double>(found.overlap);
+  if (solver.rank() == 4) {
+    out.normal = static_cast<double>(found.normal1);
+    out.points = static_cast<double>(found.point1 > found.point2 ? found.point1 : found.point2);
+  } else if (!normal_is_free<S>(jet, by.jacobian)) {
+    // Where flats meet the normal lies between the two faces' own: it follows one or the other.
+    out.normal = static_cast<double>(found.normal1 > found.normal2 ? found.normal1 : found.normal2);
+  }
   return out;
 }
+
+#define PLUMB_INSTANTIATE_CONDITION(S) \
+  template Condition condition_of(const PlacedPair<S>&, const Goal<S>&, const ChartPair<S>&);
+
+PLUMB_INSTANTIATE_CONDITION(double)
+PLUMB_INSTANTIATE_CONDITION(long double)
+PLUMB_INSTANTIATE_CONDITION(Real50)
 
 }  // namespace plumb::reference

@@ -1,7 +1,10 @@
-// The geometric-potential problems in 50 digits, so that GP methods are judged by their own definition.
+// The geometric-potential problems in 50 digits, so that GP methods are judged by their own definition, and their proofs.
+#include <optional>
+
 #include "solver/reference/condition.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/reference/refine.hpp"
+#include "solver/reference/touch.hpp"
 #include "solver/shape/ray.hpp"
 
 namespace plumb {
@@ -11,6 +14,8 @@ using namespace reference;
 using R = Real50;
 
 const R accepted("1e-40");
+const char* const coincident = "coincident centres";
+const char* const other_problem = "not a geometric-potential problem";
 
 /// The pair's doubles in its own frame, in both precisions.
 struct Both {
@@ -29,32 +34,100 @@ PlacedPair<S> exchanged(const PlacedPair<S>& pair) {
   return out;
 }
 
+/// Both bodies grown about their centres by s1 and s2 = sigma s1 until they touch: for a given sigma that is first touch
+/// along the line of centres, at s1 = |c| / distance, and d log s1 / d log sigma = -share, body 2's of the support there.
+struct Growth {
+  bool solved = false;
+  R s1, sigma;
+  R share;
+  PlacedPair<R> pair;  ///< body 2 scaled by sigma
+  ChartPair<R> at;
+  Goal<R> goal;
+};
+
+/// The growth at which step_of, a Newton step of log sigma, vanishes.
+template <class StepOf>
+Growth find_growth(const Both& placed, const StepOf& step_of) {
+  const int limit = 60;
+  const R longest(4);
+  Growth out;
+  out.pair = placed.fine;
+  out.goal = {GoalKind::first_touch, placed.fine.body2.centre / placed.fine.body2.centre.norm()};
+  const Vec3<double> line = placed.rough.body2.centre.normalized();
+  ChartPair<double> start = solve_from_direction<double>(placed.rough, {GoalKind::first_touch, line}, line).at;
+  R log_sigma(0);
+  for (int i = 0; i < limit; ++i) {
+    out.sigma = exp(log_sigma);
+    out.pair.body2.shape.semi_axes = placed.fine.body2.shape.semi_axes * out.sigma;
+    const LocalSolution<R> touch = refine(out.pair, out.goal, start);
+    if (!(touch.residual < accepted)) return out;
+    out.at = touch.at;
+    start = {CubePoint<double>::of(touch.at.at1.w.cast<double>()),
+             CubePoint<double>::of(touch.at.at2.w.cast<double>())};
+    const ChartResidual<R> f = chart_residual<R>(out.pair, out.goal, touch.at);
+    const R support1 = f.normal1.dot(f.point1), support2 = f.normal1.dot(out.pair.body2.centre - f.point2);
+    out.s1 = f.normal1.dot(out.pair.body2.centre) / (support1 + support2);
+    out.share = support2 / (support1 + support2);
+    const R step = step_of(out);
+    log_sigma += abs(step) < longest ? step : (step < R(0) ? R(-longest) : longest);
+    if (abs(step) < accepted) return out.solved = true, out;
+  }
+  return out;
+}
+
+/// F the same at both: n1 log s1 = n1' log s2.
+Growth find_equal_growth(const Both& placed) {
+  const R n1 = placed.fine.body1.shape.n1, n2 = placed.fine.body2.shape.n1;
+  return find_growth(placed, [&](const Growth& at) -> R {
+    const R excess = (n1 - n2) * log(at.s1) - n2 * log(at.sigma);
+    return excess / (n1 * at.share + n2 * (R(1) - at.share));
+  });
+}
+
+/// Body 2 alone: s1 = 1, where its centre lies outside body 1. Slower than the deepest point's own equations, and surer.
+Growth find_growth_of_body2(const Both& placed) {
+  return find_growth(placed, [](const Growth& at) -> R { return log(at.s1) / at.share; });
+}
+
 struct Deepest {
   bool solved = false;
+  ChartPair<R> at;
   Vec3<R> point;
   R gauge;  ///< the other body's at the point
   Condition condition;
 };
 
-/// The point of body 1's surface where body 2's gauge is lowest, from a few starts. One start is enough while body 2's
-/// centre is outside body 1 (the problem is convex then); otherwise the lowest of those found.
+Deepest deepest_at(const Both& pair, const ChartPair<R>& at) {
+  const Goal<R> goal{GoalKind::deepest_point, {}};
+  const Vec3<R> point = chart_residual<R>(pair.fine, goal, at).point1;
+  const R depth = gauge<R>(pair.fine.body2.shape, pair.fine.body2.to_body(point));
+  return {true, at, point, depth, condition_of(pair.fine, goal, at)};
+}
+
+/// The point of body 1's surface where body 2's gauge is lowest. A stationary point whose normal faces body 2's centre is
+/// that (touch.hpp); where the centre lies in body 1 there is none, and the lowest found from a few starts is taken.
 Deepest find_deepest(const Both& pair) {
   const Vec3<double> line = pair.rough.body2.centre;
-  Deepest best;
-  if (line.isZero(0)) return best;
+  const Vec3<R> centre = pair.fine.body2.centre;
   const Vec3<double> normal = outward_normal<double>(pair.rough.body1.shape, pair.rough.body1.to_body_direction(line));
-  for (const Vec3<double>& start : {line.normalized(), pair.rough.body1.to_pair_direction(normal)}) {
-    const Goal<double> goal{GoalKind::deepest_point, {}};
-    const auto rough = solve_from_direction<double>(pair.rough, goal, start);
-    const Goal<R> fine_goal{GoalKind::deepest_point, {}};
-    const auto fine = refine(pair.fine, fine_goal, rough.at);
+  const bool outside = gauge<R>(pair.fine.body1.shape, pair.fine.body1.to_body(centre)) > R(1);
+  Deepest best;
+  const Vec3<double> starts[] = {line.normalized(), pair.rough.body1.to_pair_direction(normal),
+                                 start_direction<double>(pair.rough, line)};
+  for (const Vec3<double>& start : starts) {
+    const auto rough = solve_from_direction<double>(pair.rough, {GoalKind::deepest_point, {}}, start);
+    const Goal<R> goal{GoalKind::deepest_point, {}};
+    const auto fine = refine(pair.fine, goal, rough.at);
     if (!(fine.residual < accepted)) continue;
-    const Vec3<R> point = chart_residual<R>(pair.fine, fine_goal, fine.at).point1;
-    const R depth = gauge<R>(pair.fine.body2.shape, pair.fine.body2.to_body(point));
-    if (best.solved && !(depth < best.gauge)) continue;
-    best = {true, point, depth, condition_of(pair.fine, fine_goal, fine.at)};
+    const ChartResidual<R> f = chart_residual<R>(pair.fine, goal, fine.at);
+    const bool lowest = f.normal1.dot(centre - f.point1) > R(0);
+    const Deepest found = deepest_at(pair, fine.at);
+    if (lowest) return found;
+    if (!outside && (!best.solved || found.gauge < best.gauge)) best = found;
   }
-  return best;
+  if (!outside) return best;
+  const Growth growth = find_growth_of_body2(pair);
+  return growth.solved ? deepest_at(pair, growth.at) : best;
 }
 
 Solution unsolved(const char* reason) {
@@ -63,9 +136,16 @@ Solution unsolved(const char* reason) {
   return out;
 }
 
-Solution deepest_points(const Pair& pair, const Both& placed) {
-  const Deepest first = find_deepest(placed);
-  const Deepest second = find_deepest({exchanged(placed.rough), exchanged(placed.fine)});
+struct DeepestPair {
+  Deepest first, second;  ///< the second with the bodies exchanged, about body 2's centre
+};
+
+DeepestPair find_deepest_pair(const Both& placed) {
+  return {find_deepest(placed), find_deepest({exchanged(placed.rough), exchanged(placed.fine)})};
+}
+
+Solution solution_of(const DeepestPair& found, const Both& placed, const Pair& pair) {
+  const auto& [first, second] = found;
   if (!first.solved || !second.solved) return unsolved("no deepest point to 40 digits");
   const Vec3<R> p1 = first.point, p2 = second.point + placed.fine.body2.centre;
   const R sign = first.gauge < R(1) ? R(1) : R(-1), distance = (p1 - p2).norm();
@@ -83,53 +163,27 @@ Solution deepest_points(const Pair& pair, const Both& placed) {
   return out;
 }
 
-/// Both bodies grown about their centres by s1 and s2 until they touch, with F the same at both: n1 log s1 = n1' log s2.
-/// For a given s2/s1 = sigma that is first touch along the line of centres, at s1 = |c| / distance.
-struct Growth {
-  bool solved = false;
-  R s1;
-  PlacedPair<R> pair;  ///< body 2 scaled by sigma
-  ChartPair<R> at;
-  Goal<R> goal;
+struct Midway {
+  Growth growth;
+  Vec3<R> x, normal;  ///< where the grown bodies touch
+  R s1, s2;           ///< along the normal from there to the surfaces
 };
 
-Growth find_growth(const Both& placed) {
-  const R n1 = placed.fine.body1.shape.n1, n2 = placed.fine.body2.shape.n1;
-  Growth out;
-  out.pair = placed.fine;
-  out.goal = {GoalKind::first_touch, placed.fine.body2.centre / placed.fine.body2.centre.norm()};
-  ChartPair<double> start =
-      solve_from_direction<double>(placed.rough, {GoalKind::first_touch, placed.rough.body2.centre.normalized()},
-                                   placed.rough.body2.centre.normalized())
-          .at;
-  R log_sigma(0);
-  for (int i = 0; i < 60; ++i) {
-    out.pair.body2.shape.semi_axes = placed.fine.body2.shape.semi_axes * exp(log_sigma);
-    const LocalSolution<R> touch = refine(out.pair, out.goal, start);
-    if (!(touch.residual < accepted)) return out;
-    out.at = touch.at;
-    start = {CubePoint<double>::of(touch.at.at1.w.cast<double>()),
-             CubePoint<double>::of(touch.at.at2.w.cast<double>())};
-    const ChartResidual<R> f = chart_residual<R>(out.pair, out.goal, touch.at);
-    const R support1 = f.normal1.dot(f.point1), support2 = f.normal1.dot(out.pair.body2.centre - f.point2);
-    out.s1 = f.normal1.dot(out.pair.body2.centre) / (support1 + support2);
-    // The derivative by log sigma is exact: d log distance / d log sigma is body 2's share of the support.
-    const R excess = (n1 - n2) * log(out.s1) - n2 * log_sigma;
-    const R share = support2 / (support1 + support2);
-    const R step = excess / (n1 * share + n2 * (R(1) - share));
-    log_sigma += step;
-    if (abs(step) < accepted) return out.solved = true, out;
-  }
+Midway find_midway(const Both& placed) {
+  Midway out;
+  out.growth = find_equal_growth(placed);
+  if (!out.growth.solved) return out;
+  const ChartResidual<R> f = chart_residual<R>(out.growth.pair, out.growth.goal, out.growth.at);
+  out.x = f.point1 * out.growth.s1;
+  out.normal = f.normal1;
+  out.s1 = distance_to_surface<R>(placed.fine.body1, out.x, out.normal, 1);
+  out.s2 = distance_to_surface<R>(placed.fine.body2, out.x, out.normal, -1);
   return out;
 }
 
-Solution midway(const Pair& pair, const Both& placed) {
-  const Growth growth = find_growth(placed);
-  if (!growth.solved) return unsolved("no midway point to 40 digits");
-  const ChartResidual<R> f = chart_residual<R>(growth.pair, growth.goal, growth.at);
-  const Vec3<R> x = f.point1 * growth.s1, n = f.normal1;
-  const R s1 = distance_to_surface<R>(placed.fine.body1, x, n, 1);
-  const R s2 = distance_to_surface<R>(placed.fine.body2, x, n, -1);
+Solution solution_of(const Midway& found, const Both& placed, const Pair& pair) {
+  if (!found.growth.solved) return unsolved("no midway point to 40 digits");
+  const auto& [growth, x, n, s1, s2] = found;
   if (!(s1 == s1 && s2 == s2)) return unsolved("the line along the gradient misses a body");
   Solution out;
   out.solved = true;
@@ -140,7 +194,7 @@ Solution midway(const Pair& pair, const Both& placed) {
   out.point2 = placed.fine.to_world_point(x + s2 * n, pair);
   out.condition = condition_of(growth.pair, growth.goal, growth.at);
   // The points lie along the normal: they take over its error, and where the line leaves a body at a flat angle, more.
-  const auto slant = [&](const PlacedBody<R>& body, const Vec3<R>& p) {
+  const auto slant = [&n = n](const PlacedBody<R>& body, const Vec3<R>& p) {
     return static_cast<double>(R(1) /
                                abs(body.to_pair_direction(outward_normal<R>(body.shape, body.to_body(p))).dot(n)));
   };
@@ -150,13 +204,168 @@ Solution midway(const Pair& pair, const Both& placed) {
   return out;
 }
 
+using I = TouchScalar;
+
+/// The true answer, in the pair's frame until it is put into the world's.
+struct EnclosedAnswer {
+  std::string reason;  ///< why there is none; empty where it is proved
+  I overlap;
+  IVec3<I> normal, point1, point2;
+};
+
+EnclosedAnswer not_enclosed(const char* reason) {
+  EnclosedAnswer out;
+  out.reason = reason;
+  return out;
+}
+
+const char* const not_convex = "a centre lies in the other body: the problem of the deepest point is not convex";
+
+EnclosedAnswer enclosed_answer(const DeepestPair& found, const EnclosedPair<I>& pair) {
+  for (const auto* body : {&pair.body1, &pair.body2})
+    if (!(low(enclose_gauge<I>(*body, pair.centre).value) > 1)) return not_enclosed(not_convex);
+  if (!found.first.solved || !found.second.solved) return not_enclosed("no deepest point to 40 digits");
+  const auto touch = [](const EnclosedPair<I>& bodies, const Deepest& at) {
+    return enclose_touch({TouchKind::second_grown, bodies, {}}, at.at, at.gauge);
+  };
+  const EnclosedTouch first = touch(pair, found.first), second = touch(reference::exchanged(pair), found.second);
+  if (!first.proved || !second.proved) return not_enclosed("Krawczyk's test fails at a deepest point");
+  const bool overlapping = high(first.parameter) < 1;
+  if (!overlapping && !(low(first.parameter) > 1))
+    return not_enclosed("the bodies touch: no direction between the points");
+  EnclosedAnswer out;
+  out.point1 = first.point;
+  out.point2 = second.point + pair.centre;
+  const IVec3<I> apart = overlapping ? IVec3<I>(out.point1 - out.point2) : IVec3<I>(out.point2 - out.point1);
+  const I distance = length_of(apart);
+  out.normal = apart / distance;
+  out.overlap = overlapping ? distance : I(-distance);
+  return out;
+}
+
+/// Signed distance from x (about the body's centre) along n to the surface where the gauge's slope has the given sign, by
+/// the interval Newton test about `near`: the gauge is convex along the line, so there is one such place.
+std::optional<I> enclosed_distance(const EnclosedBody<I>& body, const IVec3<I>& x, const IVec3<I>& n, const R& near,
+                                   int sign) {
+  const int widenings = 6;
+  const I s = enclosing<I>(near), excess = enclose_gauge<I>(body, IVec3<I>(x + n * s)).value - I(1.0);
+  I reach = magnitude<I>(I(excess / dot(enclose_gauge<I>(body, IVec3<I>(x + n * s)).gradient, n))) + I(1e-75);
+  for (int i = 0; i < widenings; ++i) {
+    reach = high_end<I>(I(reach * I(8.0)));
+    const I box = s + hull<I>(I(-reach), reach);
+    const I slope = dot(enclose_gauge<I>(body, IVec3<I>(x + n * box)).gradient, n);
+    if (!is_positive(I(slope * I(sign)))) return {};
+    const I image = s - excess / slope;
+    if (mpfi_is_strictly_inside(image.data(), box.data()) > 0) return image;
+  }
+  return {};
+}
+
+EnclosedAnswer enclosed_answer(const Midway& found, const EnclosedPair<I>& pair) {
+  if (!found.growth.solved) return not_enclosed("no midway point to 40 digits");
+  const R level = R(pair.body1.n1) * log(found.growth.s1);
+  const EnclosedTouch touch = enclose_touch({TouchKind::both_grown, pair, {}}, found.growth.at, level);
+  if (!touch.proved) return not_enclosed("Krawczyk's test fails at the midway point");
+  const IVec3<I> from2 = touch.point - pair.centre;
+  const auto s1 = enclosed_distance(pair.body1, touch.point, touch.normal, found.s1, 1);
+  const auto s2 = enclosed_distance(pair.body2, from2, touch.normal, found.s2, -1);
+  if (!s1 || !s2) return not_enclosed("the line along the gradient is not proved to meet both bodies");
+  return {{}, *s1 - *s2, touch.normal, touch.point + touch.normal * *s1, touch.point + touch.normal * *s2};
+}
+
+EnclosedAnswer in_world(EnclosedAnswer answer, int exponent, const Pair& pair) {
+  answer.overlap = times_power_of_two<I>(answer.overlap, exponent);
+  for (IVec3<I>* point : {&answer.point1, &answer.point2})
+    for (int i = 0; i < 3; ++i) (*point)[i] = times_power_of_two<I>((*point)[i], exponent) + I(pair.body1.position[i]);
+  return answer;
+}
+
+bool is_near(const I& x, const R& given, double slack) {
+  return low(magnitude<I>(I(x - enclosing<I>(given)))) <= slack;
+}
+
+bool is_near(const IVec3<I>& x, const Vec3<R>& given, double slack) {
+  return is_near(x[0], given[0], slack) && is_near(x[1], given[1], slack) && is_near(x[2], given[2], slack);
+}
+
+/// How far the given answer is from the true one.
+TouchProof judged(const EnclosedAnswer& truth, double size, const Solution& given) {
+  TouchProof out;
+  out.reason = truth.reason;
+  if (!truth.reason.empty()) return out;
+  const double slack = 1e-25;
+  out.normal_radius = angle_of_chord(farthest(truth.normal, given.normal));
+  out.points_radius = std::max(farthest(truth.point1, given.point1), farthest(truth.point2, given.point2));
+  out.proved = is_near(truth.overlap, given.overlap, slack * size) && is_near(truth.normal, given.normal, slack) &&
+               is_near(truth.point1, given.point1, slack * size) && is_near(truth.point2, given.point2, slack * size);
+  out.overlap = ends_of(out.proved ? hull<I>(truth.overlap, enclosing<I>(given.overlap)) : truth.overlap);
+  if (!out.proved) {
+    out.reason = "the given solution is not the proved one";
+  } else if (!(out.overlap.upper - out.overlap.lower <= widest_gap * size)) {
+    out.proved = false;
+    out.reason = "the bounds are wider than 1e-12 of the size";
+  }
+  return out;
+}
+
+/// The middle of the proved answer: where the charts are nearly singular, many digits more than the local solve has.
+void round_to(Solution& out, const EnclosedAnswer& truth) {
+  out.overlap = middle<R>(truth.overlap);
+  for (int i = 0; i < 3; ++i) {
+    out.normal[i] = middle<R>(truth.normal[i]);
+    out.point1[i] = middle<R>(truth.point1[i]);
+    out.point2[i] = middle<R>(truth.point2[i]);
+  }
+}
+
+/// Where the proof succeeds its digits take the place of the local solve's.
+template <class Found>
+ProvedSolution proved_solution(const Found& found, const Both& placed, const Pair& pair) {
+  const EnclosedPair<I> enclosed = enclose<I>(pair);
+  const EnclosedAnswer truth = in_world(enclosed_answer(found, enclosed), enclosed.exponent, pair);
+  Solution solution = solution_of(found, placed, pair);
+  if (solution.solved && truth.reason.empty()) round_to(solution, truth);
+  const TouchProof proof = judged(truth, size_of(pair), solution);
+  return {std::move(solution), proof};
+}
+
+template <class Found>
+TouchProof judged_by(const Found& found, const Pair& pair, const Solution& given) {
+  const EnclosedPair<I> enclosed = enclose<I>(pair);
+  return judged(in_world(enclosed_answer(found, enclosed), enclosed.exponent, pair), size_of(pair), given);
+}
+
+TouchProof unproved(const char* reason) {
+  TouchProof out;
+  out.reason = reason;
+  return out;
+}
+
 }  // namespace
 
-Solution find_potential_reference(const Pair& pair, Problem problem) {
-  if (problem == Problem::common_normal) return find_reference(pair).common_normal;
+ProvedSolution find_proved_potential(const Pair& pair, Problem problem) {
+  if (problem == Problem::common_normal) return {find_reference(pair).common_normal, unproved(other_problem)};
   const Both placed{place<double>(pair), place<R>(pair)};
-  if (placed.fine.body2.centre.isZero(R(0))) return unsolved("coincident centres");
-  return problem == Problem::midway ? midway(pair, placed) : deepest_points(pair, placed);
+  if (placed.fine.body2.centre.isZero(R(0))) return {unsolved(coincident), unproved(coincident)};
+  return problem == Problem::midway ? proved_solution(find_midway(placed), placed, pair)
+                                    : proved_solution(find_deepest_pair(placed), placed, pair);
+}
+
+Solution find_potential_reference(const Pair& pair, Problem problem) {
+  auto [solution, proof] = find_proved_potential(pair, problem);
+  solution.proved = proof.proved;
+  solution.bounds = proof.overlap;
+  solution.normal_radius = proof.normal_radius;
+  solution.points_radius = proof.points_radius;
+  return solution;
+}
+
+TouchProof prove_potential(const Pair& pair, Problem problem, const Solution& solution) {
+  if (problem == Problem::common_normal) return unproved(other_problem);
+  const Both placed{place<double>(pair), place<R>(pair)};
+  if (placed.fine.body2.centre.isZero(R(0))) return unproved(coincident);
+  return problem == Problem::midway ? judged_by(find_midway(placed), pair, solution)
+                                    : judged_by(find_deepest_pair(placed), pair, solution);
 }
 
 }  // namespace plumb

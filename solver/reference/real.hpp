@@ -13,6 +13,7 @@ using Real = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
 using Real50 = Real<50>;
+using Real80 = Real<80>;
 using Real100 = Real<100>;
 
 }  // namespace plumb

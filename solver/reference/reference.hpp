@@ -1,14 +1,16 @@
-// The reference: what a method's answer is held against. It includes nothing from method/.
+// The reference: what a method's answer is held against, and the proof that comes with it. It includes nothing from method/.
 //
-// First form: a search over all directions finds where the lowest overlap lies, many starts find the stationary common
-// normals there, and each is refined in 50 digits on the surfaces' charts. The search's bounds are evaluated in double
-// without directed rounding, so "global" here means "to 1e-9 of the pair's size, but for rounding", not proved.
+// A search over all directions finds where the lowest overlap lies; local solves find the common normal there; interval
+// arithmetic from the case's doubles on proves that the one is lowest and the other exists (cover.hpp, verify.hpp). What is
+// proved and what is only computed is said field by field.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/contact.hpp"
+#include "solver/reference/cover.hpp"
 #include "solver/reference/real.hpp"
 
 namespace plumb {
@@ -21,29 +23,59 @@ struct Condition {
   double points = std::numeric_limits<double>::infinity();
 };
 
-/// A 50-digit answer to one problem, world frame.
+/// The true value lies between the two: a length in the case's unit, rounded outwards.
+struct Bounds {
+  Real50 lower = -std::numeric_limits<Real50>::infinity();
+  Real50 upper = std::numeric_limits<Real50>::infinity();
+};
+
+/// An answer to one problem in the digits of its effort, world frame.
 struct Solution {
-  bool solved = false;
-  std::string reason;  ///< why not, in words
+  bool solved = false;  ///< the defining equations hold to rounding
+  bool proved = false;  ///< a solution exists, alone in its neighbourhood, within the bounds and radii below
+  std::string reason;   ///< why not solved, in words
   Real50 overlap = std::numeric_limits<Real50>::quiet_NaN();
   Vec3<Real50> normal = not_valid<Real50>();
   Vec3<Real50> point1 = not_valid<Real50>();
   Vec3<Real50> point2 = not_valid<Real50>();
   Real50 residual = std::numeric_limits<Real50>::infinity();  ///< of the defining equations, relative to the size
   Condition condition;
+  Bounds bounds;  ///< of its overlap
+  double normal_radius =
+      std::numeric_limits<double>::infinity();  ///< the true normal lies within this of `normal`, rad
+  double points_radius = std::numeric_limits<double>::infinity();  ///< and each true point of its own, a length
 };
 
+enum class Claim { open, proved, disproved };
+[[nodiscard]] std::string_view name(Claim claim);
+
+/// How far a reference goes, each step dearer than the last.
+enum class Effort {
+  bounds,  ///< intervals of doubles: trusts IEEE arithmetic and pow (interval_double.hpp)
+  proof,   ///< intervals of MPFI, a solution of 19 digits
+  digits   ///< intervals of MPFI, a solution of 50 digits
+};
+[[nodiscard]] std::string_view name(Effort effort);
+
 struct Reference {
-  Verdict verdict = Verdict::undecided;
-  Solution common_normal;            ///< the one of lowest overlap
-  std::vector<Solution> stationary;  ///< others found whose overlap is within 1e-7 of the size of it, lowest first
-  bool searched_all = false;         ///< the search over directions ended before its budget did
-  int cells = 0;                     ///< cells of directions that the search looked at
-  int starts = 0;                    ///< local solves
+  Effort effort = Effort::bounds;
+  Verdict verdict = Verdict::undecided;  ///< undecided only when zero lies within the bounds
+  Bounds overlap;                        ///< of the lowest overlap of all directions
+  Solution common_normal;                ///< the common normal of lowest overlap
+  std::vector<Solution> tied;            ///< others whose overlap is as low within the bounds
+  std::vector<Solution> close;           ///< others whose overlap is higher by less than 1e-7 of the size
+  Claim global = Claim::open;            ///< no direction has a lower overlap: the bounds are within 1e-12 of the size
+  Claim unique = Claim::open;            ///< no other common normal has as low an overlap
+  std::string reason;                    ///< what is not proved, and why
+  std::vector<Vec3<double>> open;        ///< unit directions (world) of cells that are neither excluded nor in a region
+  Vec3<Real50> direction = not_valid<Real50>();  ///< unit, world: the upper bound is its overlap
+  reference::Cover cover;                        ///< empty for bodies apart: one direction and two points prove it all
+  std::optional<reference::Witness> nearest;  ///< bodies apart: two points whose distance bounds the overlap from below
+  int cells = 0;                              ///< cells of directions that the search looked at
 };
 
 /// Deterministic; takes any legal pair.
-[[nodiscard]] Reference find_reference(const Pair& pair);
+[[nodiscard]] Reference find_reference(const Pair& pair, Effort effort = Effort::digits);
 
 /// The 50-digit answer to a geometric-potential problem (Problem::deepest_points or midway).
 [[nodiscard]] Solution find_potential_reference(const Pair& pair, Problem problem);

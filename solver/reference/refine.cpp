@@ -5,7 +5,9 @@
 namespace plumb::reference {
 namespace {
 
-const int local_limit = 60;
+/// Steps: at a root of high multiplicity (flat on flat) each gains a fixed factor, and more digits need more of them.
+template <class S>
+constexpr int local_limit = std::is_same_v<S, Real50> ? 300 : 60;
 
 /// |F| at which a solve in S counts as done: the rounding of the residual itself, with the exponents' share in it.
 template <class S>
@@ -20,11 +22,11 @@ LocalSolution<S> solve_in_stages(const PlacedPair<S>& pair, const Goal<S>& goal,
   PlacedPair<S> stage = with_capped_exponents<S>(pair, cap);
   ChartPair<S> at = charts_of_direction<S>(stage, direction);
   while (cap < sharp) {
-    at = solve_on_charts<S>(stage, goal, at, tolerance, local_limit).at;
+    at = solve_on_charts<S>(stage, goal, at, tolerance, local_limit<S>).at;
     cap *= S(1.8);
     stage = with_capped_exponents<S>(pair, cap);
   }
-  return solve_on_charts<S>(pair, goal, at, tolerance, local_limit);
+  return solve_on_charts<S>(pair, goal, at, tolerance, local_limit<S>);
 }
 
 template <class S>
@@ -48,22 +50,28 @@ Vec3<S> start_direction(const PlacedPair<S>& pair, const Vec3<S>& v) {
 
 template <class S>
 LocalSolution<S> solve_from_direction(const PlacedPair<S>& pair, const Goal<S>& goal, const Vec3<S>& direction) {
-  const LocalSolution<S> direct =
-      solve_on_charts<S>(pair, goal, charts_of_direction<S>(pair, direction), local_tolerance<S>(pair), local_limit);
+  const LocalSolution<S> direct = solve_from_charts<S>(pair, goal, charts_of_direction<S>(pair, direction));
   if (direct.converged || sharpest_exponent<S>(pair) <= S(2)) return direct;
   LocalSolution<S> staged = solve_in_stages<S>(pair, goal, direction);
   staged.iterations += direct.iterations;
   return staged.residual < direct.residual ? staged : direct;
 }
 
-LocalSolution<Real50> refine(const PlacedPair<Real50>& pair, const Goal<Real50>& goal, const ChartPair<double>& start) {
-  const ChartPair<Real50> at{widened<Real50>(start.at1), widened<Real50>(start.at2)};
-  return solve_on_charts<Real50>(pair, goal, at, local_tolerance<Real50>(pair), local_limit);
+template <class S>
+LocalSolution<S> solve_from_charts(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<S>& at) {
+  return solve_on_charts<S>(pair, goal, at, local_tolerance<S>(pair), local_limit<S>);
 }
 
-#define PLUMB_INSTANTIATE_REFINE(S)                                       \
-  template Vec3<S> start_direction(const PlacedPair<S>&, const Vec3<S>&); \
-  template LocalSolution<S> solve_from_direction(const PlacedPair<S>&, const Goal<S>&, const Vec3<S>&);
+template <class S>
+LocalSolution<S> refine(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<double>& start) {
+  return solve_from_charts<S>(pair, goal, {widened<S>(start.at1), widened<S>(start.at2)});
+}
+
+#define PLUMB_INSTANTIATE_REFINE(S)                                                                       \
+  template Vec3<S> start_direction(const PlacedPair<S>&, const Vec3<S>&);                                 \
+  template LocalSolution<S> solve_from_direction(const PlacedPair<S>&, const Goal<S>&, const Vec3<S>&);   \
+  template LocalSolution<S> solve_from_charts(const PlacedPair<S>&, const Goal<S>&, const ChartPair<S>&); \
+  template LocalSolution<S> refine(const PlacedPair<S>&, const Goal<S>&, const ChartPair<double>&);
 
 PLUMB_INSTANTIATE_REFINE(double)
 PLUMB_INSTANTIATE_REFINE(long double)

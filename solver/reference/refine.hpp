@@ -1,4 +1,4 @@
-// From a direction to a stationary point: the local solves of the reference, in double and then in 50 digits.
+// From a direction to a stationary point: the local solves of the reference, in double and then in more digits.
 #pragma once
 
 #include "solver/reference/chart_solve.hpp"
@@ -17,15 +17,13 @@ template <class S>
 [[nodiscard]] LocalSolution<S> solve_from_direction(const PlacedPair<S>& pair, const Goal<S>& goal,
                                                     const Vec3<S>& direction);
 
-/// Polishes a double-precision local solution to 50 digits.
-[[nodiscard]] LocalSolution<Real50> refine(const PlacedPair<Real50>& pair, const Goal<Real50>& goal,
-                                           const ChartPair<double>& start);
-
-/// Signed overlap n.(p1 - p2) of a chart pair, with n body 1's normal (pair frame).
+/// Local solve from a pair of charts, with the true exponents throughout.
 template <class S>
-[[nodiscard]] S overlap_of(const PlacedPair<S>& pair, const ChartPair<S>& at) {
-  const ChartResidual<S> f = chart_residual<S>(pair, Goal<S>{}, at);
-  return f.normal1.dot(f.point1 - f.point2);
-}
+[[nodiscard]] LocalSolution<S> solve_from_charts(const PlacedPair<S>& pair, const Goal<S>& goal,
+                                                 const ChartPair<S>& at);
+
+/// Polishes a double-precision local solution in S.
+template <class S>
+[[nodiscard]] LocalSolution<S> refine(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<double>& start);
 
 }  // namespace plumb::reference

@@ -29,7 +29,8 @@ TEST(Reference, SpheresToTheLastDigit) {
   ASSERT_TRUE(found.common_normal.solved) << found.common_normal.reason;
   EXPECT_LT(tiny(found.common_normal.overlap - (R(3) - sqrt(R(7.25)))), 1e-47);
   EXPECT_EQ(found.verdict, Verdict::overlapping);
-  EXPECT_TRUE(found.searched_all);
+  EXPECT_EQ(found.global, Claim::proved);
+  EXPECT_EQ(found.unique, Claim::proved);
 }
 
 TEST(Reference, AlignedEllipsoidsApart) {

@@ -1,0 +1,370 @@
+#include "solver/reference/certify.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+
+#include "solver/reference/chart_interval.hpp"
+#include "solver/reference/condition.hpp"
+#include "solver/reference/cover_search.hpp"
+#include "solver/reference/interval_double.hpp"
+#include "solver/reference/real.hpp"
+#include "solver/reference/stationary_point.hpp"
+#include "solver/reference/verify.hpp"
+
+namespace plumb::reference {
+namespace {
+
+constexpr double widest_region = 1.0 / 8, narrowest_region = 1e-15;
+constexpr double gap = 1e-12;  // of the bounds, relative to the size
+
+/// Cells that a search may look at: where the cheaper efforts need many, the digits of the next need few.
+template <class I>
+constexpr int most_cells = std::is_same_v<I, Interval80> ? 60'000 : 4'000;
+
+/// The intervals that a cover of directions is verified in: few digits are enough.
+template <class I>
+using CoverInterval = std::conditional_t<std::is_same_v<I, DoubleInterval>, DoubleInterval, Interval18>;
+
+/// An orthonormal frame, but for rounding, whose third axis is n.
+Mat3<double> frame_about(const Vec3<double>& n) {
+  Mat3<double> f;
+  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
+  f << across, axis.cross(across), axis;
+  return f;
+}
+
+/// The chart point v with F v parallel to n, to the digits of n, and its face; the half-width is not set.
+template <class I>
+struct ChartPoint {
+  Cell face;
+  IVec3<I> v;
+};
+
+template <class I, class S>
+ChartPoint<I> chart_point(const Mat3<double>& frame, const Vec3<S>& n) {
+  const Mat3<S> f = frame.cast<S>();
+  Vec3<S> v = f.transpose() * n;
+  const int corrections = std::numeric_limits<S>::digits / std::numeric_limits<double>::digits;
+  for (int i = 0; i < corrections; ++i) v += f.transpose() * (n - f * v);  // each gains the digits of F's own rounding
+  int axis = 0;
+  v.template cast<double>().cwiseAbs().maxCoeff(&axis);
+  const double sign = v[axis] < S(0) ? -1 : 1;
+  using std::abs;
+  v /= abs(v[axis]);
+  ChartPoint<I> out{{axis, sign, static_cast<double>(v[(axis + 1) % 3]), static_cast<double>(v[(axis + 2) % 3]), 0},
+                    {}};
+  for (int i = 0; i < 3; ++i) out.v[i] = i == axis ? I(sign) : enclosing<I>(v[i]);
+  return out;
+}
+
+/// Two intervals' enclosure of the same pair in the same frame: the cheap one says where a proof will succeed.
+template <class I>
+struct Frames {
+  Mat3<double> frame;
+  FramedPair<DoubleInterval> rough;
+  FramedPair<I> fine;
+};
+
+/// A solution, and the region in which it is the only one.
+template <class I, class S>
+struct Minimum {
+  Cell region;  ///< of half-width 0 where none is proved
+  RegionProof<I> proof;
+  IVec3<I> box;  ///< directions (chart) among which the true one is, if `exists`
+  StationaryPoint<S> at;
+  bool exists;
+
+  [[nodiscard]] bool is_tight() const { return proof.located && high(proof.deficit) < gap / 2; }
+  [[nodiscard]] I least() const { return low_end<I>(I(proof.value - proof.deficit)); }
+};
+
+/// Upper bound of the angle between two unit vectors from that of their distance.
+double angle_of_chord(double chord) {
+  return chord <= 1
+             ? high(DoubleInterval(chord) + DoubleInterval(chord) * square<DoubleInterval>(DoubleInterval(chord)))
+             : std::numeric_limits<double>::infinity();
+}
+
+/// How far a box reaches from a point; infinity where it has no bounds.
+template <class I>
+double farthest(const IVec3<I>& box, const Vec3<Real50>& from) {
+  I reach2(0.0);
+  for (int i = 0; i < 3; ++i) reach2 += square<I>(I(box[i] - enclosing<I>(from[i])));
+  const double out = high(root<I>(reach2));
+  return out == out ? out : std::numeric_limits<double>::infinity();
+}
+
+/// A region about a chart point with its proof.
+template <class I>
+struct ProvedRegion {
+  Cell region;
+  RegionProof<I> proof;
+};
+
+/// The widest of the tried regions on which the solution is located, or else the widest on which o is convex.
+template <class I>
+ProvedRegion<I> region_about(const FramedPair<I>& pair, const ChartPoint<I>& at, double widest) {
+  ProvedRegion<I> best{at.face, {}};
+  for (Cell region = at.face; widest > narrowest_region; widest /= 2) {
+    region.half = widest;
+    const RegionProof<I> proof = verify_region<I>(pair, region, at.v);
+    if (proof.located || (proof.convex && !best.proof.convex)) best = {region, proof};
+    if (proof.located) break;
+  }
+  return best;
+}
+
+template <class I, class S>
+class Certifier {
+ public:
+  explicit Certifier(const Pair& pair)
+      : pair_(pair), rough_(place<double>(pair)), fine_(place<S>(pair)), enclosed_(enclose<I>(pair)) {}
+
+  Reference run() {
+    best_ = point_from<S>(rough_, fine_, start_direction<double>(rough_, rough_.body2.centre));
+    frame_.emplace(frames_about(best_.normal.template cast<double>()));
+    know(best_);
+    if (!is_done()) search();
+    if (is_separated()) separate();
+    report();
+    return std::move(out_);
+  }
+
+ private:
+  using Min = Minimum<I, S>;
+
+  [[nodiscard]] Frames<I> frames_about(const Vec3<double>& n) const {
+    const Mat3<double> f = frame_about(n);
+    return {f, {enclose<DoubleInterval>(pair_), f}, {enclosed_, f}};
+  }
+
+  [[nodiscard]] bool is_separated() const { return high(value_) < 0; }
+  /// A separating common normal is the only one.
+  [[nodiscard]] bool is_done() const { return is_separated() && best_.solved; }
+
+  /// Whether a direction becomes the best: o is lower there.
+  bool look_at(const StationaryPoint<S>& found) {
+    const I value = overlap_at<I>(frame_->fine, chart_point<I, S>(frame_->frame, found.normal).v);
+    if (!(high(value) < high(value_))) return false;
+    value_ = value;
+    best_ = found;
+    return true;
+  }
+
+  /// Looks at a stationary point, and keeps it where it is new and a minimum, or the lowest.
+  std::optional<KnownMinimum> know(const StationaryPoint<S>& found) {
+    const bool is_lowest = look_at(found);
+    if (!found.solved || is_known(found)) return {};
+    const Min minimum = minimum_at(found);
+    if (!is_lowest && !minimum.proof.convex) return {};
+    minima_.push_back(minimum);
+    return known(minimum);
+  }
+
+  [[nodiscard]] KnownMinimum known(const Min& minimum) const {
+    return {minimum.region, minimum.is_tight(), witness(minimum.at)};
+  }
+
+  [[nodiscard]] Min minimum_at(const StationaryPoint<S>& found) const {
+    double widest = widest_region;
+    if constexpr (!std::is_same_v<I, DoubleInterval>) {
+      const auto rough = chart_point<DoubleInterval, S>(frame_->frame, found.normal);
+      const auto hint = region_about<DoubleInterval>(frame_->rough, rough, widest_region);
+      if (hint.proof.located) widest = hint.region.half;
+    }
+    const ChartPoint<I> at = chart_point<I, S>(frame_->frame, found.normal);
+    const auto proved = region_about<I>(frame_->fine, at, widest);
+    Min out{proved.region, proved.proof, at.v, found, proved.proof.located};
+    if (out.exists)
+      for (const int step : {1, 2}) {
+        I& x = out.box[(at.face.axis + step) % 3];
+        x += hull<I>(I(-out.proof.radius), out.proof.radius);
+      }
+    return out;
+  }
+
+  [[nodiscard]] bool is_known(const StationaryPoint<S>& found) const {
+    const double same = 1e-9;
+    return std::any_of(minima_.begin(), minima_.end(), [&](const Min& other) {
+      return static_cast<double>((other.at.normal - found.normal).norm()) < same;
+    });
+  }
+
+  [[nodiscard]] Witness witness(const StationaryPoint<S>& at) const {
+    return witness_of(rough_, at.point1.template cast<double>(), at.point2.template cast<double>());
+  }
+
+  void search() {
+    std::vector<KnownMinimum> start;
+    for (const Min& m : minima_) start.push_back(known(m));
+    const Settle settle = [&](const Vec3<double>& direction) -> Settled {
+      auto minimum = know(point_from<S>(rough_, fine_, direction));
+      return {is_done(), high(value_), std::move(minimum)};
+    };
+    CoverResult found = search_cover(rough_, frame_->frame, high(value_), start, {gap, most_cells<I>}, settle);
+    out_.cells = found.cells;
+    if (is_separated()) return;
+    using C = CoverInterval<I>;
+    conclude(found, verify_cover<C>(FramedPair<C>(enclose<C>(pair_), frame_->frame), found.cover, high(value_)));
+  }
+
+  void conclude(CoverResult& found, const CoverProof& proof) {
+    if (!proof.well_formed || !proof.excluded) {
+      out_.reason = "the cover found by the search does not stand up to its verifier";
+      return;
+    }
+    I least = lower_of(value_, I(proof.least_open));
+    for (const Min& m : minima_)
+      if (m.is_tight()) least = lower_of(least, m.least());
+    bound(least);
+    out_.open = std::move(found.open);
+    out_.cover = std::move(found.cover);
+    if (found.exhausted)
+      out_.reason = "cell budget: directions are left open";
+    else if (!out_.open.empty())
+      out_.reason = "directions are left open that tie within the gap";
+    else if (minima_.size() == 1)
+      find_among(proof.reach.front(), least);
+    const auto is_settled = [](const Min& m) { return m.exists || !m.proof.convex; };
+    if (out_.open.empty() && std::all_of(minima_.begin(), minima_.end(), is_settled)) out_.unique = Claim::proved;
+  }
+
+  [[nodiscard]] static I lower_of(const I& a, const I& b) { return low_end<I>(high(a) < high(b) ? a : b); }
+
+  /// The one region holds every direction that is not excluded, and so the lowest: it lies among the bounded leaves.
+  void find_among(const Reach& part, const I& least) {
+    Min& only = minima_.front();
+    if (only.exists || !only.proof.convex) return;
+    only.exists = true;
+    only.proof.deficit = only.proof.value - least;
+    only.box[(only.region.axis + 1) % 3] = hull<I>(part.low_u, part.high_u);
+    only.box[(only.region.axis + 2) % 3] = hull<I>(part.low_v, part.high_v);
+  }
+
+  // A direction with o < 0 separates the bodies: strictly convex, they have one pair of nearest points, and a stationary
+  // direction with o < 0 is theirs. Any two points of the bodies bound the distance from above.
+  void separate() {
+    out_ = {};
+    const auto own = std::find_if(minima_.begin(), minima_.end(),
+                                  [&](const Min& m) { return m.exists && high(I(m.proof.value)) < 0; });
+    minima_ = own == minima_.end() ? std::vector<Min>{} : std::vector<Min>{Min(*own)};
+    out_.nearest = witness(best_);
+    I least = I(least_overlap_apart<I>(enclosed_, *out_.nearest));
+    if (!minima_.empty() && high(least) < low(minima_.front().least())) least = minima_.front().least();
+    bound(least);
+    if (minima_.empty()) out_.reason = "the points are not located";
+    if (out_.global == Claim::proved) out_.unique = Claim::proved;
+    out_.common_normal = solution(best_);
+    if (!minima_.empty()) return;
+    // -o(n) is the shadow of the shortest line on n: the cosine between the two is at least -o(n) / distance.
+    const I cosine = low_end<I>(I(-high_end<I>(value_))) / high_end<I>(I(-least));
+    out_.common_normal.proved = true;
+    out_.common_normal.bounds = out_.overlap;
+    out_.common_normal.normal_radius = angle_of_chord(high(root<I>(magnitude<I>(I(I(2.0) - I(2.0) * cosine)))));
+  }
+
+  [[nodiscard]] Bounds to_world(const I& least, const I& highest) const {
+    return {low_as<Real50>(times_power_of_two<I>(least, enclosed_.exponent)),
+            high_as<Real50>(times_power_of_two<I>(highest, enclosed_.exponent))};
+  }
+
+  void bound(const I& least) {
+    out_.overlap = to_world(least, value_);
+    const double scale = rough_.size() + std::abs(high(value_));
+    if (high(I(high_end<I>(value_) - low_end<I>(least))) <= gap * scale) out_.global = Claim::proved;
+  }
+
+  /// The lowest minimum is the answer; others whose bounds meet its own tie with it.
+  void report() {
+    out_.direction = best_.normal.template cast<Real50>();
+    if (out_.overlap.lower > 0) out_.verdict = Verdict::overlapping;
+    if (out_.overlap.upper < 0) out_.verdict = Verdict::separated;
+    const auto lower = [](const Min& a, const Min& b) { return a.at.overlap < b.at.overlap; };
+    std::stable_sort(minima_.begin(), minima_.end(), lower);
+    minima_.erase(std::remove_if(minima_.begin(), minima_.end(), [](const Min& m) { return !m.exists; }),
+                  minima_.end());
+    const bool is_best_proved = !minima_.empty() && !(high(value_) < low(minima_.front().least()));
+    if (!is_best_proved && !is_separated()) out_.common_normal = solution(best_);
+    if (!is_best_proved) return;
+    out_.common_normal = solution(minima_.front());
+    const Real50 close = Real50(size_of(pair_)) * Real50(1e-7);
+    for (std::size_t k = 1; k < minima_.size(); ++k) {
+      Solution other = solution(minima_[k]);
+      if (other.bounds.lower > out_.common_normal.bounds.upper + close) break;
+      const bool is_tied = other.bounds.lower <= out_.common_normal.bounds.upper;
+      (is_tied ? out_.tied : out_.close).push_back(std::move(other));
+    }
+    if (out_.tied.empty()) return;
+    out_.unique = Claim::open;
+    out_.reason = "other common normals tie with it";
+  }
+
+  [[nodiscard]] Solution solution(const StationaryPoint<S>& found) const {
+    Solution out;
+    out.solved = found.solved;
+    if (!found.solved) out.reason = "no local solve converged";
+    out.overlap = Real50(fine_.to_world_length(found.overlap));
+    out.normal = found.normal.template cast<Real50>();
+    out.point1 = fine_.to_world_point(found.point1, pair_).template cast<Real50>();
+    out.point2 = fine_.to_world_point(found.point2, pair_).template cast<Real50>();
+    out.residual = Real50(found.residual);
+    if (found.solved) out.condition = condition_of<S>(fine_, {}, found.at);
+    return out;
+  }
+
+  /// Normal and points over the box of directions that holds the true one.
+  [[nodiscard]] Solution solution(const Min& minimum) const {
+    Solution out = solution(minimum.at);
+    DirectionEnclosure<I> at = enclose_direction<I>(frame_->fine, minimum.box);
+    for (int i = 0; i < 3; ++i)
+      for (I* x : {&at.point1[i], &at.point2[i]})
+        *x = times_power_of_two<I>(*x, enclosed_.exponent) + I(pair_.body1.position[i]);
+    out.proved = true;
+    out.bounds = to_world(minimum.least(), minimum.proof.value);
+    out.normal_radius = angle_of_chord(farthest<I>(at.normal, out.normal));
+    out.points_radius = std::max(farthest<I>(at.point1, out.point1), farthest<I>(at.point2, out.point2));
+    if constexpr (std::is_same_v<S, Real50>) sharpen_points(out, minimum.at);
+    return out;
+  }
+
+  /// On flat faces a direction says little about the points, and the charts all: Krawczyk's test there proves the one common
+  /// normal of the region a second time.
+  void sharpen_points(Solution& out, const StationaryPoint<Real50>& at) const {
+    const double sharp = 1e-30;  // relative to the size; what a regular direction gives
+    if (out.points_radius < sharp * size_of(pair_)) return;
+    const ProvedBox box = prove_solution(enclosed_, square_form(fine_, at.at), at.at);
+    if (!box.proof.exists) return;
+    const auto reach = [&](const SurfaceJet<I>& jet) {
+      I sum(0.0);
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 2; ++k) sum += magnitude<I>(jet.dpoint(i, k));
+      return high(times_power_of_two<I>(I(sum * I(box.proof.error)), enclosed_.exponent));
+    };
+    const double rounding = 1e-48 * size_of(pair_) + 1e-48 * pair_.body1.position.norm();  // of 50 digits
+    out.points_radius = std::min(out.points_radius, std::max(reach(box.jet.body1), reach(box.jet.body2)) + rounding);
+  }
+
+  const Pair& pair_;
+  const PlacedPair<double> rough_;
+  const PlacedPair<S> fine_;
+  const EnclosedPair<I> enclosed_;
+  std::optional<Frames<I>> frame_;
+  StationaryPoint<S> best_;                               ///< the lowest direction known
+  I value_ = I(std::numeric_limits<double>::infinity());  ///< o there
+  std::vector<Min> minima_;
+  Reference out_;
+};
+
+}  // namespace
+
+template <class I, class S>
+Reference certify(const Pair& pair) {
+  return Certifier<I, S>(pair).run();
+}
+
+template Reference certify<DoubleInterval, double>(const Pair&);
+template Reference certify<Interval18, long double>(const Pair&);
+template Reference certify<Interval80, Real50>(const Pair&);
+
+}  // namespace plumb::reference

@@ -1,0 +1,360 @@
+#include "solver/reference/isolation.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "solver/reference/verify.hpp"
+
+namespace plumb::reference {
+namespace {
+
+using Look = RoughInterval;
+using Check = Interval18;
+using Proof = Interval80;
+
+constexpr int widest_level = 2, narrowest_level = 44;  // of the squares tried, half = 2^-level
+constexpr int widest_level_by_signs = 20,
+              narrowest_level_by_signs = 50;  // wider boxes say too little about the direction
+constexpr double wide_region = 1.0 / 32;      // wide enough not to look for better
+constexpr double ridge_width = 1.0 / 32;      // of a unit normal's component, for a ridge to be tried
+
+template <class I>
+using IMat2 = Eigen::Matrix<I, 2, 2>;
+
+/// Whether the columns are orthonormal to a sixteenth.
+bool is_nearly_orthonormal(const Mat3<double>& frame) {
+  const IMat3<Check> f = frame.cast<Check>();
+  const IMat3<Check> gram = f.transpose() * f;
+  for (int i = 0; i < 3; ++i) {
+    Check sum(0.0);
+    for (int j = 0; j < 3; ++j) sum += magnitude<Check>(Check(gram(i, j) - Check(i == j ? 1.0 : 0.0)));
+    if (!(high(sum) < 1.0 / 16)) return false;
+  }
+  return true;
+}
+
+/// phi of c = -e2 and c = e1 is (G x d) along e1 and e2; their Jacobian by the frame's two coordinates.
+template <class I>
+struct PlaneMap {
+  std::array<Functional<I>, 2> phi;
+
+  PlaneMap(const ChartedPair<I>& pair, const DirectionFrame& frame)
+      : phi{functional<I>(pair, Vec3<double>(-frame.columns.col(1))),
+            functional<I>(pair, Vec3<double>(frame.columns.col(0)))} {}
+
+  [[nodiscard]] IVec2<I> value(const DirectionBox<I>& box) const {
+    return {value_of<I>(box, phi[0]), value_of<I>(box, phi[1])};
+  }
+  [[nodiscard]] IMat2<I> jacobian(const ChartedPair<I>& pair, const DirectionBox<I>& box) const {
+    IMat2<I> out;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) out(i, j) = slope_of<I>(pair, box, phi[static_cast<std::size_t>(i)], j);
+    return out;
+  }
+};
+
+template <class I>
+IVec3<I> square_about_axis(double half) {
+  return box_of<I>(Cell{2, 1, 0, 0, half}, half);
+}
+
+/// An orthonormal frame but for rounding, its third axis n, its first two along the eigenvectors of the Hessian of o.
+Mat3<double> frame_about(const EnclosedPair<Look>& pair, const Vec3<double>& n) {
+  Mat3<double> f;
+  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
+  f << across, axis.cross(across), axis;
+  const ChartedPair<Look> charted(pair, {f});
+  const IMat2<Look> j = PlaneMap<Look>(charted, {f}).jacobian(charted, direction_box<Look>(charted, {0.0, 0.0, 1.0}));
+  Eigen::Matrix2d m;
+  m << j(0, 0).lower, (j(0, 1).lower + j(1, 0).lower) / 2, (j(0, 1).lower + j(1, 0).lower) / 2, j(1, 1).lower;
+  if (!m.allFinite()) return f;
+  Eigen::Matrix2d turn = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(m).eigenvectors();
+  if (turn.determinant() < 0) turn.col(1) *= -1;
+  const Eigen::Matrix<double, 3, 2> turned = f.leftCols<2>() * turn;
+  f.leftCols<2>() = turned;
+  return f;
+}
+
+/// A frame in a body's own axes for a direction near the plane across its axis k, where second derivatives along that axis may
+/// be infinite: the first column is the axis, the others are in the plane.
+DirectionFrame ridge_frame(int body, int k, const Vec3<double>& n, bool aligned) {
+  Vec3<double> along = n;
+  along[k] = 0;
+  along.normalize();
+  Mat3<double> f;
+  f << Vec3<double>::Unit(k), along.cross(Vec3<double>::Unit(k)), along;
+  return {f, body, aligned};
+}
+
+/// The chart point v with L v parallel to n, third component 1, to the digits of n.
+IVec3<Proof> chart_point(const Mat3<double>& frame, const Vec3<Real50>& n) {
+  const Mat3<Real50> f = frame.cast<Real50>();
+  Vec3<Real50> v = f.transpose() * n;
+  for (int i = 0; i < 3; ++i) v += f.transpose() * (n - f * v);  // each gains the 15 digits of F's own rounding
+  return {enclosing<Proof>(Real50(v[0] / v[2])), enclosing<Proof>(Real50(v[1] / v[2])), Proof(1.0)};
+}
+
+// sym(Q J) > 0 on a convex set, Q = diag(sign J11, sign J22): phi(x) = phi(y) would give (x - y)'Q (phi(x) - phi(y)) > 0, so
+// that phi has one zero at most. For a saddle this is convexity along one axis and concavity along the other.
+template <class I>
+bool has_one_zero_at_most(const IMat2<I>& j) {
+  const I a = magnitude<I>(j(0, 0)), d = magnitude<I>(j(1, 1));
+  if (!is_positive(a) || !is_positive(d)) return false;
+  const bool opposite = (low(j(0, 0)) > 0) != (low(j(1, 1)) > 0);
+  const I b = I(0.5) * (opposite ? I(j(0, 1) - j(1, 0)) : I(j(0, 1) + j(1, 0)));
+  return is_positive(I(low_end<I>(a) * low_end<I>(d) - square<I>(b)));
+}
+
+template <class I>
+bool has_one_zero_at_most(const ChartedPair<I>& pair, const DirectionFrame& frame, double half) {
+  const PlaneMap<I> map(pair, frame);
+  return has_one_zero_at_most<I>(map.jacobian(pair, direction_box<I>(pair, square_about_axis<I>(half))));
+}
+
+/// The widest of the squares tried about the normal with one stationary direction at most; 0: none.
+double widest_square(const ChartedPair<Look>& look, const ChartedPair<Check>& check, const DirectionFrame& frame) {
+  for (int level = widest_level; level < narrowest_level; ++level) {
+    const double half = std::ldexp(1, -level);
+    if (has_one_zero_at_most<Look>(look, frame, half) && has_one_zero_at_most<Check>(check, frame, half)) return half;
+  }
+  return 0;
+}
+
+/// A square of directions that is proved to hold a stationary one, by Krawczyk's operator.
+std::optional<IVec3<Proof>> contract(const ChartedPair<Proof>& pair, const PlaneMap<Proof>& map,
+                                     const IVec3<Proof>& v) {
+  const DirectionBox<Proof> at = direction_box<Proof>(pair, v);
+  const IMat2<Proof> slope = map.jacobian(pair, at);
+  const auto number = [](const Proof& x) { return (low(x) + high(x)) / 2; };
+  Eigen::Matrix2d m;
+  m << number(slope(0, 0)), number(slope(0, 1)), number(slope(1, 0)), number(slope(1, 1));
+  const Eigen::Matrix2d inverse = m.inverse();
+  if (!inverse.allFinite()) return {};
+  IMat2<Proof> y;
+  for (int i = 0; i < 4; ++i) y(i / 2, i % 2) = Proof(inverse(i / 2, i % 2));
+  const IVec2<Proof> newton = y * map.value(at);
+  const auto first_half = [&](int k) {
+    return 4 * high(magnitude<Proof>(newton[k])) + 1e-30 * high(magnitude<Proof>(v[k])) + 1e-60;
+  };
+  std::array<double, 2> half{first_half(0), first_half(1)};
+  for (int i = 0; i < 6; ++i, half[0] *= 1024, half[1] *= 1024) {
+    IVec3<Proof> box = v;
+    const std::array<Proof, 2> reach{hull<Proof>(-half[0], half[0]), hull<Proof>(-half[1], half[1])};
+    for (const int k : {0, 1}) box[k] += reach[static_cast<std::size_t>(k)];
+    const IMat2<Proof> product = y * map.jacobian(pair, direction_box<Proof>(pair, box));
+    bool inside = true;
+    IVec3<Proof> next = v;
+    for (const int k : {0, 1}) {
+      Proof step = -newton[k];
+      for (const int l : {0, 1})
+        step += (Proof(k == l ? 1.0 : 0.0) - product(k, l)) * reach[static_cast<std::size_t>(l)];
+      inside &= high(magnitude<Proof>(step)) < half[static_cast<std::size_t>(k)];
+      next[k] += step;
+    }
+    if (inside) return next;
+  }
+  return {};
+}
+
+/// det J has the sign of the Hessian's determinant: the two bases of the plane that it is written in are turned alike.
+std::optional<StationaryKind> kind_of(const ChartedPair<Proof>& pair, const PlaneMap<Proof>& map, const IVec3<Proof>& v,
+                                      const DirectionFrame& frame) {
+  const DirectionBox<Proof> box = direction_box<Proof>(pair, v);
+  const IMat2<Proof> j = map.jacobian(pair, box);
+  const Proof determinant = j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0);
+  if (is_positive(Proof(-determinant))) return StationaryKind::saddle;
+  if (!is_positive(determinant)) return {};
+  const Proof bending = bending_of<Proof>(pair, box, frame.columns.col(0));
+  if (is_positive(bending)) return StationaryKind::minimum;
+  if (is_positive(Proof(-bending))) return StationaryKind::maximum;
+  return {};
+}
+
+// det J has the sign of J11 J22 where has_one_zero_at_most holds. For the sign of a definite Hessian M: J = b'M f with bases b
+// and f of the plane across d that differ by little in a small box of a nearly orthonormal frame, and a definite M keeps its
+// sign in M (1 + e) as long as |e| < 1.
+StationaryKind kind_of_region(const ChartedPair<Check>& pair, const PlaneMap<Check>& map, const IVec3<Check>& box) {
+  const IMat2<Check> j = map.jacobian(pair, direction_box<Check>(pair, box));
+  if ((low(j(0, 0)) > 0) != (low(j(1, 1)) > 0)) return StationaryKind::saddle;
+  return low(j(0, 0)) > 0 ? StationaryKind::minimum : StationaryKind::maximum;
+}
+
+// Miranda: phi1 has opposite signs on the sides x = -half and x = half, phi2 on y = -half and y = half.
+bool has_zero_by_signs(const ChartedPair<Check>& pair, const PlaneMap<Check>& map, double half) {
+  const Check reach = hull<Check>(-half, half);
+  const auto sign_on_side = [&](int k, double end) {
+    IVec3<Check> middle{Check(0.0), Check(0.0), Check(1.0)}, side = middle;
+    middle[k] = side[k] = Check(end);
+    side[1 - k] = reach;
+    const Functional<Check>& phi = map.phi[static_cast<std::size_t>(k)];
+    const Check value = value_of<Check>(direction_box<Check>(pair, middle), phi) +
+                        slope_of<Check>(pair, direction_box<Check>(pair, side), phi, 1 - k) * reach;
+    return low(value) > 0 ? 1 : (high(value) < 0 ? -1 : 0);
+  };
+  for (const int k : {0, 1})
+    if (sign_on_side(k, -half) * sign_on_side(k, half) != -1) return false;
+  return true;
+}
+
+/// The middle of x, and how far x reaches from it.
+struct Ball {
+  Vec3<Real50> centre;
+  double radius;
+};
+
+Ball ball_about(const IVec3<Proof>& x) {
+  Ball out;
+  Proof reach2(0.0);
+  for (int i = 0; i < 3; ++i) {
+    out.centre[i] = middle<Real50>(x[i]);
+    reach2 += square<Proof>(magnitude<Proof>(Proof(x[i] - enclosing<Proof>(out.centre[i]))));
+  }
+  out.radius = high(root<Proof>(reach2));
+  return out;
+}
+
+/// What is known of a pair whose direction lies in a box of chart points; `overlap` in the pair's lengths.
+StationaryPair reported(const Pair& pair, const ChartedPair<Proof>& charted, const IVec3<Proof>& v, StationaryKind kind,
+                        const std::optional<Proof>& overlap) {
+  const DirectionBox<Proof> box = direction_box<Proof>(charted, v);
+  const IVec3<Proof> d = charted.frame * v;
+  const Proof length = root<Proof>(Proof(square<Proof>(d[0]) + square<Proof>(d[1]) + square<Proof>(d[2])));
+  const IVec3<Proof> normal = d / length;
+  IVec3<Proof> point1 = charted.pair.body1.rotation * box.bodies[0].point;
+  IVec3<Proof> point2 = charted.pair.body2.rotation * box.bodies[1].point + charted.pair.centre;
+  const IVec3<Proof> apart = point1 - point2;
+  const Proof along = normal[0] * apart[0] + normal[1] * apart[1] + normal[2] * apart[2];
+  const Proof world = times_power_of_two<Proof>(overlap.value_or(along), charted.pair.exponent);
+  for (int i = 0; i < 3; ++i)
+    for (Proof* x : {&point1[i], &point2[i]})
+      *x = times_power_of_two<Proof>(*x, charted.pair.exponent) + Proof(pair.body1.position[i]);
+  const Ball n = ball_about(normal), p1 = ball_about(point1), p2 = ball_about(point2);
+  return {kind,      low_as<Real50>(world),         high_as<Real50>(world), n.centre, n.radius, p1.centre,
+          p2.centre, std::max(p1.radius, p2.radius)};
+}
+
+IVec3<Check> narrowed(const IVec3<Proof>& v) {
+  return v.unaryExpr([](const Proof& x) {
+    Check out;
+    mpfi_set(out.data(), x.data());
+    return out;
+  });
+}
+
+/// The widest of the squares tried, above `beyond`, on which o is proved convex, as it may be where second derivatives are
+/// infinite.
+double widest_convex(const EnclosedPair<Check>& pair, const Mat3<double>& frame, const IVec3<Check>& v, double beyond) {
+  const FramedPair<Check> framed(pair, frame);
+  for (int level = widest_level; level < narrowest_level && std::ldexp(1, -level) > beyond; ++level)
+    if (verify_region<Check>(framed, Cell{2, 1, 0, 0, std::ldexp(1, -level)}, v).located) return std::ldexp(1, -level);
+  return 0;
+}
+
+template <class I>
+bool is_in_region(const EnclosedPair<I>& pair, const IVec3<I>& direction, const Isolated& region) {
+  const int base = region.frame.base;
+  if (base < 0) return is_within<I>(region.frame.columns, direction, region.half);
+  const IMat3<I>& turn = base == 0 ? pair.body1.rotation : pair.body2.rotation;
+  return is_within<I>(region.frame.columns, IVec3<I>(turn.transpose() * direction), region.half);
+}
+
+}  // namespace
+
+template <class I>
+bool is_inside_region(const ChartedPair<I>& search, const Cell& cell, const Isolated& region) {
+  for (const double du : {-1.0, 1.0})
+    for (const double dv : {-1.0, 1.0}) {
+      const Vec3<double> v = cell.at(du, dv);
+      const IVec3<I> corner{I(v[0]), I(v[1]), I(v[2])};
+      if (!is_in_region<I>(search.pair, IVec3<I>(search.frame * corner), region)) return false;
+    }
+  return true;
+}
+
+bool lies_in_region(const EnclosedPair<Look>& pair, const Vec3<double>& direction, const Isolated& region) {
+  return is_in_region<Look>(pair, {direction[0], direction[1], direction[2]}, region);
+}
+
+Isolator::Isolator(const Pair& pair)
+    : pair_(pair), placed_(place<Real50>(pair)), fine_(enclose<Proof>(pair)), coarse_(enclose<Check>(pair)),
+      rough_(rounded(coarse_)) {}
+
+std::optional<Isolated> Isolator::isolate_in(const DirectionFrame& frame, const IVec3<Proof>& v) const {
+  const ChartedPair<Check> check(coarse_, frame);
+  const double half = widest_square({rough_, frame}, check, frame);
+  if (!(half > 0)) return {};
+  const auto is_in_square = [&](const IVec3<Proof>& box) {
+    return is_within<Proof>(frame.columns, IVec3<Proof>(frame.columns.cast<Proof>() * box), half);
+  };
+  const ChartedPair<Proof> charted(fine_, frame);
+  const PlaneMap<Proof> map(charted, frame);
+  if (const auto box = contract(charted, map, v); box && is_in_square(*box))
+    if (const auto kind = kind_of(charted, map, *box, frame))
+      return Isolated{reported(pair_, charted, *box, *kind, std::nullopt), frame, half};
+  const PlaneMap<Check> rough_map(check, frame);
+  if (!is_nearly_orthonormal(frame.columns)) return {};
+  for (int level = narrowest_level_by_signs; level >= widest_level_by_signs; --level) {
+    const double small = std::ldexp(1, -level);
+    if (small > half) break;
+    const bool holds_solution = is_within<Proof>(frame.columns, frame.columns.cast<Proof>() * v, small);
+    if (!holds_solution || !has_zero_by_signs(check, rough_map, small)) continue;
+    const StationaryKind kind = kind_of_region(check, rough_map, square_about_axis<Check>(small));
+    const IVec3<Proof> box = square_about_axis<Proof>(small);
+    return Isolated{reported(pair_, charted, box, kind, std::nullopt), frame, half};
+  }
+  return {};
+}
+
+// The widest square proved serves the cover, the narrowest the answer.
+std::optional<Isolated> Isolator::isolate_convex(const Mat3<double>& frame, const IVec3<Proof>& v) const {
+  const FramedPair<Check> check(coarse_, frame);
+  const FramedPair<Proof> framed(fine_, frame);
+  double widest = 0;
+  RegionProof<Proof> best;
+  for (int level = widest_level; level < narrowest_level; level += widest > 0 ? 8 : 1) {
+    const Cell region{2, 1, 0, 0, std::ldexp(1, -level)};
+    if (!is_positive(verify_region<Check>(check, region, narrowed(v)).curvature)) continue;
+    const RegionProof<Proof> proof = verify_region<Proof>(framed, region, v);
+    if (!proof.located) continue;
+    best = proof;
+    widest = std::max(widest, region.half);
+  }
+  if (!(widest > 0)) return {};
+  IVec3<Proof> about = v;
+  for (const int k : {0, 1}) about[k] += hull<Proof>(Proof(-best.radius), best.radius);
+  const Proof overlap = hull<Proof>(Proof(best.value - best.deficit), best.value);
+  return Isolated{reported(pair_, {fine_, {frame}}, about, StationaryKind::minimum, overlap), {frame}, widest};
+}
+
+std::optional<Isolated> Isolator::isolate(const ChartPair<Real50>& at) const {
+  const Vec3<Real50> normal1 = surface_point<Real50>(placed_.body1.shape, at.at1).normal;
+  const Vec3<Real50> normal2 = surface_point<Real50>(placed_.body2.shape, at.at2).normal;
+  const Vec3<Real50> world = placed_.body1.to_pair_direction(normal1);
+  const DirectionFrame frame{frame_about(rough_, world.cast<double>())};
+  const IVec3<Proof> v = chart_point(frame.columns, world);
+  std::optional<Isolated> best = isolate_in(frame, v);
+  const auto keep = [&](const std::optional<Isolated>& other) {
+    if (other && (!best || other->half > best->half)) best = other;
+  };
+  if (best && best->half >= wide_region) return best;
+  const bool aligned = pair_.body1.quaternion == pair_.body2.quaternion;
+  for (int body = 0; body < 2; ++body) {
+    const Vec3<Real50> own = body == 0 ? normal1 : Vec3<Real50>(-normal2);
+    for (int k = 0; k < 3; ++k) {
+      if (abs(own[k]) > ridge_width) continue;
+      const DirectionFrame ridge = ridge_frame(body, k, own.cast<double>(), aligned);
+      keep(isolate_in(ridge, chart_point(ridge.columns, own)));
+    }
+  }
+  if (!best) return isolate_convex(frame.columns, v);
+  if (best->pair.kind != StationaryKind::minimum || best->frame.base >= 0) return best;
+  best->half = std::max(best->half, widest_convex(coarse_, frame.columns, narrowed(v), best->half));
+  return best;
+}
+
+template bool is_inside_region(const ChartedPair<Look>&, const Cell&, const Isolated&);
+template bool is_inside_region(const ChartedPair<Check>&, const Cell&, const Isolated&);
+
+}  // namespace plumb::reference

@@ -1,0 +1,97 @@
+// Proofs for the problems whose answer is a touch: the geometric potentials and first touch.
+//
+// Each is a family of two convex bodies with one parameter t, s1(t) body 1 about the origin and s2(t) body 2 about c(t),
+// and the answer is where they touch: at a common point with opposite normals. For
+//   first touch      body 2 at t l                               t = the centre distance
+//   deepest point    body 2 grown to t times its size            t = the least gauge of body 2 on body 1
+//   midway           grown by exp(t/n1) and exp(t/n1')           t = log(F + 1), the same for both potentials
+// opposite normals at a common point are sufficient as well as necessary, for the plane there separates two strictly convex
+// bodies, and a family that grows (or a body that contains the origin, along a ray) touches once: so there is one answer,
+// and whatever solves the equations is it. A solution with t > 0 of the deepest point's proves in passing that body 2's
+// centre lies outside body 1. What is left to prove is that the equations have a solution near a given one, which is
+// Krawczyk's test on the charts (shape/chart.hpp), regular on flat faces and sharp edges alike.
+#pragma once
+
+#include <string>
+
+#include "solver/reference/chart_solve.hpp"
+#include "solver/reference/enclosure.hpp"
+#include "solver/reference/reference.hpp"
+
+namespace plumb {
+
+/// The widest bounds that count as a proof, relative to the pair's size.
+inline constexpr double widest_gap = 1e-12;
+
+/// What is proved about a solution. Where nothing is, the bounds are infinite.
+struct TouchProof {
+  bool proved = false;  ///< the problem has one answer, within the bounds and radii, and the bounds are narrow
+  std::string reason;   ///< why not, in words
+  Bounds overlap;       ///< world length; the given answer's own overlap lies within too
+  double normal_radius = std::numeric_limits<double>::infinity();  ///< rad, about the given normal
+  double points_radius = std::numeric_limits<double>::infinity();  ///< world length, about the given points
+};
+
+/// Judges a solution of Problem::deepest_points or midway by one that is found afresh and proved; a solution further than
+/// 1e-25 of the pair's size from it is refused, and the bounds and radii then say where the true one lies. Takes any legal
+/// pair.
+[[nodiscard]] TouchProof prove_potential(const Pair& pair, Problem problem, const Solution& solution);
+
+/// find_potential_reference with its proof, for the price of one search.
+struct ProvedSolution {
+  Solution solution;
+  TouchProof proof;
+};
+[[nodiscard]] ProvedSolution find_proved_potential(const Pair& pair, Problem problem);
+
+struct FirstTouchProof {
+  bool proved = false;  ///< the bounds are rigorous and closer than 1e-12 of the size
+  std::string reason;
+  Bounds distance;                                                 ///< of the centres, world length
+  Vec3<Real50> normal = not_valid<Real50>();                       ///< body 1's at the touching point
+  double normal_radius = std::numeric_limits<double>::infinity();  ///< rad; infinite where only the distance is proved
+};
+
+/// The centre distance at first touch along a direction of any length (its doubles taken as exact, world frame). The
+/// positions of the pair are ignored. The bounds hold the distance of first_touch<Real50> too.
+[[nodiscard]] FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& direction);
+
+namespace reference {
+
+using TouchScalar = Interval80;
+
+enum class TouchKind { along_line, second_grown, both_grown };
+
+struct TouchFamily {
+  TouchKind kind = TouchKind::second_grown;
+  EnclosedPair<TouchScalar> pair;
+  IVec3<TouchScalar> line;  ///< of first touch
+};
+
+/// The touch, proved to exist and unique: all in the pair's frame.
+struct EnclosedTouch {
+  bool proved = false;
+  TouchScalar parameter = TouchScalar(0.0);
+  IVec3<TouchScalar> point, normal;  ///< the normal is body 1's, unit
+};
+
+/// Krawczyk's test about an approximate solution, which is polished first.
+[[nodiscard]] EnclosedTouch enclose_touch(const TouchFamily& family, const ChartPair<Real50>& at,
+                                          const Real50& parameter);
+
+/// The pair with its bodies exchanged, body 2 at the origin.
+[[nodiscard]] EnclosedPair<TouchScalar> exchanged(const EnclosedPair<TouchScalar>& pair);
+
+[[nodiscard]] TouchScalar dot(const IVec3<TouchScalar>& a, const IVec3<TouchScalar>& b);
+[[nodiscard]] TouchScalar length_of(const IVec3<TouchScalar>& v);
+
+[[nodiscard]] Bounds ends_of(const TouchScalar& x);
+
+/// Upper bound of |x - given| over the box x.
+[[nodiscard]] double farthest(const IVec3<TouchScalar>& x, const Vec3<Real50>& given);
+
+/// Upper bound of the angle between unit vectors that are no further apart than `chord`.
+[[nodiscard]] double angle_of_chord(double chord);
+
+}  // namespace reference
+}  // namespace plumb

@@ -1,0 +1,73 @@
+// The verifier of a cover: no search, only checks, in interval arithmetic. This file and enclosure.hpp are all that has
+// to be believed, with MPFI.
+#pragma once
+
+#include "solver/reference/cover.hpp"
+#include "solver/reference/enclosure.hpp"
+
+namespace plumb::reference {
+
+/// A region where o has one stationary direction at most, and how near the given solution is to it.
+template <class I>
+struct RegionProof {
+  bool convex = false;   ///< o has at most one stationary direction in the region, and it is the lowest there
+  bool located = false;  ///< there is one, within `radius` of the given solution
+  I value = I(0.0);      ///< o at the given solution
+  I gradient = I(0.0);   ///< of s - value |F v| by the chart's coordinates there: 0 at a solution; an upper bound
+  I curvature = I(0.0);  ///< lower bound of the least eigenvalue of the Hessian of s - o |F v| on the region
+  I radius = I(0.0);     ///< chart distance
+  I deficit = I(0.0);    ///< o >= value - deficit on the region
+};
+
+/// The pair with a cover's frame, and what every check needs of the two.
+template <class I>
+struct FramedPair {
+  EnclosedPair<I> pair;
+  IMat3<I> frame, gram;         ///< F, F'F
+  I longest, shortest;          ///< shortest |v| <= |F v| <= longest |v|
+  IMat3<I> to_q1, to_q2;        ///< diag(semi-axes) R' F: from a chart point to a body's q
+  IMat3<I> to_body1, to_body2;  ///< R' F
+
+  FramedPair(const EnclosedPair<I>& enclosed, const Mat3<double>& f);
+};
+
+/// A box in the chart coordinates of a region's face.
+struct Reach {
+  double low_u = std::numeric_limits<double>::infinity(), high_u = -low_u, low_v = low_u, high_v = -low_u;
+};
+
+/// What the cover proves.
+struct CoverProof {
+  bool well_formed = false;  ///< the leaves cover every face, every witness lies in its body
+  bool excluded = false;     ///< every leaf marked `excluded` or `convex` is rightly so marked
+  double least_open = std::numeric_limits<double>::infinity();  ///< lower bound of o over the open leaves
+  std::vector<Reach> reach;  ///< of each region, the part that leaves marked `bounded` take up
+  int witnesses = 0;
+};
+
+/// Checks the cover against `level` >= 0: every excluded leaf has o > level.
+template <class I>
+[[nodiscard]] CoverProof verify_cover(const FramedPair<I>& pair, const Cover& cover, double level);
+
+/// o at a chart point.
+template <class I>
+[[nodiscard]] I overlap_at(const FramedPair<I>& pair, const IVec3<I>& chart);
+
+/// o and the proof of convexity on `region` for the solution at `chart` (a chart point of the region's face).
+template <class I>
+[[nodiscard]] RegionProof<I> verify_region(const FramedPair<I>& pair, const Cell& region, const IVec3<I>& chart);
+
+/// Bodies apart: o is minus the distance, which no two points of the bodies undercut. Minus infinity when a witness is not
+/// proved to lie in its body.
+template <class I>
+[[nodiscard]] double least_overlap_apart(const EnclosedPair<I>& pair, const Witness& witness);
+
+/// Unit normal and support points (pair frame) of every direction F v, v in a box of chart points.
+template <class I>
+struct DirectionEnclosure {
+  IVec3<I> normal, point1, point2;
+};
+template <class I>
+[[nodiscard]] DirectionEnclosure<I> enclose_direction(const FramedPair<I>& pair, const IVec3<I>& box);
+
+}  // namespace plumb::reference
