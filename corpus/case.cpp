@@ -75,18 +75,6 @@ Vec3<double> read_placement(const Field& placement, const Pair& pair) {
   return position;
 }
 
-Pair read_pair(const Field& root) {
-  const Field bodies = root.member("bodies");
-  const auto placement = root.find("placement");
-  const Field second = bodies.element(1, 2, "bodies");
-  if (placement && second.has("position"))
-    placement->fail("stands instead of bodies[1].position: give only one of them");
-  Pair pair{read_body(bodies.element(0, 2, "bodies"), false), read_body(second, placement.has_value())};
-  require_legal(pair);
-  if (placement) pair.body2.position = read_placement(*placement, pair);
-  return pair;
-}
-
 std::optional<std::string> read_word(const Field& expect, std::string_view key,
                                      std::span<const std::string_view> words) {
   const auto field = expect.find(key);
@@ -128,26 +116,6 @@ Expect read_expect(const Field& field) {
   return out;
 }
 
-Json read_extra(const Json& root) {
-  Json extra;
-  for (const auto& [key, value] : root.items())
-    if (key.starts_with("x_")) extra[key] = value;
-  return extra;
-}
-
-Case read_case(const Json& tree) {
-  const Field root(tree);
-  require_format(root);
-  Case out;
-  if (const auto name = root.find("name")) out.name = name->text();
-  out.pair = read_pair(root);
-  if (const auto motion = root.find("motion")) out.motion = motion->vector();
-  if (const auto expect = root.find("expect")) out.expect = read_expect(*expect);
-  if (const auto provenance = root.find("provenance")) out.provenance = provenance->value();
-  out.extra = read_extra(tree);
-  return out;
-}
-
 Json numbers_json(const Vec3<double>& v) {
   return {v[0], v[1], v[2]};
 }
@@ -160,6 +128,46 @@ Json body_json(const Body& body) {
   out["shape"]["superellipsoid"] = shape;
   out["position"] = numbers_json(body.position);
   out["orientation"]["quaternion_wxyz"] = body.quaternion;
+  return out;
+}
+
+Json read_extra(const Json& root) {
+  Json extra;
+  for (const auto& [key, value] : root.items())
+    if (key.starts_with("x_")) extra[key] = value;
+  return extra;
+}
+
+}  // namespace
+
+Pair read_pair(const Field& root) {
+  const Field bodies = root.member("bodies");
+  const auto placement = root.find("placement");
+  const Field second = bodies.element(1, 2, "bodies");
+  if (placement && second.has("position"))
+    placement->fail("stands instead of bodies[1].position: give only one of them");
+  Pair pair{read_body(bodies.element(0, 2, "bodies"), false), read_body(second, placement.has_value())};
+  require_legal(pair);
+  if (placement) pair.body2.position = read_placement(*placement, pair);
+  return pair;
+}
+
+Json bodies_json(const Pair& pair) {
+  return {body_json(pair.body1), body_json(pair.body2)};
+}
+
+namespace {
+
+Case read_case(const Json& tree) {
+  const Field root(tree);
+  require_format(root);
+  Case out;
+  if (const auto name = root.find("name")) out.name = name->text();
+  out.pair = read_pair(root);
+  if (const auto motion = root.find("motion")) out.motion = motion->vector();
+  if (const auto expect = root.find("expect")) out.expect = read_expect(*expect);
+  if (const auto provenance = root.find("provenance")) out.provenance = provenance->value();
+  out.extra = read_extra(tree);
   return out;
 }
 
@@ -194,7 +202,7 @@ std::string format_case(const Case& c) {
   Json out;
   out["format"] = format_name;
   out["name"] = c.name;
-  out["bodies"] = {body_json(c.pair.body1), body_json(c.pair.body2)};
+  out["bodies"] = bodies_json(c.pair);
   if (c.motion) out["motion"] = numbers_json(*c.motion);
   if (!c.expect.empty()) out["expect"] = expect_json(c.expect);
   if (!c.provenance.is_null()) out["provenance"] = c.provenance;

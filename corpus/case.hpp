@@ -47,6 +47,14 @@ class InputFailure : public std::runtime_error {
 /// Throws the InputFailure of an errno.
 [[noreturn]] void fail_with(const std::string& file, int error);
 
+class Field;
+
+/// The two bodies of an object that holds "bodies" as a case file does, legal ones; throws FieldError.
+[[nodiscard]] Pair read_pair(const Field& object);
+
+/// The bodies as files hold them: position and quaternion.
+[[nodiscard]] Json bodies_json(const Pair& pair);
+
 /// Reads one case from JSON text; `file` and `line` (0: none) name the source in errors. Euler angles and placement are
 /// evaluated in 50 digits and each component is rounded once to the nearest double.
 [[nodiscard]] Case parse_case(const std::string& text, const std::string& file, int line = 0);

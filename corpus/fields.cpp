@@ -48,6 +48,20 @@ Field Field::element(std::size_t index, std::size_t size, const char* what) cons
   return {(*value_)[index], path_ + "[" + std::to_string(index) + "]"};
 }
 
+std::vector<Field> Field::elements() const {
+  if (!value_->is_array()) fail("must be an array, not " + kind_of(*value_));
+  std::vector<Field> out;
+  for (std::size_t i = 0; i < value_->size(); ++i) out.push_back(element(i, value_->size(), "values"));
+  return out;
+}
+
+int Field::whole_number(int least, int most) const {
+  const double x = number();
+  if (!(x >= least && x <= most && x == std::floor(x)))
+    fail("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  return static_cast<int>(x);
+}
+
 double Field::number() const {
   if (!value_->is_number()) fail("must be a number, not " + kind_of(*value_));
   const double x = value_->get<double>();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "corpus/json_text.hpp"
 #include "solver/contact.hpp"
@@ -32,7 +33,12 @@ class Field {
   /// Element of an array of exactly `size` values; `what` names them in the error ("numbers").
   [[nodiscard]] Field element(std::size_t index, std::size_t size, const char* what) const;
 
+  /// Every element of an array of any size.
+  [[nodiscard]] std::vector<Field> elements() const;
+
   [[nodiscard]] double number() const;
+  /// A number without a fraction, between the two.
+  [[nodiscard]] int whole_number(int least, int most) const;
   [[nodiscard]] std::string text() const;
   template <std::size_t N>
   [[nodiscard]] std::array<double, N> numbers() const {

@@ -1,0 +1,24 @@
+// Certificates as the contract has them: decimals that are rounded outwards, and what is not proved is absent.
+#pragma once
+
+#include <string>
+
+#include "corpus/json_text.hpp"
+#include "solver/reference/reference.hpp"
+#include "solver/reference/stationary.hpp"
+
+namespace plumb {
+
+/// Verdict and bounds of the overlap; a bound that is infinite is absent.
+void put_overlap(Json& out, const Bounds& overlap, int digits);
+
+/// The fields of a reference, in `digits` significant digits.
+void put_reference(Json& out, const Reference& found, int digits);
+
+/// "stationary": every common normal that is proved, and "complete": whether these are proved to be all.
+void put_stationary(Json& out, const StationarySet& found, int digits);
+
+/// For people: what the fields above say, at most 80 columns but for reasons.
+[[nodiscard]] std::string certificate_table(const Json& certificate);
+
+}  // namespace plumb
