@@ -37,7 +37,7 @@ void keep(Round& round, const std::string& method, const Finding& finding) {
 
 /// The reference is no method: its case is kept without an expectation that replay could not ask for.
 void keep_beaten_reference(Round& round, const std::string& method, double by) {
-  const Finding finding{FindingKind::wrong_branch, by / 1e-9, "lowest overlap",
+  const Finding finding{FindingKind::wrong_branch, by / 1e-15, "lowest overlap",
                         fmt::format("the normal of {} proves an overlap lower by {:.3g} of the size", method, by)};
   Case kept = failing_case(round.c, "reference", finding, round.source.command);
   kept.expect = {};
@@ -82,7 +82,8 @@ void judge_answers(Round& round) {
   family.reference_beaten += beaten ? 1 : 0;
   const Reference& reference = round.judge.reference();
   family.reference_unsolved += reference.common_normal.solved ? 0 : 1;
-  family.search_budget_ended += reference.searched_all ? 0 : 1;
+  family.not_proved_lowest += reference.global == Claim::proved ? 0 : 1;
+  ++family.needed[static_cast<std::size_t>(reference.effort)];
 }
 
 /// The k-th case of the shard, over all sources.
@@ -132,7 +133,7 @@ Source family_source(const std::string& family, std::uint64_t cases, std::uint64
 void judge_case(Results& results, const Source& source, std::uint64_t index, const CampaignOptions& options) {
   try {
     Case c = source.at(index);
-    Judge judge(c.pair);
+    Judge judge(c.pair, options.references);
     Round round{results, source, options, std::move(c), std::move(judge)};
     judge_answers(round);
   } catch (const std::exception& e) {

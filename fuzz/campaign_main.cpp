@@ -1,7 +1,10 @@
 // plumb campaign: random cases of the families, judged.
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "corpus/command.hpp"
+#include "corpus/reference_store.hpp"
 #include "fuzz/arguments.hpp"
 #include "fuzz/shell_word.hpp"
 #include "fuzz/table.hpp"
@@ -10,7 +13,7 @@ namespace plumb {
 namespace {
 
 struct Arguments {
-  std::string family, method, solver, shard = "1/1", out;
+  std::string family, method, solver, shard = "1/1", out, cache;
   std::int64_t cases = 0;
   std::uint64_t seed = 1;
   unsigned threads = default_threads();
@@ -26,6 +29,7 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("--shard", args.shard, "i/n: the i-th of n parts, 1 <= i <= n; plumb merge puts them together");
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
   app.add_option("--out", args.out, "folder for summary.json, campaign.bins and failures/");
+  app.add_option("--cache", args.cache, cache_help);
 }
 
 /// Without either option: all. A foreign solver is asked alone unless methods are named beside it.
@@ -50,12 +54,16 @@ std::string command_options(const Arguments& args) {
 }
 
 int campaign(const Arguments& args) {
-  const CampaignOptions options = options_of(args);
+  CampaignOptions options = options_of(args);
+  const auto store = open_store(args.cache);
+  options.references = references_of(store);
   std::vector<Source> sources;
   for (const std::string& family : find_families(args.family))
     sources.push_back(family_source(family, static_cast<std::uint64_t>(args.cases), args.seed, command_options(args)));
   if (!args.out.empty()) prepare_folder(args.out);
-  return report(run_campaign(sources, options), args.out);
+  const Results results = run_campaign(sources, options);
+  if (store) fmt::print(stderr, "{}\n", in_words(store->counts()));
+  return report(results, args.out);
 }
 
 }  // namespace

@@ -49,16 +49,14 @@ std::string answering_method(const Solver& asked, const Contact<double>& answer)
 }
 
 double beats_reference(const Pair& pair, const Contact<double>& answer, const Reference& reference) {
-  if (!reference.common_normal.solved || !answer.normal.allFinite()) return 0;
+  if (!answer.normal.allFinite()) return 0;
   const Vec3<long double> normal = answer.normal.cast<long double>();
   const long double length = normal.norm();
   if (!(length > 0.5L && length < 2)) return 0;
-  // The search behind the reference ends 1e-9 of the size above the minimum.
-  constexpr long double gap = 1e-9L;
-  const long double size = size_of(pair);
-  const long double better =
-      (reference.common_normal.overlap.convert_to<long double>() - depth_along(pair, normal / length)) / size;
-  return better > gap ? static_cast<double>(better) : 0;
+  constexpr long double rounding = 1e-15L;  // of depth_along, which knows nothing of intervals
+  const long double size = size_of(pair), lowest = reference.overlap.lower.convert_to<long double>();
+  const long double better = lowest - depth_along(pair, normal / length);
+  return better > rounding * (size + std::abs(lowest)) ? static_cast<double>(better / size) : 0;
 }
 
 }  // namespace plumb

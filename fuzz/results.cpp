@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "plumb/bins-2";
+constexpr const char* kFormat = "plumb/bins-3";
 
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
@@ -47,7 +47,8 @@ Json family_json(const FamilyResults& family) {
   for (const auto& [name, tallies] : family.generators) generators[name] = tallies_json(tallies);
   return {{"cases", family.cases},
           {"reference_unsolved", family.reference_unsolved},
-          {"search_budget_ended", family.search_budget_ended},
+          {"not_proved_lowest", family.not_proved_lowest},
+          {"needed", family.needed},
           {"reference_beaten", family.reference_beaten},
           {"methods", tallies_json(family.methods)},
           {"generators", generators}};
@@ -57,7 +58,8 @@ FamilyResults read_family(const Json& json) {
   FamilyResults family;
   json.at("cases").get_to(family.cases);
   json.at("reference_unsolved").get_to(family.reference_unsolved);
-  json.at("search_budget_ended").get_to(family.search_budget_ended);
+  json.at("not_proved_lowest").get_to(family.not_proved_lowest);
+  json.at("needed").get_to(family.needed);
   json.at("reference_beaten").get_to(family.reference_beaten);
   family.methods = read_tallies(json.at("methods"));
   for (const auto& [name, tallies] : json.at("generators").items()) family.generators[name] = read_tallies(tallies);
@@ -108,7 +110,8 @@ void remove_old_results(const fs::path& folder) {
 void FamilyResults::merge(const FamilyResults& other) {
   cases += other.cases;
   reference_unsolved += other.reference_unsolved;
-  search_budget_ended += other.search_budget_ended;
+  not_proved_lowest += other.not_proved_lowest;
+  for (std::size_t i = 0; i < needed.size(); ++i) needed[i] += other.needed[i];
   reference_beaten += other.reference_beaten;
   merge_tallies(methods, other.methods);
   for (const auto& [name, tallies] : other.generators) merge_tallies(generators[name], tallies);

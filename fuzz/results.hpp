@@ -5,6 +5,7 @@
 // DIR/failures/      the simplest and the worst case of each bucket
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -22,8 +23,9 @@ using Tallies = std::map<std::string, Tally>;  ///< by the method that answered
 struct FamilyResults {
   std::uint64_t cases = 0;
   std::uint64_t reference_unsolved = 0;   ///< no certified common normal: CN methods go unjudged
-  std::uint64_t search_budget_ended = 0;  ///< the reference is the lowest of what was searched, not of all directions
+  std::uint64_t not_proved_lowest = 0;    ///< the bounds of the overlap are wider than 1e-12 of the size
   std::uint64_t reference_beaten = 0;     ///< an answer's normal proves a lower overlap than the reference's
+  std::array<std::uint64_t, 3> needed{};  ///< cases by the dearest Effort that their answers took to judge
   Tallies methods;
   std::map<std::string, Tallies> generators;  ///< of the family `hard`
 

@@ -54,11 +54,20 @@ Json methods_json(const Tallies& tallies) {
   return json;
 }
 
+/// Cases by the dearest effort that judging them took.
+Json needed_json(const FamilyResults& family) {
+  Json json = Json::object();
+  for (const Effort effort : {Effort::bounds, Effort::proof, Effort::digits})
+    json[std::string(name(effort))] = family.needed[static_cast<std::size_t>(effort)];
+  return json;
+}
+
 Json family_summary(const FamilyResults& family) {
   return {{"cases", family.cases},
           {"reference",
            {{"unsolved", share_json(family.reference_unsolved, family.cases)},
-            {"x_search_budget_ended", family.search_budget_ended},
+            {"not_proved_lowest", family.not_proved_lowest},
+            {"needed", needed_json(family)},
             {"beaten", family.reference_beaten}}},
           {"methods", methods_json(family.methods)}};
 }

@@ -93,10 +93,12 @@ std::string family_heading(const std::string& name, const FamilyResults& family)
   if (family.reference_unsolved > 0)
     text += fmt::format(", {} without a reference ({} %)", grouped(family.reference_unsolved),
                         share_text(family.reference_unsolved, family.cases));
-  if (family.search_budget_ended > 0)
-    text += fmt::format(", {} with an unfinished search", grouped(family.search_budget_ended));
+  if (family.not_proved_lowest > 0)
+    text += fmt::format(", {} not proved to be the lowest", grouped(family.not_proved_lowest));
   if (family.reference_beaten > 0)
     text += fmt::format(", the reference BEATEN in {}", grouped(family.reference_beaten));
+  text += fmt::format("\n  judged by bounds {}, by a proof {}, by 50 digits {}", grouped(family.needed[0]),
+                      grouped(family.needed[1]), grouped(family.needed[2]));
   return text + "\n";
 }
 

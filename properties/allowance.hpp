@@ -60,6 +60,16 @@ inline constexpr double undetermined = 0.1;
   return std::min(wrong_altogether, error / allowed);
 }
 
+/// How far a severity may be off because the certified solution is known to `radius` only. Other problems than the common
+/// normal are always solved in 50 digits.
+[[nodiscard]] inline double doubt_of(const Evidence& e, double radius, double allowed) {
+  return e.problem == Problem::common_normal ? severity_of(radius, allowed) : 0;
+}
+
+[[nodiscard]] inline double width_of(const Bounds& bounds) {
+  return static_cast<double>(bounds.upper - bounds.lower);
+}
+
 [[nodiscard]] inline double angle_between(const Vec3<Real50>& a, const Vec3<Real50>& b) {
   const double sine = static_cast<double>((a / a.norm() - b / b.norm()).norm()),
                cosine = static_cast<double>((a / a.norm() + b / b.norm()).norm());

@@ -9,8 +9,10 @@
 #include "corpus/case.hpp"
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/reference_store.hpp"
 #include "corpus/solver.hpp"
 #include "properties/laws.hpp"
+#include "solver/reference/stationary.hpp"
 
 namespace plumb {
 namespace {
@@ -18,6 +20,7 @@ namespace {
 struct Options {
   std::string cases;
   std::string answers;
+  std::string cache;
 };
 
 void declare(CLI::App& app, Options& options) {
@@ -25,6 +28,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--answer", options.answers,
                  "the fields of plumb solve: one object, or one a line; - for standard input")
       ->required();
+  app.add_option("--cache", options.cache, cache_help);
 }
 
 /// The cases that the answers are about. After a bad line the answers to those before it are still judged.
@@ -104,17 +108,37 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
   return out;
 }
 
-FindingKind check_answer(const Case& c, const GivenAnswer& answer) {
-  Judge judge(c.pair);
+/// Which of the case's common normals a wrong one is; null where none is near.
+Json hit_json(const Pair& pair, const Contact<double>& answer) {
+  const double angle = 1e-6, length = 1e-9 * size_of(pair);  // rounding, and the answers of solvers that stop early
+  const StationarySet all = find_stationary(pair);
+  const auto hit = find_hit(all, answer.normal, answer.overlap, angle, length);
+  if (!hit) return nullptr;
+  const StationaryPair& found = all.pairs[*hit];
+  return {{"kind", name(found.kind)},
+          {"overlap", static_cast<double>(found.overlap_lower)},
+          {"rank", *hit + 1},
+          {"of", all.pairs.size()},
+          {"complete", all.complete}};
+}
+
+FindingKind check_answer(const Case& c, const GivenAnswer& answer, const ReferenceSource& source) {
+  Judge judge(c.pair, source);
   const Judgement judgement = judge.judge(problem_of(answer.method), answer.contact);
   const Json angles = angles_json(c.pair, answer.contact, certified_sign(judge.reference()));
-  print_line(write_json(judgement_json(c, answer, judgement, angles)));
+  Json out = judgement_json(c, answer, judgement, angles);
+  out["reference"] = name(judge.reference().effort);
+  if (judgement.finding.kind == FindingKind::wrong_branch) {
+    if (Json hit = hit_json(c.pair, answer.contact); !hit.is_null()) out["hit"] = std::move(hit);
+  }
+  print_line(write_json(out));
   flush_output();
   return judgement.finding.kind;
 }
 
 int check(const Options& options) {
   const Cases cases = read_cases(options.cases);
+  const ReferenceSource source = references_of(open_store(options.cache));
   AnswerReader answers(options.answers);
   int code = exit_done;
   bool any = false;
@@ -123,7 +147,7 @@ int check(const Options& options) {
     if (!answer) break;
     any = true;
     const Case& c = case_of(answer->name, cases, {answers.file(), answers.line(), options.cases});
-    if (check_answer(c, *answer) != FindingKind::none) code = exit_finding;
+    if (check_answer(c, *answer, source) != FindingKind::none) code = exit_finding;
   }
   if (cases.failure) throw *cases.failure;
   if (!any && !interrupted()) throw InputFailure(options.answers, 0, "", "holds no answer");

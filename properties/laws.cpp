@@ -41,15 +41,31 @@ bool stands_alone(const Law& law) {
   return law.name == "finite" || law.name == "converges" || law.name == "verdict";
 }
 
+/// The first law that is broken for sure, or, with a doubt, the first that may be.
 Finding first_broken(const Evidence& e) {
   for (const Law& law : all_laws) {
     if (!e.own.solved && !stands_alone(law)) break;
     Finding finding = law.check(e);
-    if (!(finding.severity > 1)) continue;
+    if (e.reference.effort == Effort::digits) finding.doubt = 0;
+    if (!(finding.severity + finding.doubt > 1)) continue;
     finding.law = law.name;
     return finding;
   }
   return {};
+}
+
+/// Nothing about the reference is left that more digits could change in kind: which solution, how well conditioned.
+bool is_settled(const Reference& reference) {
+  if (reference.effort == Effort::digits) return true;
+  const double well_conditioned = 1e7;  // a condition number from fewer digits is right to a few per cent below this
+  const Solution& found = reference.common_normal;
+  return found.solved && found.proved && reference.global == Claim::proved && reference.unique == Claim::proved &&
+         std::max(found.condition.normal, found.condition.points) < well_conditioned;
+}
+
+bool is_decided(const Finding& finding, const Reference& reference) {
+  if (reference.effort == Effort::digits) return true;
+  return is_settled(reference) && !(finding.severity - finding.doubt <= 1 && finding.severity + finding.doubt > 1);
 }
 
 }  // namespace
@@ -68,6 +84,8 @@ std::span<const Law> laws() {
 Judgement judge(const Evidence& e) {
   Judgement out;
   out.finding = first_broken(e);
+  out.decided = is_decided(out.finding, e.reference);
+  if (out.decided && !(out.finding.severity > 1)) out.finding = {};
   out.judged = e.own.solved;
   const Evidence cn{e.pair, Problem::common_normal, e.answer, e.reference, e.reference.common_normal, {}, false};
   const Solution& common_normal = law::nearest(cn);
@@ -84,18 +102,38 @@ Judgement judge(const Evidence& e) {
   return out;
 }
 
-Judge::Judge(const Pair& pair) : pair_(pair), reference_(find_reference(pair)) {}
+Judge::Judge(const Pair& pair, ReferenceSource source)
+    : pair_(pair), source_(std::move(source)), references_{source_(pair, Effort::bounds)} {}
 
-const Solution& Judge::solution(Problem problem) {
-  if (problem == Problem::common_normal) return reference_.common_normal;
+const Reference& Judge::reference(Effort effort) {
+  const auto index = static_cast<std::size_t>(effort);
+  while (references_.size() <= index) references_.push_back(source_(pair_, static_cast<Effort>(references_.size())));
+  return references_[index];
+}
+
+const Solution& Judge::solution(Problem problem, const Reference& reference) {
+  if (problem == Problem::common_normal) return reference.common_normal;
   std::optional<Solution>& slot = problem == Problem::midway ? midway_ : deepest_;
   if (!slot) slot = find_potential_reference(pair_, problem);
   return *slot;
 }
 
+const reference::SolutionSet& Judge::all_solutions(const Reference& found) {
+  if (!all_solutions_)
+    all_solutions_ = reference::enclose_solutions(pair_, found.common_normal.normal, law::allowed_multiple);
+  return *all_solutions_;
+}
+
 Judgement Judge::judge(Problem problem, const Contact<double>& answer,
-                       std::function<Contact<double>(const Pair&)> solve_again, bool unit_keeps_bits) {
-  return plumb::judge({pair_, problem, answer, reference_, solution(problem), std::move(solve_again), unit_keeps_bits});
+                       const std::function<Contact<double>(const Pair&)>& solve_again, bool unit_keeps_bits) {
+  Judgement out;
+  for (const Effort effort : {Effort::bounds, Effort::proof, Effort::digits}) {
+    const Reference& against = reference(effort);
+    out = plumb::judge({pair_, problem, answer, against, solution(problem, against), solve_again, unit_keeps_bits,
+                        [&]() -> const reference::SolutionSet& { return all_solutions(against); }});
+    if (out.decided) break;
+  }
+  return out;
 }
 
 }  // namespace plumb

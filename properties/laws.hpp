@@ -2,6 +2,7 @@
 // the test suite, the fuzzers, the campaign and replay alike.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include "solver/contact.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/reference/solution_set.hpp"
 
 namespace plumb {
 
@@ -37,6 +39,7 @@ struct Finding {
   double severity = 0;  ///< error over what the condition number allows; above 1 it is a finding
   std::string law;      ///< the law that was broken
   std::string detail;   ///< in words, with figures
+  double doubt = 0;     ///< by how much the reference's own bounds leave the severity open
 };
 
 /// Everything a law may look at.
@@ -50,6 +53,8 @@ struct Evidence {
   std::function<Contact<double>(const Pair&)> solve;
   /// plumb's own methods give the same bits in any unit that is a power of two; others may round.
   bool unit_keeps_bits = false;
+  /// All answers to all inputs within rounding of the pair, for where a condition number is infinite; may be empty.
+  std::function<const reference::SolutionSet&()> all_solutions = {};
 };
 
 struct Law {
@@ -64,6 +69,7 @@ struct Law {
 /// The verdict of all laws on one answer.
 struct Judgement {
   Finding finding;
+  bool decided = true;  ///< the reference's digits are enough to say so
   bool judged = false;  ///< the reference has an answer to the method's own problem
   double angle_error_deg = std::numeric_limits<
       double>::quiet_NaN();  ///< to the certified common normal, whatever the method's problem; NaN when unknown
@@ -74,21 +80,31 @@ struct Judgement {
 };
 [[nodiscard]] Judgement judge(const Evidence& evidence);
 
-/// The evidence gathered and judged: what campaign, fuzzers, replay and check call. The references are computed once for a
-/// case and shared by all methods.
+/// Where references come from: find_reference, or a store that has kept its answers.
+using ReferenceSource = std::function<Reference(const Pair&, Effort)>;
+
+/// The evidence gathered and judged: what campaign, fuzzers, replay and check call. Bounds first, then a proof, then digits:
+/// each is computed when the one before leaves an answer's severity open, once for a case, and shared by all methods.
 class Judge {
  public:
-  explicit Judge(const Pair& pair);
-  [[nodiscard]] const Reference& reference() const { return reference_; }
-  [[nodiscard]] const Solution& solution(Problem problem);
+  explicit Judge(const Pair& pair, ReferenceSource source = find_reference);
+  /// The dearest that was needed so far.
+  [[nodiscard]] const Reference& reference() const { return references_.back(); }
+  [[nodiscard]] const Solution& solution(Problem problem) { return solution(problem, reference()); }
   [[nodiscard]] Judgement judge(Problem problem, const Contact<double>& answer,
-                                std::function<Contact<double>(const Pair&)> solve_again = {},
+                                const std::function<Contact<double>(const Pair&)>& solve_again = {},
                                 bool unit_keeps_bits = false);
 
  private:
+  [[nodiscard]] const Reference& reference(Effort effort);
+  [[nodiscard]] const Solution& solution(Problem problem, const Reference& reference);
+  [[nodiscard]] const reference::SolutionSet& all_solutions(const Reference& found);
+
   Pair pair_;
-  Reference reference_;
+  ReferenceSource source_;
+  std::deque<Reference> references_;  ///< by effort
   std::optional<Solution> deepest_, midway_;
+  std::optional<reference::SolutionSet> all_solutions_;
 };
 
 }  // namespace plumb

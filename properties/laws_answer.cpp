@@ -75,14 +75,36 @@ bool has_infinity(const Vec3<double>& v) {
   return (v.array().abs() == HUGE_VAL).any();
 }
 
+/// Whether the certified set of solutions takes the place of a condition number.
+bool asks_for_all_solutions(const Evidence& e, double condition) {
+  return std::isinf(condition) && e.problem == Problem::common_normal && e.reference.effort == Effort::digits &&
+         e.all_solutions;
+}
+
+/// The set itself where a ball is a poor likeness of it: ties, rings.
+double normal_severity_in_set(const Evidence& e) {
+  const reference::SolutionSet& all = e.all_solutions();
+  if (reference::may_be_lowest(e.pair, all, e.answer.normal)) return 0;
+  const double angle = angle_between(e.answer.normal.cast<Real50>(), all.normal.cast<Real50>());
+  const double beyond_the_set = 2;
+  return std::max(beyond_the_set, severity_of(angle, all.normal_radius + few));
+}
+
+double points_severity_in_set(const Evidence& e) {
+  const reference::SolutionSet& all = e.all_solutions();
+  const double off = std::max((e.answer.point1 - all.point1).stableNorm(), (e.answer.point2 - all.point2).stableNorm());
+  return severity_of(off, all.points_radius + point_rounding(e.pair));
+}
+
 }  // namespace
 
 const Solution& nearest(const Evidence& e) {
   if (e.problem != Problem::common_normal || !e.answer.normal.allFinite()) return e.own;
   const Vec3<Real50> n = e.answer.normal.cast<Real50>();
   const Solution* best = &e.own;
-  for (const Solution& other : e.reference.stationary)
-    if (ties(e, other) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
+  for (const auto* others : {&e.reference.tied, &e.reference.close})
+    for (const Solution& other : *others)
+      if (ties(e, other) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
   return *best;
 }
 
@@ -110,19 +132,21 @@ Finding verdict_is_right(const Evidence& e) {
   const double allowed = 2 * few_of(scale_of(e, e.reference.common_normal));
   const Verdict said = e.answer.verdict;
   if (said == Verdict::undecided && std::isnan(e.answer.overlap)) return {};
+  const double doubt = severity_of(width_of(e.reference.common_normal.bounds), allowed);
   const auto detail = [&] { return fmt::format("says {}, overlap is {:.17g}", name(said), truth); };
   if (truth < 0 && said == Verdict::overlapping)
-    return {FindingKind::false_contact, severity_of(-truth, allowed), {}, detail()};
+    return {FindingKind::false_contact, severity_of(-truth, allowed), {}, detail(), doubt};
   if (truth > 0 && said != Verdict::overlapping)
-    return {FindingKind::missed_contact, severity_of(truth, allowed), {}, detail()};
+    return {FindingKind::missed_contact, severity_of(truth, allowed), {}, detail(), doubt};
   return {};
 }
 
 Finding has_the_lowest_overlap(const Evidence& e) {
   if (e.problem != Problem::common_normal || !shows_surfaces(e) || std::isnan(e.answer.overlap)) return {};
   const double excess = static_cast<double>(Real50(e.answer.overlap) - e.own.overlap);
-  const double severity = severity_of(excess, few_of(e.own.condition.overlap * scale_of(e, e.own)));
-  if (!(severity > 1)) return {};
+  const double allowed = few_of(e.own.condition.overlap * scale_of(e, e.own));
+  const double severity = severity_of(excess, allowed), doubt = doubt_of(e, width_of(e.own.bounds), allowed);
+  if (!(severity + doubt > 1)) return {};
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
   const double still_a_common_normal = 1e3;
   const SeenPair s = see(e);
@@ -132,11 +156,12 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
   const Solution& truth = nearest(e);
   const double turned = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
-  if (has_definite_normal(truth) && turned <= few * truth.condition.normal) return {};
+  if (has_definite_normal(truth) && turned <= few * (1 + truth.condition.normal)) return {};
   return {FindingKind::wrong_branch,
           severity,
           {},
-          fmt::format("overlap {:.17g}, the lowest is {:.17g}", e.answer.overlap, static_cast<double>(e.own.overlap))};
+          fmt::format("overlap {:.17g}, the lowest is {:.17g}", e.answer.overlap, static_cast<double>(e.own.overlap)),
+          doubt};
 }
 
 Finding normals_are_opposite(const Evidence& e) {
@@ -199,10 +224,16 @@ Finding potentials_balance_midway(const Evidence& e) {
 Finding normal_agrees(const Evidence& e) {
   if (!e.answer.normal.allFinite()) return {};
   const Solution& truth = nearest(e);
+  if (asks_for_all_solutions(e, truth.condition.normal))
+    return {FindingKind::misaligned, normal_severity_in_set(e), {}, "the normal of no input within rounding"};
   const double angle = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
-  const double length_error = std::abs(e.answer.normal.norm() - 1);
-  const double severity = std::max(severity_of(angle, few * truth.condition.normal), severity_of(length_error, few));
-  return {FindingKind::misaligned, severity, {}, fmt::format("normal off by {:.3g} rad", angle)};
+  const double length_error = std::abs(e.answer.normal.norm() - 1), allowed = few * (1 + truth.condition.normal);
+  const double severity = std::max(severity_of(angle, allowed), severity_of(length_error, few));
+  return {FindingKind::misaligned,
+          severity,
+          {},
+          fmt::format("normal off by {:.3g} rad", angle),
+          doubt_of(e, truth.normal_radius, allowed)};
 }
 
 Finding points_are_on_surfaces(const Evidence& e) {
@@ -219,19 +250,27 @@ Finding overlap_agrees(const Evidence& e) {
   if (std::isnan(e.answer.overlap)) return {};
   const Solution& truth = nearest(e);
   const double error = static_cast<double>(abs(Real50(e.answer.overlap) - truth.overlap));
+  const double allowed = few_of(truth.condition.overlap * scale_of(e, truth));
   return {FindingKind::overlap_error,
-          severity_of(error, few_of(truth.condition.overlap * scale_of(e, truth))),
+          severity_of(error, allowed),
           {},
-          fmt::format("overlap off by {:.3g}", error)};
+          fmt::format("overlap off by {:.3g}", error),
+          doubt_of(e, width_of(truth.bounds), allowed)};
 }
 
 Finding points_agree(const Evidence& e) {
   if (!has_points(e)) return {};
   const Solution& truth = nearest(e);
+  if (asks_for_all_solutions(e, truth.condition.points))
+    return {FindingKind::point_error, points_severity_in_set(e), {}, "the points of no input within rounding"};
   const double allowed = few_of(truth.condition.points * scale_of(e, truth)) + point_rounding(e.pair);
   const double error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
                                 static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm()));
-  return {FindingKind::point_error, severity_of(error, allowed), {}, fmt::format("a point off by {:.3g}", error)};
+  return {FindingKind::point_error,
+          severity_of(error, allowed),
+          {},
+          fmt::format("a point off by {:.3g}", error),
+          doubt_of(e, truth.points_radius, allowed)};
 }
 
 Finding evaluations_are_few(const Evidence& e) {

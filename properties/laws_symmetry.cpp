@@ -29,7 +29,7 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
   const Condition& condition = e.own.condition;
   const double times = 2 + want.input_error, size = size_of(asked) + std::abs(want.overlap);
   const double overlap = severity_of(std::abs(got.overlap - want.overlap), times * few_of(condition.overlap * size));
-  const double normal = severity_of((got.normal - want.normal).norm(), times * few * condition.normal);
+  const double normal = severity_of((got.normal - want.normal).norm(), times * few * (1 + condition.normal));
   const double moved = std::max((got.point1 - want.point1).stableNorm(), (got.point2 - want.point2).stableNorm());
   const double points = severity_of(moved, times * few_of(condition.points * size) + want.rounding);
   const double worst = std::max({overlap, normal, points});
@@ -39,8 +39,10 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
 
 /// Two minima that tie within rounding may be exchanged by anything: the laws of symmetry say nothing of them.
 bool is_tied(const Evidence& e) {
-  const auto& others = e.reference.stationary;
-  return std::any_of(others.begin(), others.end(), [&](const Solution& other) { return ties(e, other); });
+  const auto holds_one = [&](const std::vector<Solution>& others) {
+    return std::any_of(others.begin(), others.end(), [&](const Solution& other) { return ties(e, other); });
+  };
+  return holds_one(e.reference.tied) || holds_one(e.reference.close);
 }
 
 Vec3<double> cycled(const Vec3<double>& v) {

@@ -1,6 +1,9 @@
 // plumb replay: every kept case against what it expects.
+#include <fmt/format.h>
+
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/reference_store.hpp"
 #include "properties/replay_case.hpp"
 #include "properties/replay_reports.hpp"
 
@@ -13,6 +16,7 @@ struct Options {
   std::string library;
   std::string junit;
   std::string sarif;
+  std::string cache;
   bool quiet = false;
 };
 
@@ -22,6 +26,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--solver", options.library, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");
+  app.add_option("--cache", options.cache, cache_help);
   app.add_flag("--quiet", options.quiet, "print the cases that differ or were not judged, and the last line, only");
 }
 
@@ -33,13 +38,18 @@ std::optional<Solver> solver_instead(const Options& options) {
   return solvers.front();
 }
 
-void replay_file(std::vector<Replayed>& done, const std::string& file, const std::optional<Solver>& instead,
-                 bool quiet) {
+/// How every case is replayed.
+struct By {
+  std::optional<Solver> instead;
+  ReferenceSource source;
+};
+
+void replay_file(std::vector<Replayed>& done, const std::string& file, const By& by, bool quiet) {
   CaseReader reader(file);
   while (!interrupted()) {
     const std::optional<Case> c = reader.next();
     if (!c) return;
-    done.push_back(replay_case(*c, file, reader.line(), instead));
+    done.push_back(replay_case(*c, file, reader.line(), by.instead, by.source));
     if (!quiet || outcome(done.back()) != Outcome::as_expected) print_line(replay_line(done.back()));
   }
 }
@@ -50,11 +60,13 @@ void write_reports(const Options& options, const std::vector<Replayed>& done) {
 }
 
 int replay(const Options& options) {
-  const std::optional<Solver> instead = solver_instead(options);
+  const auto store = open_store(options.cache);
+  const By by{solver_instead(options), references_of(store)};
   std::vector<Replayed> done;
-  for (const auto& file : find_case_files(options.paths)) replay_file(done, file.string(), instead, options.quiet);
+  for (const auto& file : find_case_files(options.paths)) replay_file(done, file.string(), by, options.quiet);
   if (done.empty() && !interrupted()) throw InputFailure(options.paths.front(), 0, "", "holds no case");
   write_reports(options, done);
+  if (store) fmt::print(stderr, "{}\n", in_words(store->counts()));
   print_line(replay_total(done, !interrupted()));
   return count_of(done, Outcome::differs) > 0 ? exit_finding : exit_done;
 }

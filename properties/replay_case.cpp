@@ -91,13 +91,14 @@ bool same_problem(const Case& c, const Solver& solver) {
 
 }  // namespace
 
-Replayed replay_case(const Case& c, const std::string& file, int line, const std::optional<Solver>& instead) {
+Replayed replay_case(const Case& c, const std::string& file, int line, const std::optional<Solver>& instead,
+                     const ReferenceSource& source) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const Solver solver = instead ? *instead : solver_named(own_method(c), file, line);
   const auto solve = [&solver](const Pair& pair) { return solver.solve(pair, Want{}, nullptr); };
   const Contact<double> contact = solve(c.pair);
-  Judge judge(c.pair);
+  Judge judge(c.pair, source);
   const Judgement judgement = judge.judge(solver.problem, contact, solve, solver.unit_keeps_bits);
   Replayed out{file, line, c.name, solver.name, judgement.finding, {}, {}, 0};
   if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge.solution(solver.problem));

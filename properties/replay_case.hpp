@@ -29,9 +29,11 @@ enum class Outcome { as_expected, differs, not_judged };
 
 /// By the method that the case names (auto when it names none), or by the one that is asked for instead. A case without
 /// an expected finding expects none. Another method than the case's own is not held to the case's status and finding, and
-/// to its numbers only when it answers the same problem. Throws InputFailure when there is no such method.
+/// to its numbers only when it answers the same problem. The references come from `source`. Throws InputFailure when there is
+/// no such method.
 [[nodiscard]] Replayed replay_case(const Case& c, const std::string& file, int line,
-                                   const std::optional<Solver>& instead);
+                                   const std::optional<Solver>& instead,
+                                   const ReferenceSource& source = find_reference);
 
 /// "FILE" or "FILE:LINE".
 [[nodiscard]] std::string place_of(const Replayed& replayed);

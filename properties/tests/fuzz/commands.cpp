@@ -108,6 +108,9 @@ TEST(Commands, BadShard) {
 TEST(Commands, UnwritableFolder) {
   expect_refused({"campaign", "--family", "all", "--cases", "1", "--out", "/dev/null/x"}, "/dev/null/x");
 }
+TEST(Commands, ACacheThatCannotBeMade) {
+  expect_refused({"campaign", "--family", "all", "--cases", "1", "--cache", "/dev/null/x"}, "/dev/null/x");
+}
 TEST(Commands, MissingSolver) {
   expect_refused({"campaign", "--family", "all", "--cases", "1", "--solver", "/nowhere.so"}, "/nowhere.so");
 }

@@ -25,7 +25,8 @@ class Merge : public testing::Test {
     Results results;
     results.asked = {7, {{"spheroid", 30}}, {"new_cn", "original_cn"}, false, 3, {number}};
     results.families["spheroid"].cases = 10;
-    results.families["spheroid"].search_budget_ended = 1;
+    results.families["spheroid"].not_proved_lowest = 1;
+    results.families["spheroid"].needed = {1, 2, 7};
     if (change) change(results);
     const fs::path folder = root_ / std::to_string(folders_++);
     prepare_folder(folder);
@@ -58,7 +59,8 @@ void expect_refused(const std::vector<std::string>& folders, const std::vector<s
 TEST_F(Merge, AllShardsAreTheWhole) {
   const Results all = merge_folders({shard(2), shard(3), shard(1)});
   EXPECT_EQ(all.cases(), 30u);
-  EXPECT_EQ(summary_json(all)["x_families"]["spheroid"]["reference"]["x_search_budget_ended"], 3);
+  EXPECT_EQ(summary_json(all)["x_families"]["spheroid"]["reference"]["not_proved_lowest"], 3);
+  EXPECT_EQ(summary_json(all)["x_families"]["spheroid"]["reference"]["needed"]["digits"], 21);
   EXPECT_FALSE(all.incomplete());
 }
 

@@ -8,16 +8,19 @@
 namespace plumb {
 namespace {
 
-std::string table_of(std::uint64_t search_budget_ended) {
+std::string table_of(std::uint64_t not_proved_lowest) {
   Results results;
   results.families["spheroid"].cases = 2000;
-  results.families["spheroid"].search_budget_ended = search_budget_ended;
+  results.families["spheroid"].not_proved_lowest = not_proved_lowest;
+  results.families["spheroid"].needed = {5, 1990, 5};
   return table_text(results);
 }
 
-TEST(Table, TellsOfAnUnfinishedSearchWhereThereIsOne) {
-  EXPECT_NE(table_of(3).find("spheroid: 2 000 cases, 3 with an unfinished search\n"), std::string::npos) << table_of(3);
-  EXPECT_NE(table_of(0).find("spheroid: 2 000 cases\n"), std::string::npos) << table_of(0);
+TEST(Table, TellsWhatIsNotProvedAndWhatTheProofsTook) {
+  const std::string taken = "\n  judged by bounds 5, by a proof 1 990, by 50 digits 5\n";
+  EXPECT_NE(table_of(3).find("spheroid: 2 000 cases, 3 not proved to be the lowest" + taken), std::string::npos)
+      << table_of(3);
+  EXPECT_NE(table_of(0).find("spheroid: 2 000 cases" + taken), std::string::npos) << table_of(0);
 }
 
 TEST(ShellWord, QuotesOnlyWhereTheShellWouldReadSomethingElse) {
