@@ -316,33 +316,35 @@ class Certifier {
   /// Normal and points over the box of directions that holds the true one.
   [[nodiscard]] Solution solution(const Min& minimum) const {
     Solution out = solution(minimum.at);
-    DirectionEnclosure<I> at = enclose_direction<I>(frame_->fine, minimum.box);
-    for (int i = 0; i < 3; ++i)
-      for (I* x : {&at.point1[i], &at.point2[i]})
-        *x = times_power_of_two<I>(*x, enclosed_.exponent) + I(pair_.body1.position[i]);
+    const DirectionEnclosure<I> at = enclose_direction<I>(frame_->fine, minimum.box);
     out.proved = true;
     out.bounds = to_world(minimum.least(), minimum.proof.value);
     out.normal_radius = angle_of_chord(farthest<I>(at.normal, out.normal));
-    out.points_radius = std::max(farthest<I>(at.point1, out.point1), farthest<I>(at.point2, out.point2));
-    if constexpr (std::is_same_v<S, Real50>) sharpen_points(out, minimum.at);
+    out.points_radius = reach_of_points(out, at.point1, at.point2);
+    if constexpr (std::is_same_v<S, Real50>) sharpen(out, minimum.at);
     return out;
+  }
+
+  /// How far the boxes (pair frame) reach from the solution's points (world frame).
+  [[nodiscard]] double reach_of_points(const Solution& from, const IVec3<I>& point1, const IVec3<I>& point2) const {
+    const auto in_world = [&](const IVec3<I>& x) -> IVec3<I> {
+      IVec3<I> out;
+      for (int i = 0; i < 3; ++i) out[i] = times_power_of_two<I>(x[i], enclosed_.exponent) + I(pair_.body1.position[i]);
+      return out;
+    };
+    return std::max(farthest<I>(in_world(point1), from.point1), farthest<I>(in_world(point2), from.point2));
   }
 
   /// On flat faces a direction says little about the points, and the charts all: Krawczyk's test there proves the one common
   /// normal of the region a second time.
-  void sharpen_points(Solution& out, const StationaryPoint<Real50>& at) const {
+  void sharpen(Solution& out, const StationaryPoint<Real50>& at) const {
     const double sharp = 1e-30;  // relative to the size; what a regular direction gives
-    if (out.points_radius < sharp * size_of(pair_)) return;
+    if (out.points_radius < sharp * size_of(pair_) && out.normal_radius < sharp) return;
     const ProvedBox box = prove_solution(enclosed_, square_form(fine_, at.at), at.at);
     if (!box.proof.exists) return;
-    const auto reach = [&](const SurfaceJet<I>& jet) {
-      I sum(0.0);
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 2; ++k) sum += magnitude<I>(jet.dpoint(i, k));
-      return high(times_power_of_two<I>(I(sum * I(box.proof.error)), enclosed_.exponent));
-    };
-    const double rounding = 1e-48 * size_of(pair_) + 1e-48 * pair_.body1.position.norm();  // of 50 digits
-    out.points_radius = std::min(out.points_radius, std::max(reach(box.jet.body1), reach(box.jet.body2)) + rounding);
+    out.normal_radius = std::min(out.normal_radius, angle_of_chord(farthest<I>(box.jet.body1.normal, out.normal)));
+    const IVec3<I> point2 = box.jet.body2.point + enclosed_.centre;
+    out.points_radius = std::min(out.points_radius, reach_of_points(out, box.jet.body1.point, point2));
   }
 
   const Pair& pair_;
