@@ -106,11 +106,12 @@ struct ProvedRegion {
 template <class I>
 ProvedRegion<I> region_about(const FramedPair<I>& pair, const ChartPoint<I>& at, double widest) {
   ProvedRegion<I> best{at.face, {}};
-  for (Cell region = at.face; widest > narrowest_region; widest /= 2) {
-    region.half = widest;
+  Cell region = at.face;
+  region.half = widest;
+  while (region.half > narrowest_region && !best.proof.located) {
     const RegionProof<I> proof = verify_region<I>(pair, region, at.v);
     if (proof.located || (proof.convex && !best.proof.convex)) best = {region, proof};
-    if (proof.located) break;
+    region.half /= 2;
   }
   return best;
 }
@@ -119,11 +120,11 @@ template <class I, class S>
 class Certifier {
  public:
   explicit Certifier(const Pair& pair)
-      : pair_(pair), rough_(place<double>(pair)), fine_(place<S>(pair)), enclosed_(enclose<I>(pair)) {}
+      : pair_(pair), rough_(place<double>(pair)), fine_(place<S>(pair)), enclosed_(enclose<I>(pair)),
+        best_(point_from<S>(rough_, fine_, start_direction<double>(rough_, rough_.body2.centre))),
+        frame_(frames_about(best_.normal.template cast<double>())) {}
 
   Reference run() {
-    best_ = point_from<S>(rough_, fine_, start_direction<double>(rough_, rough_.body2.centre));
-    frame_.emplace(frames_about(best_.normal.template cast<double>()));
     know(best_);
     if (!is_done()) search();
     if (is_separated()) separate();
@@ -145,7 +146,7 @@ class Certifier {
 
   /// Whether a direction becomes the best: o is lower there.
   bool look_at(const StationaryPoint<S>& found) {
-    const I value = overlap_at<I>(frame_->fine, chart_point<I, S>(frame_->frame, found.normal).v);
+    const I value = overlap_at<I>(frame_.fine, chart_point<I, S>(frame_.frame, found.normal).v);
     if (!(high(value) < high(value_))) return false;
     value_ = value;
     best_ = found;
@@ -169,12 +170,12 @@ class Certifier {
   [[nodiscard]] Min minimum_at(const StationaryPoint<S>& found) const {
     double widest = widest_region;
     if constexpr (!std::is_same_v<I, DoubleInterval>) {
-      const auto rough = chart_point<DoubleInterval, S>(frame_->frame, found.normal);
-      const auto hint = region_about<DoubleInterval>(frame_->rough, rough, widest_region);
+      const auto rough = chart_point<DoubleInterval, S>(frame_.frame, found.normal);
+      const auto hint = region_about<DoubleInterval>(frame_.rough, rough, widest_region);
       if (hint.proof.located) widest = hint.region.half;
     }
-    const ChartPoint<I> at = chart_point<I, S>(frame_->frame, found.normal);
-    const auto proved = region_about<I>(frame_->fine, at, widest);
+    const ChartPoint<I> at = chart_point<I, S>(frame_.frame, found.normal);
+    const auto proved = region_about<I>(frame_.fine, at, widest);
     Min out{proved.region, proved.proof, at.v, found, proved.proof.located};
     if (out.exists)
       for (const int step : {1, 2}) {
@@ -202,11 +203,11 @@ class Certifier {
       auto minimum = know(point_from<S>(rough_, fine_, direction));
       return {is_done(), high(value_), std::move(minimum)};
     };
-    CoverResult found = search_cover(rough_, frame_->frame, high(value_), start, {gap, most_cells<I>}, settle);
+    CoverResult found = search_cover(rough_, frame_.frame, high(value_), start, {gap, most_cells<I>}, settle);
     out_.cells = found.cells;
     if (is_separated()) return;
     using C = CoverInterval<I>;
-    conclude(found, verify_cover<C>(FramedPair<C>(enclose<C>(pair_), frame_->frame), found.cover, high(value_)));
+    conclude(found, verify_cover<C>(FramedPair<C>(enclose<C>(pair_), frame_.frame), found.cover, high(value_)));
   }
 
   void conclude(CoverResult& found, const CoverProof& proof) {
@@ -316,7 +317,7 @@ class Certifier {
   /// Normal and points over the box of directions that holds the true one.
   [[nodiscard]] Solution solution(const Min& minimum) const {
     Solution out = solution(minimum.at);
-    const DirectionEnclosure<I> at = enclose_direction<I>(frame_->fine, minimum.box);
+    const DirectionEnclosure<I> at = enclose_direction<I>(frame_.fine, minimum.box);
     out.proved = true;
     out.bounds = to_world(minimum.least(), minimum.proof.value);
     out.normal_radius = angle_of_chord(farthest<I>(at.normal, out.normal));
@@ -351,8 +352,8 @@ class Certifier {
   const PlacedPair<double> rough_;
   const PlacedPair<S> fine_;
   const EnclosedPair<I> enclosed_;
-  std::optional<Frames<I>> frame_;
   StationaryPoint<S> best_;                               ///< the lowest direction known
+  const Frames<I> frame_;                                 ///< about the first
   I value_ = I(std::numeric_limits<double>::infinity());  ///< o there
   std::vector<Min> minima_;
   Reference out_;

@@ -61,8 +61,8 @@ template <class S>
   if (found.solved) return found;
   const StationaryPoint<S> between = polished(solve_from_charts<double>(rough, {}, charts_halfway(rough, direction)));
   if (between.solved) return between;
-  const Vec3<S> n = direction.template cast<S>();
-  return point_at<S>(fine, charts_of_direction<S>(fine, Vec3<S>(n / n.norm())), std::numeric_limits<S>::infinity());
+  const Vec3<S> n = direction.template cast<S>().normalized();
+  return point_at<S>(fine, charts_of_direction<S>(fine, n), std::numeric_limits<S>::infinity());
 }
 
 }  // namespace plumb::reference
