@@ -12,10 +12,6 @@
 namespace plumb {
 namespace {
 
-Json vector_json(const Vec3<double>& v) {
-  return {v[0], v[1], v[2]};
-}
-
 void put(Json& out, const char* key, double value) {
   if (std::isfinite(value)) out[key] = value;
 }
@@ -79,11 +75,6 @@ void read_geometry(Contact<double>& contact, const Field& answer) {
   if (const auto point = given(answer, "contact_point")) contact.contact_point = point->vector();
 }
 
-int read_count(const Field& field) {
-  if (!(field.number() >= 0 && field.number() <= 2147483647)) field.fail("must be a count");
-  return static_cast<int>(field.number());
-}
-
 /// A case file in the answer's place, or an object of other names, says nothing that could be wrong.
 void require_something_to_judge(const Field& answer) {
   if (!answer.value().is_object()) answer.fail("must be an object with the fields of plumb solve");
@@ -101,8 +92,8 @@ GivenAnswer read_answer(const Field& answer) {
   const auto status = given(answer, "status"), verdict = given(answer, "verdict");
   out.contact.status = status ? read_status(*status) : Status::converged;
   out.contact.verdict = verdict ? read_verdict(*verdict) : verdict_of(out.contact.overlap);
-  if (const auto count = given(answer, "iterations")) out.contact.iterations = read_count(*count);
-  if (const auto count = given(answer, "evaluations")) out.contact.evaluations = read_count(*count);
+  if (const auto count = given(answer, "iterations")) out.contact.iterations = count->count();
+  if (const auto count = given(answer, "evaluations")) out.contact.evaluations = count->count();
   return out;
 }
 

@@ -10,12 +10,11 @@
 namespace plumb {
 namespace {
 
-constexpr const char* format_name = "plumb/case-1";
+constexpr const char* case_format = "plumb/case-1";
 
 void require_format(const Field& root) {
   root.require_object({"format", "name", "bodies", "placement", "motion", "expect", "provenance"});
-  const Field format = root.member("format");
-  if (format.text() != format_name) format.fail(std::string("must be \"") + format_name + "\"");
+  root.member("format").require_text(case_format);
 }
 
 Superellipsoid<double> read_shape(const Field& shape) {
@@ -116,17 +115,13 @@ Expect read_expect(const Field& field) {
   return out;
 }
 
-Json numbers_json(const Vec3<double>& v) {
-  return {v[0], v[1], v[2]};
-}
-
 Json body_json(const Body& body) {
   Json shape;
-  shape["semi_axes"] = numbers_json(body.shape.semi_axes);
+  shape["semi_axes"] = vector_json(body.shape.semi_axes);
   shape["exponents"] = {body.shape.n1, body.shape.n2};
   Json out;
   out["shape"]["superellipsoid"] = shape;
-  out["position"] = numbers_json(body.position);
+  out["position"] = vector_json(body.position);
   out["orientation"]["quaternion_wxyz"] = body.quaternion;
   return out;
 }
@@ -178,9 +173,9 @@ Json expect_json(const Expect& expect) {
   if (expect.verdict) out["verdict"] = *expect.verdict;
   if (expect.finding) out["finding"] = *expect.finding;
   if (expect.overlap) out["overlap"] = *expect.overlap;
-  if (expect.normal) out["normal"] = numbers_json(*expect.normal);
+  if (expect.normal) out["normal"] = vector_json(*expect.normal);
   if (expect.normal_radius) out["normal_radius"] = *expect.normal_radius;
-  if (expect.points) out["points"] = {numbers_json((*expect.points)[0]), numbers_json((*expect.points)[1])};
+  if (expect.points) out["points"] = {vector_json((*expect.points)[0]), vector_json((*expect.points)[1])};
   return out;
 }
 
@@ -200,10 +195,10 @@ Case parse_case(const std::string& text, const std::string& file, int line) {
 
 std::string format_case(const Case& c) {
   Json out;
-  out["format"] = format_name;
+  out["format"] = case_format;
   out["name"] = c.name;
   out["bodies"] = bodies_json(c.pair);
-  if (c.motion) out["motion"] = numbers_json(*c.motion);
+  if (c.motion) out["motion"] = vector_json(*c.motion);
   if (!c.expect.empty()) out["expect"] = expect_json(c.expect);
   if (!c.provenance.is_null()) out["provenance"] = c.provenance;
   for (const auto& [key, value] : c.extra.items()) out[key] = value;

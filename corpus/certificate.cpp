@@ -10,7 +10,7 @@
 namespace plumb {
 namespace {
 
-Json vector_json(const Vec3<Real50>& v, int digits) {
+Json decimals_json(const Vec3<Real50>& v, int digits) {
   Json out = Json::array();
   for (int i = 0; i < 3; ++i) out.push_back(decimal(v[i], digits, Rounding::nearest));
   return out;
@@ -27,14 +27,14 @@ std::string radius_text(const Real50& radius, const Real50& length, int digits) 
 void put_normal(Json& out, const Vec3<Real50>& normal, double radius, int digits) {
   if (!(radius <= 1)) return;
   const Real50 r(radius);
-  out["normal"] = vector_json(normal, digits);
+  out["normal"] = decimals_json(normal, digits);
   out["normal_radius"] = radius_text(r, 2, digits);
 }
 
 void put_points(Json& out, const Vec3<Real50>& point1, const Vec3<Real50>& point2, double radius, int digits) {
   if (!std::isfinite(radius)) return;
   const Real50 length = 2 * std::max(point1.cwiseAbs().maxCoeff(), point2.cwiseAbs().maxCoeff());
-  out["points"] = Json::array({vector_json(point1, digits), vector_json(point2, digits)});
+  out["points"] = Json::array({decimals_json(point1, digits), decimals_json(point2, digits)});
   out["points_radius"] = radius_text(Real50(radius), length, digits);
 }
 

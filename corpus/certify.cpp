@@ -47,7 +47,7 @@ class Stopwatch {
 /// As far as --effort says; without it as far as the digits ask for, and on to the end where that leaves something open.
 Reference reference_of(const Pair& pair, const Options& options) {
   constexpr int digits_of_a_proof = 15;
-  for (const Effort effort : {Effort::bounds, Effort::proof, Effort::digits})
+  for (const Effort effort : efforts)
     if (name(effort) == options.effort) return find_reference(pair, effort);
   if (options.digits <= digits_of_a_proof) {
     Reference found = find_reference(pair, Effort::proof);
@@ -148,28 +148,15 @@ class VerifyRun {
   int code_ = exit_done;
 };
 
-template <class Run>
-void each_case(const Options& options, Run& run) {
-  CaseReader reader(options.cases);
-  bool any = false;
-  while (!interrupted()) {
-    const std::optional<Case> c = reader.next();
-    if (!c) break;
-    any = true;
-    run.certify(*c);
-  }
-  if (!any && !interrupted()) throw InputFailure(options.cases, 0, "", "holds no case");
-}
-
 int certify(const Options& options) {
   if (!options.verify.empty()) {
     VerifyRun run(options);
-    each_case(options, run);
+    each_case(options.cases, [&](const Case& c) { run.certify(c); });
     return run.finish();
   }
   CertifyRun run(options);
   try {
-    each_case(options, run);
+    each_case(options.cases, [&](const Case& c) { run.certify(c); });
   } catch (const InputFailure&) {
     (void)run.finish();  // the proofs of the cases before it
     throw;

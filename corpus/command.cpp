@@ -9,6 +9,7 @@
 
 #include "corpus/case.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/number_text.hpp"
 
 namespace plumb {
 namespace {
@@ -69,6 +70,23 @@ void flush_output() {
 
 void print_line(const std::string& text) {
   if (std::fputs(text.c_str(), stdout) < 0 || std::fputc('\n', stdout) == EOF) fail_with("standard output", errno);
+}
+
+std::string refuse_count(const std::string& text) {
+  const auto count = number_from<std::int64_t>(text);
+  return count && *count > 0 ? "" : "'" + text + "' is not a whole number above 0";
+}
+
+void each_case(const std::string& file, const std::function<void(const Case&)>& work) {
+  CaseReader reader(file);
+  bool any = false;
+  while (!interrupted()) {
+    const std::optional<Case> c = reader.next();
+    if (!c) break;
+    any = true;
+    work(*c);
+  }
+  if (!any && !interrupted()) throw InputFailure(file, 0, "", "holds no case");
 }
 
 }  // namespace plumb

@@ -9,11 +9,20 @@
 
 namespace plumb {
 
+struct Case;
+
 enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interrupted = 130 };
 
 /// Parses the arguments, runs the body (which returns 0 or 1) and turns whatever it throws into one line on stderr and 2.
 /// Ctrl-C only sets interrupted() of corpus/interrupt.hpp: the body stops when it sees it, and what it printed is kept.
 [[nodiscard]] int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
+
+/// A check for CLI11, which takes nan for a number in any range and prints the bounds of a type as hundreds of digits: what is
+/// wrong with the text of a whole number above 0, empty when nothing is.
+[[nodiscard]] std::string refuse_count(const std::string& text);
+
+/// Hands each case of a file to `work` until Ctrl-C. Throws InputFailure, also where the file holds none.
+void each_case(const std::string& file, const std::function<void(const Case&)>& work);
 
 /// Text and a line feed on standard output; throws when it cannot be written.
 void print_line(const std::string& text);

@@ -62,6 +62,10 @@ int Field::whole_number(int least, int most) const {
   return static_cast<int>(x);
 }
 
+void Field::require_text(const std::string& only) const {
+  if (text() != only) fail("must be \"" + only + "\"");
+}
+
 double Field::number() const {
   if (!value_->is_number()) fail("must be a number, not " + kind_of(*value_));
   const double x = value_->get<double>();
@@ -77,6 +81,10 @@ std::string Field::text() const {
 Vec3<double> Field::vector() const {
   const auto x = numbers<3>();
   return {x[0], x[1], x[2]};
+}
+
+Json vector_json(const Vec3<double>& v) {
+  return {v[0], v[1], v[2]};
 }
 
 }  // namespace plumb

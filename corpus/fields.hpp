@@ -3,6 +3,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,7 +40,10 @@ class Field {
   [[nodiscard]] double number() const;
   /// A number without a fraction, between the two.
   [[nodiscard]] int whole_number(int least, int most) const;
+  [[nodiscard]] int count() const { return whole_number(0, std::numeric_limits<int>::max()); }
   [[nodiscard]] std::string text() const;
+  /// Refuses any text but this one.
+  void require_text(const std::string& only) const;
   template <std::size_t N>
   [[nodiscard]] std::array<double, N> numbers() const {
     std::array<double, N> out;
@@ -54,5 +58,8 @@ class Field {
   const Json* value_;
   std::string path_;
 };
+
+/// What Field::vector reads.
+[[nodiscard]] Json vector_json(const Vec3<double>& v);
 
 }  // namespace plumb

@@ -43,7 +43,7 @@ Status status_of(int status) {
   }
 }
 
-Verdict verdict_of(int verdict) {
+Verdict read_verdict(int verdict) {
   if (verdict == PLUMB_OVERLAPPING) return Verdict::overlapping;
   return verdict == PLUMB_SEPARATED ? Verdict::separated : Verdict::undecided;
 }
@@ -57,7 +57,7 @@ plumb_contact silent_contact() {
 Contact<double> contact_of(const plumb_contact& answer) {
   Contact<double> out;
   out.status = status_of(answer.status);
-  out.verdict = verdict_of(answer.verdict);
+  out.verdict = read_verdict(answer.verdict);
   out.overlap = answer.overlap;
   out.normal = vector_of(answer.normal);
   out.point1 = vector_of(answer.points[0]);

@@ -12,13 +12,9 @@ namespace {
 
 using namespace reference;
 
-constexpr const char* format_name = "plumb/proof-1";
+constexpr const char* proof_format = "plumb/proof-1";
 constexpr int claimed_digits = 50;
 constexpr std::string_view leaf_letters = "sxobc";  // in the order of Leaf
-
-Json vector_json(const Vec3<double>& v) {
-  return {v[0], v[1], v[2]};
-}
 
 Json split_json(const SplitVector& v) {
   return {{"high", vector_json(v.high)}, {"low", vector_json(v.low)}};
@@ -116,7 +112,7 @@ Real50 read_bound(const Field& field, Rounding inwards) {
   return out;
 }
 
-Bounds read_claim(const Field& claim) {
+Bounds read_claimed(const Field& claim) {
   claim.require_object({"overlap"});
   const Field overlap = claim.member("overlap");
   overlap.require_object({"lower", "upper"});
@@ -129,10 +125,9 @@ StoredProof read_stored(const Field& root) {
   else
     root.require_object({"format", "name", "bodies", "claim", "frame", "direction", "regions", "level", "tree",
                          "witnesses", "regions_of"});
-  const Field format = root.member("format");
-  if (format.text() != format_name) format.fail(std::string("must be \"") + format_name + "\"");
+  root.member("format").require_text(proof_format);
   const auto name = root.find("name");
-  return {name ? name->text() : "", read_pair(root), read_claim(root.member("claim")), read_proof(root)};
+  return {name ? name->text() : "", read_pair(root), read_claimed(root.member("claim")), read_proof(root)};
 }
 
 /// The two bodies' first difference; the text of a double is its bits.
@@ -147,7 +142,7 @@ std::string find_other_body(const Pair& pair, const Pair& proved) {
 
 std::string format_proof(const StoredProof& stored) {
   Json out;
-  out["format"] = format_name;
+  out["format"] = proof_format;
   out["name"] = stored.name;
   out["bodies"] = bodies_json(stored.pair);
   out["claim"]["overlap"] = {{"lower", decimal(stored.claim.lower, claimed_digits, Rounding::down)},

@@ -24,7 +24,7 @@ Json number_json(const Real50& x) {
 }
 
 template <class S>
-Json vector_json(const Vec3<S>& v) {
+Json numbers_json(const Vec3<S>& v) {
   return {number_json(v[0]), number_json(v[1]), number_json(v[2])};
 }
 
@@ -45,8 +45,8 @@ Json solution_json(const Solution& solution) {
           {"proved", proved},
           {"reason", reason},
           {"overlap", number_json(overlap)},
-          {"normal", vector_json(normal)},
-          {"points", {vector_json(point1), vector_json(point2)}},
+          {"normal", numbers_json(normal)},
+          {"points", {numbers_json(point1), numbers_json(point2)}},
           {"residual", number_json(residual)},
           {"condition", condition_json(condition)},
           {"bounds", bounds_json(bounds)},
@@ -64,12 +64,6 @@ Json list_json(const std::vector<Item>& items, ToJson to_json) {
 bool read_flag(const Field& field) {
   if (!field.value().is_boolean()) field.fail("must be true or false");
   return field.value().get<bool>();
-}
-
-int read_count(const Field& field) {
-  const double count = field.number();
-  if (!(count >= 0 && count <= std::numeric_limits<int>::max())) field.fail("must be a count");
-  return static_cast<int>(count);
 }
 
 template <class Word>
@@ -155,8 +149,8 @@ Json reference_json(const Reference& reference) {
           {"global", name(global)},
           {"unique", name(unique)},
           {"reason", reason},
-          {"open", list_json(open, vector_json<double>)},
-          {"direction", vector_json(direction)},
+          {"open", list_json(open, numbers_json<double>)},
+          {"direction", numbers_json(direction)},
           {"cells", cells}};
 }
 
@@ -173,7 +167,7 @@ Reference read_reference(const Field& field) {
   out.reason = field.member("reason").text();
   out.open = read_list(field.member("open"), [](const Field& v) { return read_vector(v, read_double); });
   out.direction = read_vector(field.member("direction"), read_real);
-  out.cells = read_count(field.member("cells"));
+  out.cells = field.member("cells").count();
   return out;
 }
 

@@ -85,18 +85,12 @@ void print_answers(const std::vector<Answer>& answers, bool json) {
 int solve(const Options& options) {
   const Want want = parse_want(options.want);
   const std::vector<Solver> solvers = chosen_solvers(options);
-  CaseReader reader(options.cases);
-  bool any = false;
-  while (!interrupted()) {
-    const std::optional<Case> c = reader.next();
-    if (!c) break;
-    any = true;
+  each_case(options.cases, [&](const Case& c) {
     std::vector<Answer> answers;
-    for (const Solver& solver : solvers) answers.push_back(solve_case(*c, solver, want, options));
+    for (const Solver& solver : solvers) answers.push_back(solve_case(c, solver, want, options));
     print_answers(answers, options.json);
     flush_output();
-  }
-  if (!any && !interrupted()) throw InputFailure(options.cases, 0, "", "holds no case");
+  });
   return exit_done;
 }
 

@@ -35,11 +35,6 @@ Shard parse_shard(const std::string& text) {
   return {*number, *count};
 }
 
-std::string refuse_count(const std::string& text) {
-  const auto count = number_from<std::int64_t>(text);
-  return count && *count > 0 ? "" : fmt::format("'{}' is not a whole number above 0", text);
-}
-
 std::string refuse_minutes(const std::string& text) {
   constexpr double most = 1e6;  // two years; the counts that it stands for are far from overflow
   const auto minutes = number_from<double>(text);

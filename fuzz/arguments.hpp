@@ -14,9 +14,7 @@ namespace plumb {
 /// "2/8"; throws InputFailure.
 [[nodiscard]] Shard parse_shard(const std::string& text);
 
-/// Checks for CLI11, which takes nan for a number in any range and prints the bounds of a type as hundreds of digits: what is
-/// wrong with the text, empty when nothing is.
-[[nodiscard]] std::string refuse_count(const std::string& text);
+/// A check for CLI11, as refuse_count of corpus/command.hpp: a number above 0.
 [[nodiscard]] std::string refuse_minutes(const std::string& text);
 
 /// The default number of threads: one for each processor.

@@ -57,8 +57,7 @@ Json methods_json(const Tallies& tallies) {
 /// Cases by the dearest effort that judging them took.
 Json needed_json(const FamilyResults& family) {
   Json json = Json::object();
-  for (const Effort effort : {Effort::bounds, Effort::proof, Effort::digits})
-    json[std::string(name(effort))] = family.needed[static_cast<std::size_t>(effort)];
+  for (const Effort effort : efforts) json[std::string(name(effort))] = family.needed[static_cast<std::size_t>(effort)];
   return json;
 }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"
@@ -11,8 +10,6 @@
 
 namespace plumb {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// h1(n) + h2(-n), world frame: the centre distance along n at which the planes of support coincide.
 double support_sum(const Pair& pair, const Vec3<double>& n) {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 
 #include "corpus/case.hpp"
 #include "properties/stream.hpp"
 
 namespace plumb {
+
+inline constexpr double kTurn = 2 * std::numbers::pi;  ///< rad
 
 using Quaternion = std::array<double, 4>;  ///< (w, x, y, z), any non-zero length
 

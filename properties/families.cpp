@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "properties/draft.hpp"
@@ -11,8 +10,6 @@
 
 namespace plumb {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// -ratio in a fifth of the draws: separated pairs.
 double signed_ratio(Stream& stream, double low, double high) {

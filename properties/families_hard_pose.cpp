@@ -56,9 +56,9 @@ void draw_contact(Stream& stream, Draft& draft, Feature feature1, Feature featur
   if (stream.chance(0.5)) body1.quaternion = random_rotation(stream);
   const Vec3<double> normal =
       (rotation<double>(body1.quaternion) * feature_normal(stream, body1.shape, feature1)).normalized();
-  const double spin = stream.chance(0.25) ? 0.0 : stream.uniform(0, 2 * std::numbers::pi);
+  const double spin = stream.chance(0.25) ? 0.0 : stream.uniform(0, kTurn);
   const Quaternion facing = product(turn(normal, spin), align(feature_normal(stream, body2.shape, feature2), -normal));
-  const double direction = stream.uniform(0, 2 * std::numbers::pi);
+  const double direction = stream.uniform(0, kTurn);
   const Tangent<double> across = tangent_basis<double>(normal);
   const Vec3<double> axis = across.col(0) * std::cos(direction) + across.col(1) * std::sin(direction);
   body2.quaternion = product(turn(axis, draw_tilt(stream, draft)), facing);

@@ -13,6 +13,8 @@
 
 namespace plumb {
 
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
 /// What RapidCheck prints: the line that a case file would hold.
 inline void showValue(const Case& c, std::ostream& os) {
   os << format_case(c);

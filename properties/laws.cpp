@@ -127,7 +127,7 @@ const reference::SolutionSet& Judge::all_solutions(const Reference& found) {
 Judgement Judge::judge(Problem problem, const Contact<double>& answer,
                        const std::function<Contact<double>(const Pair&)>& solve_again, bool unit_keeps_bits) {
   Judgement out;
-  for (const Effort effort : {Effort::bounds, Effort::proof, Effort::digits}) {
+  for (const Effort effort : efforts) {
     const Reference& against = reference(effort);
     out = plumb::judge({pair_, problem, answer, against, solution(problem, against), solve_again, unit_keeps_bits,
                         [&]() -> const reference::SolutionSet& { return all_solutions(against); }});

@@ -9,7 +9,6 @@
 
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
-#include "corpus/number_text.hpp"
 #include "properties/families.hpp"
 #include "reports/compared.hpp"
 
@@ -24,11 +23,6 @@ struct Options {
   bool json = false;
   std::string out;
 };
-
-std::string refuse_count(const std::string& text) {
-  const auto count = number_from<std::int64_t>(text);
-  return count && *count > 0 ? "" : fmt::format("'{}' is not a whole number above 0", text);
-}
 
 void declare(CLI::App& app, Options& options) {
   std::vector<std::string> names{"all"};
@@ -93,10 +87,7 @@ struct Result {
 };
 
 Effort effort_of(const Options& options) {
-  Effort out = Effort::bounds;
-  for (const Effort effort : {Effort::proof, Effort::digits})
-    if (options.effort == name(effort)) out = effort;
-  return out;
+  return *std::find_if(efforts.begin(), efforts.end(), [&](Effort e) { return name(e) == options.effort; });
 }
 
 Result run(const std::string& family, const Options& options) {

@@ -7,7 +7,6 @@
 
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
-#include "corpus/number_text.hpp"
 #include "properties/families.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/reference/reference.hpp"
@@ -16,7 +15,6 @@ namespace plumb::reports {
 namespace {
 
 constexpr int repetitions = 3;  // of each measurement; the least counts
-constexpr std::size_t efforts = 3;
 
 struct Options {
   std::int64_t cases = 200;
@@ -24,11 +22,6 @@ struct Options {
   bool json = false;
   std::string out;
 };
-
-std::string refuse_count(const std::string& text) {
-  const auto count = number_from<std::int64_t>(text);
-  return count && *count > 0 ? "" : fmt::format("'{}' is not a whole number above 0", text);
-}
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
@@ -79,16 +72,15 @@ double median(std::vector<double> x) {
 
 struct Times {
   std::vector<double> method;
-  std::array<std::vector<double>, efforts> effort, ratio;
+  std::array<std::vector<double>, efforts.size()> effort, ratio;
 };
 
 void measure(const Pair& pair, Times& times) {
   const auto new_cn = find_method("new_cn")->solve;
   const double method = least_time([&] { return new_cn(pair, {}, nullptr).iterations > 0; });
   times.method.push_back(method);
-  for (std::size_t k = 0; k < efforts; ++k) {
-    const auto effort = static_cast<Effort>(k);
-    const double time = least_time([&] { return find_reference(pair, effort).cells > 0; });
+  for (std::size_t k = 0; k < efforts.size(); ++k) {
+    const double time = least_time([&] { return find_reference(pair, efforts[k]).cells > 0; });
     times.effort[k].push_back(time);
     times.ratio[k].push_back(time / method);
   }
@@ -103,15 +95,13 @@ Times run(const Row& row, const Options& options) {
   return times;
 }
 
-constexpr std::array<std::string_view, efforts> effort_names{"bounds", "proof", "digits"};
-
 Json to_json(const Row& row, const Times& times, const Options& options) {
   Json out{{"family", row.family}, {"cases", times.method.size()}, {"of", row.cases}, {"seed", options.seed}};
   out["new_cn_ms"] = median(times.method);
-  for (std::size_t k = 0; k < efforts; ++k) {
+  for (std::size_t k = 0; k < efforts.size(); ++k) {
     Json entry{{"median_ms", median(times.effort[k])}, {"median_ratio_to_new_cn", median(times.ratio[k])}};
     if (k < row.budget.size()) entry["budget_ms"] = row.budget[k];
-    out[effort_names[k]] = std::move(entry);
+    out[std::string(name(efforts[k]))] = std::move(entry);
   }
   return out;
 }
@@ -119,13 +109,13 @@ Json to_json(const Row& row, const Times& times, const Options& options) {
 void print_row(const Row& row, const Times& times) {
   print_line(fmt::format("{}, {}: {} cases, new_cn {:.4f} ms", row.family, row.cases, times.method.size(),
                          median(times.method)));
-  for (std::size_t k = 0; k < efforts; ++k) {
+  for (std::size_t k = 0; k < efforts.size(); ++k) {
     const double ms = median(times.effort[k]);
     std::string budget;
     if (k < row.budget.size())
       budget = fmt::format("   budget {:>4} ms: {}", row.budget[k], ms <= row.budget[k] ? "met" : "NOT MET");
     print_line(
-        fmt::format("  {:<8}{:>9.3f} ms{:>9.0f} x new_cn{}", effort_names[k], ms, median(times.ratio[k]), budget));
+        fmt::format("  {:<8}{:>9.3f} ms{:>9.0f} x new_cn{}", name(efforts[k]), ms, median(times.ratio[k]), budget));
   }
 }
 

@@ -5,6 +5,7 @@
 // proved and what is only computed is said field by field.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,7 @@ enum class Effort {
   proof,   ///< intervals of MPFI, a solution of 19 digits
   digits   ///< intervals of MPFI, a solution of 50 digits
 };
+inline constexpr std::array efforts{Effort::bounds, Effort::proof, Effort::digits};  ///< the cheapest first
 [[nodiscard]] std::string_view name(Effort effort);
 
 struct Reference {

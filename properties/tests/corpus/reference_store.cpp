@@ -16,8 +16,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::array efforts{Effort::bounds, Effort::proof, Effort::digits};
-
 // Comparisons of bits: 0 is not -0, and one NaN is like another.
 bool same(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

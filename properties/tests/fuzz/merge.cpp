@@ -45,7 +45,7 @@ class Merge : public testing::Test {
 };
 
 /// One line that names each of the words.
-void expect_refused(const std::vector<std::string>& folders, const std::vector<std::string>& words) {
+void expect_not_merged(const std::vector<std::string>& folders, const std::vector<std::string>& words) {
   try {
     (void)merge_folders(folders);
     ADD_FAILURE() << "not refused";
@@ -75,7 +75,7 @@ TEST_F(Merge, AMergeIsAPartLikeAnyOther) {
   const std::string most = shard(1, [&](Results& results) { results = merge_folders({shard(1), shard(3)}); });
   EXPECT_FALSE(merge_folders({most, shard(2)}).incomplete());
   const std::string again = shard(3);
-  expect_refused({most, again}, {again + "/campaign.bins", "shard 3/3", most});
+  expect_not_merged({most, again}, {again + "/campaign.bins", "shard 3/3", most});
 }
 
 TEST_F(Merge, AnInterruptedShardMakesItIncomplete) {
@@ -85,14 +85,14 @@ TEST_F(Merge, AnInterruptedShardMakesItIncomplete) {
 
 TEST_F(Merge, TheSameFolderTwice) {
   const std::string one = shard(1);
-  expect_refused({one, one}, {one + "/campaign.bins", "shard 1/3"});
+  expect_not_merged({one, one}, {one + "/campaign.bins", "shard 1/3"});
 }
 
 TEST_F(Merge, AnotherCampaign) {
   const std::string one = shard(1);
   const auto refuse = [&](const std::string& field, const std::function<void(Asked&)>& change) {
     const std::string other = shard(2, [&](Results& results) { change(results.asked); });
-    expect_refused({one, other}, {other + "/campaign.bins", "asked." + field, one});
+    expect_not_merged({one, other}, {other + "/campaign.bins", "asked." + field, one});
   };
   refuse("seed", [](Asked& asked) { asked.seed = 8; });
   refuse("cases", [](Asked& asked) { asked.cases["spheroid"] = 31; });
@@ -105,13 +105,13 @@ TEST_F(Merge, AnotherCampaign) {
 TEST_F(Merge, WhatIsNoFileOfCounts) {
   for (const std::string text : {"", "{", "[]", "{}", "3"}) {
     const std::string folder = put(text);
-    expect_refused({folder}, {folder + "/campaign.bins: "});
+    expect_not_merged({folder}, {folder + "/campaign.bins: "});
   }
 }
 
 TEST_F(Merge, AnotherFormat) {
   const std::string folder = put(R"({"format": "plumb/bins-1"})");
-  expect_refused({folder}, {folder + "/campaign.bins: format", "plumb/bins-1"});
+  expect_not_merged({folder}, {folder + "/campaign.bins: format", "plumb/bins-1"});
 }
 
 TEST_F(Merge, ABinThatIsNoNumber) {
@@ -120,13 +120,13 @@ TEST_F(Merge, ABinThatIsNoNumber) {
   Json bins = Json::parse(in);
   bins["families"]["spheroid"]["methods"]["new_cn"]["iterations"]["bins"]["many"] = 1;
   write_file(fs::path(folder) / "campaign.bins", bins.dump());
-  expect_refused({folder}, {folder + "/campaign.bins: bins", "many"});
+  expect_not_merged({folder}, {folder + "/campaign.bins: bins", "many"});
 }
 
 TEST_F(Merge, ShardsThatCannotBe) {
   for (const std::set<std::uint64_t>& done : {std::set<std::uint64_t>{}, {0}, {4}}) {
     const std::string folder = shard(1, [&](Results& results) { results.asked.done = done; });
-    expect_refused({folder}, {folder + "/campaign.bins: asked.done"});
+    expect_not_merged({folder}, {folder + "/campaign.bins: asked.done"});
   }
 }
 
@@ -134,7 +134,7 @@ TEST_F(Merge, AFailureWithoutItsSeverity) {
   const std::string folder = shard(1);
   const fs::path kept = fs::path(folder) / "failures" / "a--worst.json";
   fs::copy_file(PLUMB_SOURCE_DIR "/corpus/cases/real/mujoco-ellipsoids-apart.json", kept);
-  expect_refused({folder}, {kept.string()});
+  expect_not_merged({folder}, {kept.string()});
 }
 
 }  // namespace

@@ -17,14 +17,12 @@
 namespace plumb {
 namespace {
 
-using R = Real<80>;
-
 int count(const StationarySet& set, StationaryKind kind) {
   return static_cast<int>(
       std::count_if(set.pairs.begin(), set.pairs.end(), [&](const StationaryPair& p) { return p.kind == kind; }));
 }
 
-void expect_bounds_hold(const StationaryPair& pair, const R& overlap, double slack) {
+void expect_bounds_hold(const StationaryPair& pair, const Real80& overlap, double slack) {
   EXPECT_LE(static_cast<double>(pair.overlap_lower - overlap), slack);
   EXPECT_GE(static_cast<double>(pair.overlap_upper - overlap), -slack);
   EXPECT_LT(static_cast<double>(pair.overlap_upper - pair.overlap_lower), 1e-40);
@@ -39,8 +37,8 @@ TEST(Stationary, TwoSpheresHaveTwo) {
   ASSERT_EQ(set.pairs.size(), 2u);
   EXPECT_EQ(set.pairs[0].kind, StationaryKind::minimum);
   EXPECT_EQ(set.pairs[1].kind, StationaryKind::maximum);
-  expect_bounds_hold(set.pairs[0], R(3) - sqrt(R(7.25)), 1e-70);
-  expect_bounds_hold(set.pairs[1], R(3) + sqrt(R(7.25)), 1e-70);
+  expect_bounds_hold(set.pairs[0], Real80(3) - sqrt(Real80(7.25)), 1e-70);
+  expect_bounds_hold(set.pairs[1], Real80(3) + sqrt(Real80(7.25)), 1e-70);
   const Vec3<double> along = pair.body2.position.normalized();
   EXPECT_LT((set.pairs[0].normal.cast<double>() - along).norm(), 1e-15);
   EXPECT_LT((set.pairs[1].normal.cast<double>() + along).norm(), 1e-15);
@@ -60,7 +58,8 @@ TEST(Stationary, ConcentricAlignedEllipsoidsHaveSix) {
   for (std::size_t i = 0; i < 6; ++i) {
     const int axis = static_cast<int>(i) / 2;
     EXPECT_EQ(set.pairs[i].kind, kinds[i / 2]);
-    expect_bounds_hold(set.pairs[i], R(pair.body1.shape.semi_axes[axis] + pair.body2.shape.semi_axes[axis]), 1e-70);
+    expect_bounds_hold(set.pairs[i], Real80(pair.body1.shape.semi_axes[axis] + pair.body2.shape.semi_axes[axis]),
+                       1e-70);
     EXPECT_LT(axes.col(axis).cross(set.pairs[i].normal.cast<double>()).norm(), 1e-15);
   }
 }
@@ -96,7 +95,7 @@ TEST(Stationary, FamiliesAreComplete) {
       const Reference reference = find_reference(c.pair);
       ASSERT_TRUE(reference.common_normal.solved);
       EXPECT_EQ(set.pairs.front().kind, StationaryKind::minimum);
-      expect_bounds_hold(set.pairs.front(), R(reference.common_normal.overlap), 1e-40);
+      expect_bounds_hold(set.pairs.front(), Real80(reference.common_normal.overlap), 1e-40);
       for (const StationaryPair& pair : set.pairs) expect_stationary(c.pair, pair);
     }
 }

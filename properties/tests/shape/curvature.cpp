@@ -17,7 +17,6 @@ using Curvature = PrincipalCurvature<double>;
 using generators::direction;
 using generators::shape;
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Curvature curvature_at(const Shape& s, const Vec& x) {

@@ -13,8 +13,6 @@ using Vec = Vec3<double>;
 using generators::direction;
 using generators::shape;
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
 /// Powers amplify the rounding of their ratio by the exponent.
 double powers_of(const Shape& s) {
   return 1 + s.n1 + s.n2 + s.n1 / (s.n1 - 1) + s.n2 / (s.n2 - 1);
