@@ -1,7 +1,6 @@
 #include "reports/six_equations.hpp"
 
-#include <Eigen/QR>
-
+#include "solver/least_squares.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
 #include "solver/shape/tangent.hpp"
@@ -105,7 +104,7 @@ class Solve {
   }
 
   bool newton() {
-    const Vec6 step = Eigen::ColPivHouseholderQR<Mat6>(here_.jacobian).solve(-here_.value);
+    const Vec6 step = least_squares<R>(here_.jacobian, -here_.value).x;
     if (!step.allFinite()) return false;
     R t(1);
     for (int i = 0; i < most_halvings; ++i, t /= R(2))
@@ -120,7 +119,7 @@ class Solve {
       stacked << here_.jacobian, damping * Mat6::Identity();
       Eigen::Matrix<R, 12, 1> right = Eigen::Matrix<R, 12, 1>::Zero();
       right.head<6>() = -here_.value;
-      const Vec6 step = Eigen::HouseholderQR<Eigen::Matrix<R, 12, 6>>(stacked).solve(right);
+      const Vec6 step = least_squares<R>(stacked, right).x;
       if (accept(step, R("0.9999"))) return true;
     }
     return false;
@@ -141,7 +140,7 @@ std::string_view failure(const Solve& solve) {
 
 /// |J^-1| (|F| + rounding): how far the solution may be from the points (size in [1, 2)).
 R points_error(const Solve& solve, const R& noise) {
-  const Mat6 inverse = Eigen::ColPivHouseholderQR<Mat6>(solve.here().jacobian).inverse();
+  const Mat6 inverse = least_squares<R>(solve.here().jacobian, Mat6::Identity()).x;
   return inverse.norm() * (solve.residual() + noise);
 }
 

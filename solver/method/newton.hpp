@@ -7,9 +7,8 @@
 // Exits  one inequality each, see Status
 #pragma once
 
-#include <Eigen/QR>
-
 #include "solver/contact.hpp"
+#include "solver/least_squares.hpp"
 #include "solver/scalar.hpp"
 
 namespace plumb {
@@ -79,9 +78,9 @@ class Newton {
 
   [[nodiscard]] Unknown newton_step() {
     ++out_.iterations;
-    const Eigen::ColPivHouseholderQR<Eigen::Matrix<S, Equations, Unknowns>> qr(here_.jacobian);
-    lost_rank_ = qr.rank() < Unknowns;
-    return qr.solve(-here_.value);
+    const LeastSquares<S> step = least_squares<S>(here_.jacobian, -here_.value);
+    lost_rank_ = step.rank < Unknowns;
+    return step.x;
   }
 
   /// Moves to x + t step with the first t that lowers phi enough; false when there is none.

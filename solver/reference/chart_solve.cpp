@@ -1,8 +1,8 @@
 #include "solver/reference/chart_solve.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
+#include "solver/least_squares.hpp"
 #include "solver/reference/real.hpp"
 
 namespace plumb::reference {
@@ -67,7 +67,7 @@ template <class S>
   stacked.template topRows<6>() = at.jacobian;
   right.template head<6>() = -at.value;
   for (int i = 0; i < 4; ++i) stacked(6 + i, i) = sqrt(damping);
-  return stacked.householderQr().solve(right);
+  return least_squares<S>(stacked, right).x;
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "solver/reference/condition.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
+#include "solver/least_squares.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/reference/sensitivity.hpp"
 
@@ -45,8 +43,7 @@ SurfaceJet<S> surface_jet(const PlacedBody<S>& body, const CubePoint<S>& at) {
 template <class S>
 bool normal_is_free(const ContactJet<S>& at, const Eigen::Matrix<S, 6, 4>& jacobian) {
   using std::pow;
-  const Eigen::FullPivLU<Eigen::Matrix<S, 6, 4>> lu(jacobian);
-  const Eigen::Matrix<S, 4, Eigen::Dynamic, 0, 4, 4> slides = lu.kernel();
+  const DenseMatrix<S> slides = null_space<S>(jacobian);
   const S small = pow(epsilon<S>(), S(0.3));
   for (Eigen::Index k = 0; k < slides.cols(); ++k) {
     const Vec3<S> turn = at.body1.dnormal.col(0) * slides(0, k) + at.body1.dnormal.col(1) * slides(1, k);
@@ -62,11 +59,11 @@ Condition condition_of(const PlacedPair<S>& pair, const Goal<S>& goal, const Cha
   const ContactJet<S> jet{surface_jet<S>(pair.body1, at.at1), surface_jet<S>(pair.body2, at.at2), pair.body2.centre,
                           pair.size()};
   const Linearised<S> by = linearised<S>(jet, goal);
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<S, 6, 4>> solver(by.jacobian);
-  const Magnitudes<S> found = magnitudes<S>(jet, by, solver.solve(by.change));
+  const LeastSquares<S> response = shortest_least_squares<S>(by.jacobian, by.change);
+  const Magnitudes<S> found = magnitudes<S>(jet, by, ByDisturbance<S, 4>(response.x));
   Condition out;
   out.overlap = static_cast<double>(found.overlap);
-  if (solver.rank() == 4) {
+  if (response.rank == 4) {
     out.normal = static_cast<double>(found.normal1);
     out.points = static_cast<double>(found.point1 > found.point2 ? found.point1 : found.point2);
   } else if (!normal_is_free<S>(jet, by.jacobian)) {

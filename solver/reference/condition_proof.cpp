@@ -8,7 +8,7 @@ namespace plumb::reference {
 namespace {
 
 using I = Interval80;
-using Solutions = Eigen::Matrix<I, 4, disturbances>;
+using Solutions = ByDisturbance<I, 4>;
 
 // G' x = choice b with M = C G': |1 - M| <= q < 1 gives |x - C choice b| <= q / (1 - q) |C choice b|, a column at a time.
 Solutions enclosed_solution(const SquareForm& form, const Linearised<I>& by, const I& q) {

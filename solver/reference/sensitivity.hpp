@@ -24,8 +24,10 @@ inline constexpr int disturbances = 3 + 3 + 3 + 2 * shape_numbers;  ///< body 2 
 
 template <class T>
 using ByShape = Eigen::Matrix<T, 3, shape_numbers>;
-template <class T>
-using ByDisturbance = Eigen::Matrix<T, 3, disturbances>;
+/// A column a disturbance. Their number is told at run time: Eigen unrolls fixed ones, and 50 digits then compile for minutes.
+template <class T, int Rows>
+using ByDisturbance =
+    Eigen::Matrix<T, Rows, Eigen::Dynamic, Rows == 1 ? Eigen::RowMajor : Eigen::ColMajor, Rows, disturbances>;
 
 /// A surface point and its normal with their derivatives by the chart's coordinates and by the shape. Lengths, radians.
 template <class T>
@@ -59,8 +61,8 @@ struct ContactJet {
 template <class T>
 struct Linearised {
   Eigen::Matrix<T, 6, 4> jacobian;
-  Eigen::Matrix<T, 6, disturbances> change;
-  ByDisturbance<T> normal1, point1, normal2, point2;
+  ByDisturbance<T, 6> change{6, disturbances};
+  ByDisturbance<T, 3> normal1{3, disturbances}, point1 = normal1, normal2 = normal1, point2 = normal1;
 };
 
 /// Factors by which a change can grow: see the head of this file.
@@ -176,20 +178,20 @@ template <class T, class Matrix>
 /// `solution`: J x = b, a column a disturbance. A move of body 1 is one of both bodies together less one of body 2.
 template <class T>
 [[nodiscard]] Magnitudes<T> magnitudes(const ContactJet<T>& at, const Linearised<T>& by,
-                                       const Eigen::Matrix<T, 4, disturbances>& solution) {
+                                       const ByDisturbance<T, 4>& solution) {
   const T& size = at.size;
-  const auto of_normal = [&](const ByDisturbance<T>& held, const Tangent<T>& along, int row) -> T {
-    const ByDisturbance<T> response = held - along * solution.middleRows(row, 2);
+  const auto of_normal = [&](const ByDisturbance<T, 3>& held, const Tangent<T>& along, int row) -> T {
+    const ByDisturbance<T, 3> response = held - along * solution.middleRows(row, 2);
     return T(2) * size * frobenius_norm<T>(response.leftCols(3)) + turned_and_reshaped<T>(response);
   };
-  const auto of_point = [&](const ByDisturbance<T>& held, const Tangent<T>& along, int row) -> T {
-    const ByDisturbance<T> response = held - along * solution.middleRows(row, 2);
+  const auto of_point = [&](const ByDisturbance<T, 3>& held, const Tangent<T>& along, int row) -> T {
+    const ByDisturbance<T, 3> response = held - along * solution.middleRows(row, 2);
     Mat3<T> other = -response.leftCols(3);
     for (int k = 0; k < 3; ++k) other(k, k) += T(1);
     return frobenius_norm<T>(response.leftCols(3)) + frobenius_norm<T>(other) + turned_and_reshaped<T>(response) / size;
   };
   // The overlap's first change is that at fixed w: o is stationary there.
-  const Eigen::Matrix<T, 1, disturbances> overlap = at.body1.normal.transpose() * (by.point1 - by.point2);
+  const ByDisturbance<T, 1> overlap = at.body1.normal.transpose() * (by.point1 - by.point2);
   return {T(2) * frobenius_norm<T>(overlap.leftCols(3)) + turned_and_reshaped<T>(overlap) / size,
           of_normal(by.normal1, at.body1.dnormal, 0), of_normal(by.normal2, at.body2.dnormal, 2),
           of_point(by.point1, at.body1.dpoint, 0), of_point(by.point2, at.body2.dpoint, 2)};
