@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "corpus/decimal.hpp"
@@ -61,6 +62,15 @@ Json tied_json(const std::vector<Solution>& tied, int digits) {
   return out;
 }
 
+Json rings_json(const std::vector<Ring>& rings) {
+  Json out = Json::array();
+  for (const Ring& ring : rings)
+    out.push_back({{"axis", {ring.axis[0], ring.axis[1], ring.axis[2]}},
+                   {"least_angle", ring.least_angle},
+                   {"greatest_angle", ring.greatest_angle}});
+  return out;
+}
+
 Json condition_json(const Condition& condition) {
   const auto factor = [](double value) { return std::isinf(value) ? Json("infinite") : Json(value); };
   return {{"overlap", factor(condition.overlap)},
@@ -112,6 +122,17 @@ void add_condition(std::string& out, const Json& certificate) {
   add_row(out, "condition", text);
 }
 
+void add_rings(std::string& out, const Json& certificate) {
+  if (!certificate.contains("rings")) return;
+  for (const Json& ring : certificate["rings"]) {
+    const auto axis = ring["axis"].get<std::array<double, 3>>();
+    add_row(
+        out, "ring",
+        fmt::format("{:.9f} .. {:.9f} rad", ring["least_angle"].get<double>(), ring["greatest_angle"].get<double>()));
+    add_row(out, "  about", fmt::format("({:.9f}, {:.9f}, {:.9f})", axis[0], axis[1], axis[2]));
+  }
+}
+
 void add_others(std::string& out, const Json& certificate, const char* list, std::string_view label) {
   if (!certificate.contains(list)) return;
   for (const Json& other : certificate[list]) {
@@ -133,6 +154,8 @@ void put_reference(Json& out, const Reference& found, int digits) {
   out["unique"] = name(found.unique);
   out["global"] = name(found.global);
   out["tied"] = tied_json(found.tied, digits);
+  if (!found.rings.empty()) out["rings"] = rings_json(found.rings);
+  if (!found.open.empty()) out["open_cells"] = found.open.size();
   if (!found.reason.empty()) out["reason"] = found.reason;
   out["digits"] = digits;
   if (found.common_normal.solved) out["condition"] = condition_json(found.common_normal.condition);
@@ -155,6 +178,7 @@ std::string certificate_table(const Json& certificate) {
   add_text(out, "verdict", certificate, "verdict");
   add_geometry(out, certificate);
   for (const char* claim : {"unique", "global", "reason"}) add_text(out, claim, certificate, claim);
+  add_rings(out, certificate);
   add_condition(out, certificate);
   add_others(out, certificate, "tied", "tied with");
   add_others(out, certificate, "stationary", "stationary");

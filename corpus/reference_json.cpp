@@ -54,6 +54,11 @@ Json solution_json(const Solution& solution) {
           {"points_radius", number_json(points_radius)}};
 }
 
+Json ring_json(const Ring& ring) {
+  const auto& [axis, least_angle, greatest_angle] = ring;
+  return {{"axis", numbers_json(axis)}, {"least_angle", least_angle}, {"greatest_angle", greatest_angle}};
+}
+
 template <class Item, class ToJson>
 Json list_json(const std::vector<Item>& items, ToJson to_json) {
   Json out = Json::array();
@@ -111,6 +116,11 @@ Bounds read_bounds(const Field& field) {
   return {read_real(field.element(0, 2, "numbers")), read_real(field.element(1, 2, "numbers"))};
 }
 
+Ring read_ring(const Field& field) {
+  return {read_vector(field.member("axis"), read_double), field.member("least_angle").number(),
+          field.member("greatest_angle").number()};
+}
+
 Solution read_solution(const Field& field) {
   Solution out;
   out.solved = read_flag(field.member("solved"));
@@ -139,7 +149,7 @@ auto read_list(const Field& field, Read read) {
 
 Json reference_json(const Reference& reference) {
   [[maybe_unused]] const auto& [effort, verdict, overlap, common_normal, tied, close, global, unique, reason, open,
-                                direction, cover, nearest, cells] = reference;
+                                rings, direction, cover, nearest, cells] = reference;
   return {{"effort", name(effort)},
           {"verdict", name(verdict)},
           {"overlap", bounds_json(overlap)},
@@ -150,6 +160,7 @@ Json reference_json(const Reference& reference) {
           {"unique", name(unique)},
           {"reason", reason},
           {"open", list_json(open, numbers_json<double>)},
+          {"rings", list_json(rings, ring_json)},
           {"direction", numbers_json(direction)},
           {"cells", cells}};
 }
@@ -166,6 +177,7 @@ Reference read_reference(const Field& field) {
   out.unique = read_claim(field.member("unique"));
   out.reason = field.member("reason").text();
   out.open = read_list(field.member("open"), [](const Field& v) { return read_vector(v, read_double); });
+  out.rings = read_list(field.member("rings"), read_ring);
   out.direction = read_vector(field.member("direction"), read_real);
   out.cells = field.member("cells").count();
   return out;

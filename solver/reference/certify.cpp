@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "solver/reference/chart_interval.hpp"
@@ -9,6 +10,7 @@
 #include "solver/reference/cover_search.hpp"
 #include "solver/reference/interval_double.hpp"
 #include "solver/reference/real.hpp"
+#include "solver/reference/revolution.hpp"
 #include "solver/reference/stationary_point.hpp"
 #include "solver/reference/verify.hpp"
 
@@ -126,7 +128,7 @@ class Certifier {
 
   Reference run() {
     know(best_);
-    if (!is_done()) search();
+    if (!is_done() && !bound_by_revolution()) search();
     if (is_separated()) separate();
     report();
     return std::move(out_);
@@ -194,6 +196,43 @@ class Certifier {
 
   [[nodiscard]] Witness witness(const StationaryPoint<S>& at) const {
     return witness_of(rough_, at.point1.template cast<double>(), at.point2.template cast<double>());
+  }
+
+  /// Bodies of revolution about one line whose lowest directions are not on it: whether the bounds are settled by that.
+  bool bound_by_revolution() {
+    if (is_sphere(pair_.body1.shape) && is_sphere(pair_.body2.shape)) return bound_spheres();
+    const auto axis = common_axis(rough_);
+    if (!axis) return false;
+    using C = CoverInterval<I>;
+    const FramedPair<C> framed(enclose<C>(pair_), frame_about(*axis));
+    const double slack = high(asymmetry<C>(pair_, framed));
+    MeridianBound found;
+    do found = bound_meridian<C>(framed, OneStepOutward::up(high(value_) + slack), gap / 4);
+    while (found.lower && look_at(point_from<S>(rough_, fine_, *found.lower)) && !is_separated());
+    out_.cells = found.cells;
+    if (is_separated()) return is_done();
+    if (!found.complete || found.lower || found.arcs.empty()) return false;
+    if (found.arcs.front().first == 0 || found.arcs.back().last == 4) return false;
+    bound(lower_of(value_, I(found.least)) - I(slack));
+    const double rounding = 1e-15;
+    for (const Arc& arc : found.arcs)
+      out_.rings.push_back({*axis, angle_at(arc.first) - rounding, angle_at(arc.last) + rounding});
+    out_.reason = "bodies of revolution about one line: a ring of common normals";
+    if (slack == 0) out_.unique = Claim::disproved;
+    return true;
+  }
+
+  /// o(n) = r1 + r2 - n.c: lowest along the line of centres, the same everywhere where they coincide.
+  bool bound_spheres() {
+    if (!minima_.empty() && minima_.front().exists) return false;
+    const IVec3<I>& c = enclosed_.centre;
+    const I distance = root<I>(I(square<I>(c[0]) + square<I>(c[1]) + square<I>(c[2])));
+    bound(enclosed_.body1.semi_axes[0] + enclosed_.body2.semi_axes[0] - distance);
+    out_.unique = pair_.body1.position == pair_.body2.position ? Claim::disproved : Claim::proved;
+    if (out_.unique == Claim::proved) return true;
+    out_.rings.push_back({Vec3<double>::UnitZ(), 0, std::numbers::pi});
+    out_.reason = "concentric spheres: every direction is a common normal";
+    return true;
   }
 
   void search() {

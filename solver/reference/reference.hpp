@@ -59,6 +59,12 @@ enum class Effort {
 inline constexpr std::array efforts{Effort::bounds, Effort::proof, Effort::digits};  ///< the cheapest first
 [[nodiscard]] std::string_view name(Effort effort);
 
+/// Unit directions (world) at an angle to an axis: a continuum of common normals of bodies of revolution lies in it.
+struct Ring {
+  Vec3<double> axis = Vec3<double>::UnitZ();
+  double least_angle = 0, greatest_angle = 0;  ///< rad
+};
+
 struct Reference {
   Effort effort = Effort::bounds;
   Verdict verdict = Verdict::undecided;  ///< undecided only when zero lies within the bounds
@@ -70,6 +76,7 @@ struct Reference {
   Claim unique = Claim::open;            ///< no other common normal has as low an overlap
   std::string reason;                    ///< what is not proved, and why
   std::vector<Vec3<double>> open;        ///< unit directions (world) of cells that are neither excluded nor in a region
+  std::vector<Ring> rings;               ///< every direction of lowest overlap lies in one, where there are any
   Vec3<Real50> direction = not_valid<Real50>();  ///< unit, world: the upper bound is its overlap
   reference::Cover cover;                        ///< empty for bodies apart: one direction and two points prove it all
   std::optional<reference::Witness> nearest;  ///< bodies apart: two points whose distance bounds the overlap from below

@@ -1,0 +1,179 @@
+#include "solver/reference/revolution.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "solver/reference/interval_double.hpp"
+
+namespace plumb::reference {
+namespace {
+
+constexpr double nearly = 1e-14;  // of the size: rounding of a case's numbers, far below the gap of the bounds
+constexpr int most_cells = 20'000;
+
+/// The body axis of revolution: z of a superellipsoid, the unequal one of a spheroid.
+std::optional<int> axis_of_revolution(const Superellipsoid<double>& shape) {
+  if (shape.n2 != 2) return {};
+  const Vec3<double>& a = shape.semi_axes;
+  if (a[0] == a[1]) return 2;
+  if (shape.n1 != 2) return {};
+  if (a[1] == a[2]) return 0;
+  return a[0] == a[2] ? std::optional(1) : std::nullopt;
+}
+
+Vec3<double> line_of_centres(const Vec3<double>& centre) {
+  return centre.isZero(0) ? Vec3<double>::UnitZ() : centre.stableNormalized();
+}
+
+/// |a - b| or |a + b|, the lesser: of two lines.
+template <class I>
+I distance_of_lines(const IVec3<I>& a, const IVec3<I>& b) {
+  I minus(0.0), plus(0.0);
+  for (int i = 0; i < 3; ++i) {
+    minus += square<I>(I(a[i] - b[i]));
+    plus += square<I>(I(a[i] + b[i]));
+  }
+  return root<I>(high(minus) < high(plus) ? minus : plus);
+}
+
+template <class I>
+I length(const IVec3<I>& v) {
+  return root<I>(I(square<I>(v[0]) + square<I>(v[1]) + square<I>(v[2])));
+}
+
+/// How much a body's support function may change in a turn about `axis` (unit): see asymmetry.
+template <class I>
+I body_asymmetry(const EnclosedBody<I>& body, const Superellipsoid<double>& shape, const IVec3<I>& axis) {
+  if (is_sphere(shape)) return I(0.0);
+  const int own = *axis_of_revolution(shape);
+  const I reach = root<I>(I(square<I>(body.semi_axes[own]) + square<I>(body.semi_axes[(own + 1) % 3])));
+  return I(2.0) * reach * distance_of_lines<I>(body.rotation.col(own), axis);
+}
+
+/// The chart point at a place of the meridian; exact for the places that halving gives.
+Vec3<double> chart_at(double place) {
+  if (place <= 1) return {place, 0, 1};
+  if (place <= 3) return {1, 0, 2 - place};
+  return {4 - place, 0, -1};
+}
+
+template <class I>
+IVec3<I> point(const Vec3<double>& v) {
+  return {I(v[0]), I(v[1]), I(v[2])};
+}
+
+template <class I>
+class MeridianSearch {
+ public:
+  MeridianSearch(const FramedPair<I>& framed, double level, double gap) : framed_(framed), level_(level), gap_(gap) {}
+
+  MeridianBound run() {
+    for (int part = 0; part < 4; ++part) look_at({static_cast<double>(part), part + 1.0});
+    out_.complete = out_.cells <= most_cells;
+    out_.least = level_;
+    for (const Bounded& kept : kept_)
+      if (kept.bound <= level_) add(kept);
+    return std::move(out_);
+  }
+
+ private:
+  struct Bounded {
+    Arc arc;
+    double bound;
+  };
+
+  /// The tangent line of |F v| o at the middle is below it on the whole arc, and over |F v| least at one of the ends.
+  void look_at(const Arc& arc) {
+    if (++out_.cells > most_cells) return;
+    const double middle = (arc.first + arc.last) / 2;
+    const DirectionEnclosure<I> at = enclose_direction<I>(framed_, point<I>(chart_at(middle)));
+    const IVec3<I> apart = at.point1 - at.point2;
+    learn(at.normal, high(I(at.normal.dot(apart))));
+    const double bound = std::min(bound_at(apart, arc.first), bound_at(apart, arc.last));
+    if (bound > level_) return;
+    if (bound > level_ - gap_) return kept_.push_back({arc, bound});
+    look_at({arc.first, middle});
+    look_at({middle, arc.last});
+  }
+
+  void learn(const IVec3<I>& normal, double overlap) {
+    if (overlap >= level_ - gap_ / 2) return;
+    level_ = overlap;
+    out_.lower = Vec3<double>(low(normal[0]), low(normal[1]), low(normal[2])).normalized();
+  }
+
+  [[nodiscard]] double bound_at(const IVec3<I>& apart, double place) const {
+    const IVec3<I> direction = framed_.frame * point<I>(chart_at(place));
+    const I above = direction.dot(apart);
+    return low(above) >= 0 ? low(I(above / length<I>(direction))) : -std::numeric_limits<double>::infinity();
+  }
+
+  void add(const Bounded& kept) {
+    out_.least = std::min(out_.least, kept.bound);
+    if (!out_.arcs.empty() && out_.arcs.back().last == kept.arc.first)
+      out_.arcs.back().last = kept.arc.last;
+    else
+      out_.arcs.push_back(kept.arc);
+  }
+
+  const FramedPair<I>& framed_;
+  double level_;
+  const double gap_;
+  std::vector<Bounded> kept_;
+  MeridianBound out_;
+};
+
+}  // namespace
+
+bool is_sphere(const Superellipsoid<double>& shape) {
+  const Vec3<double>& a = shape.semi_axes;
+  return shape.n1 == 2 && shape.n2 == 2 && a[0] == a[1] && a[1] == a[2];
+}
+
+std::optional<Vec3<double>> common_axis(const PlacedPair<double>& pair) {
+  std::optional<Vec3<double>> axis;
+  for (const PlacedBody<double>* body : {&pair.body1, &pair.body2}) {
+    if (is_sphere(body->shape)) continue;
+    const auto own = axis_of_revolution(body->shape);
+    if (!own) return {};
+    const Vec3<double> line = body->rotation.col(*own);
+    if (axis && line.cross(*axis).norm() > nearly) return {};
+    axis = line;
+  }
+  const Vec3<double>& centre = pair.body2.centre;
+  if (!axis) return line_of_centres(centre);
+  if (centre.cross(*axis).norm() > nearly * pair.size()) return {};
+  return axis;
+}
+
+// A turn Q about the axis f takes any direction n to the meridian. A body of revolution about e is at most |e - f| R from one
+// about f, R its circumradius, and so is its support function: |h(Qn) - h(n)| <= 2 |e - f| R. And |n.c - Qn.c| is at most
+// twice the distance of c from the axis.
+template <class I>
+I asymmetry(const Pair& pair, const FramedPair<I>& framed) {
+  const IVec3<I> third = framed.frame.col(2), axis = third / length<I>(third), &c = framed.pair.centre;
+  const I along = c.dot(axis);
+  const IVec3<I> across = c - axis * along;
+  return body_asymmetry<I>(framed.pair.body1, pair.body1.shape, axis) +
+         body_asymmetry<I>(framed.pair.body2, pair.body2.shape, axis) + I(2.0) * length<I>(across);
+}
+
+template <class I>
+MeridianBound bound_meridian(const FramedPair<I>& framed, double level, double gap) {
+  return MeridianSearch<I>(framed, level, gap).run();
+}
+
+double angle_at(double place) {
+  const Vec3<double> v = chart_at(place);
+  return std::atan2(v[0], v[2]);
+}
+
+#define PLUMB_INSTANTIATE_REVOLUTION(I)                    \
+  template I asymmetry(const Pair&, const FramedPair<I>&); \
+  template MeridianBound bound_meridian(const FramedPair<I>&, double, double);
+
+PLUMB_INSTANTIATE_REVOLUTION(DoubleInterval)
+PLUMB_INSTANTIATE_REVOLUTION(Interval18)
+
+}  // namespace plumb::reference
