@@ -1,5 +1,5 @@
 // The verifier of a cover: no search, only checks, in interval arithmetic. This file and enclosure.hpp are all that has
-// to be believed, with MPFI.
+// to be believed, with the intervals (of a stored proof: MPFI).
 #pragma once
 
 #include "solver/reference/cover.hpp"
