@@ -116,13 +116,16 @@ ProvedRegion<I> region_about(const FramedPair<C>& coarse, const FramedPair<I>& p
   return best;
 }
 
-/// The solution located in a region is so in a small part about it too, where the curvature bounds its place better.
+/// A solution located in a region is so in a small part about it too, where the curvature bounds its place better.
 template <class C, class I>
 ProvedRegion<I> sharpened(const ProvedRegion<I>& found, const FramedPair<C>& coarse, const FramedPair<I>& pair,
                           const ChartPoint<I>& at, const Slope<I>& slope) {
-  const double part = 1.0 / 1024;
-  const ProvedRegion<I> near = region_about<C, I>(coarse, pair, at, slope, found.region.half * part);
-  return {found.region, near.proof.located ? near.proof : found.proof};
+  if (!found.proof.located) return found;
+  Cell part = found.region;
+  part.half = std::clamp(4 * high(found.proof.radius), narrowest_region, found.region.half);
+  const I curvature(low(curvature_on<C>(coarse, part)));
+  const RegionProof<I> proof = proof_on<I>(part, curvature, at.v, slope, pair.shortest);
+  return {found.region, proof.located ? proof : found.proof};
 }
 
 template <class I, class S>
@@ -185,9 +188,10 @@ class Certifier {
     const Slope<I> slope = slope_at<I>(frame_.fine, at.face.axis, at.v);
     const auto rough = region_about<DoubleInterval, I>(frame_.rough, frame_.fine, at, slope, widest_region);
     const bool is_located = rough.proof.located;
-    if (is_located && (in_doubles || needs_no_power())) return sharpened(rough, frame_.rough, frame_.fine, at, slope);
-    if (in_doubles) return rough;
-    return region_about<I, I>(frame_.fine, frame_.fine, at, slope, is_located ? rough.region.half : widest_region);
+    if (in_doubles || (needs_no_power() && is_located)) return sharpened(rough, frame_.rough, frame_.fine, at, slope);
+    const double widest = is_located ? rough.region.half : widest_region;
+    const auto fine = region_about<I, I>(frame_.fine, frame_.fine, at, slope, widest);
+    return sharpened(fine, frame_.fine, frame_.fine, at, slope);
   }
 
   [[nodiscard]] Min minimum_at(const StationaryPoint<S>& found) const {
