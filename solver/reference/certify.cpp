@@ -24,10 +24,6 @@ constexpr double gap = 1e-12;  // of the bounds, relative to the size
 template <class I>
 constexpr int most_cells = std::is_same_v<I, Interval80> ? 60'000 : 4'000;
 
-/// The intervals that a cover of directions is verified in: few digits are enough.
-template <class I>
-using CoverInterval = std::conditional_t<std::is_same_v<I, DoubleInterval>, DoubleInterval, Interval18>;
-
 /// An orthonormal frame, but for rounding, whose third axis is n.
 Mat3<double> frame_about(const Vec3<double>& n) {
   Mat3<double> f;
@@ -60,7 +56,8 @@ ChartPoint<I> chart_point(const Mat3<double>& frame, const Vec3<S>& n) {
   return out;
 }
 
-/// Two intervals' enclosure of the same pair in the same frame: the cheap one says where a proof will succeed.
+/// Two intervals' enclosure of the same pair in the same frame. The cheap one proves what needs few digits and no power; of
+/// the rest it says where a proof will succeed.
 template <class I>
 struct Frames {
   Mat3<double> frame;
@@ -104,18 +101,33 @@ struct ProvedRegion {
   RegionProof<I> proof;
 };
 
-/// The widest of the tried regions on which the solution is located, or else the widest on which o is convex.
-template <class I>
-ProvedRegion<I> region_about(const FramedPair<I>& pair, const ChartPoint<I>& at, double widest) {
+/// The widest of the tried regions on which the solution is located, or else the widest on which o is convex. C: the
+/// intervals of the curvature, which needs fewer digits than the slope.
+template <class C, class I>
+ProvedRegion<I> region_about(const FramedPair<C>& coarse, const FramedPair<I>& pair, const ChartPoint<I>& at,
+                             const Slope<I>& slope, double widest) {
   ProvedRegion<I> best{at.face, {}};
   Cell region = at.face;
   region.half = widest;
   while (region.half > narrowest_region && !best.proof.located) {
-    const RegionProof<I> proof = verify_region<I>(pair, region, at.v);
+    const I curvature(low(curvature_on<C>(coarse, region)));
+    const RegionProof<I> proof = proof_on<I>(region, curvature, at.v, slope, pair.shortest);
     if (proof.located || (proof.convex && !best.proof.convex)) best = {region, proof};
     region.half /= 2;
   }
   return best;
+}
+
+/// A solution located in a region is so in a small part about it too, where the curvature bounds its place better.
+template <class C, class I>
+ProvedRegion<I> sharpened(const ProvedRegion<I>& found, const FramedPair<C>& coarse, const FramedPair<I>& pair,
+                          const ChartPoint<I>& at, const Slope<I>& slope) {
+  if (!found.proof.located) return found;
+  Cell part = found.region;
+  part.half = std::clamp(4 * high(found.proof.radius), narrowest_region, found.region.half);
+  const I curvature(low(curvature_on<C>(coarse, part)));
+  const RegionProof<I> proof = proof_on<I>(part, curvature, at.v, slope, pair.shortest);
+  return {found.region, proof.located ? proof : found.proof};
 }
 
 template <class I, class S>
@@ -141,6 +153,11 @@ class Certifier {
     const Mat3<double> f = frame_about(n);
     return {f, {enclose<DoubleInterval>(pair_), f}, {enclosed_, f}};
   }
+
+  static constexpr bool in_doubles = std::is_same_v<I, DoubleInterval>;
+
+  /// A proof may trust the machine's + - * / and square root, not its pow: ellipsoids need none.
+  [[nodiscard]] bool needs_no_power() const { return enclosed_.body1.is_ellipsoid() && enclosed_.body2.is_ellipsoid(); }
 
   [[nodiscard]] bool is_separated() const { return high(value_) < 0; }
   /// A separating common normal is the only one.
@@ -169,15 +186,19 @@ class Certifier {
     return {minimum.region, minimum.is_tight(), witness(minimum.at)};
   }
 
+  [[nodiscard]] ProvedRegion<I> proved_region(const ChartPoint<I>& at) const {
+    const Slope<I> slope = slope_at<I>(frame_.fine, at.face.axis, at.v);
+    const auto rough = region_about<DoubleInterval, I>(frame_.rough, frame_.fine, at, slope, widest_region);
+    const bool is_located = rough.proof.located;
+    if (in_doubles || (needs_no_power() && is_located)) return sharpened(rough, frame_.rough, frame_.fine, at, slope);
+    const double widest = is_located ? rough.region.half : widest_region;
+    const auto fine = region_about<I, I>(frame_.fine, frame_.fine, at, slope, widest);
+    return sharpened(fine, frame_.fine, frame_.fine, at, slope);
+  }
+
   [[nodiscard]] Min minimum_at(const StationaryPoint<S>& found) const {
-    double widest = widest_region;
-    if constexpr (!std::is_same_v<I, DoubleInterval>) {
-      const auto rough = chart_point<DoubleInterval, S>(frame_.frame, found.normal);
-      const auto hint = region_about<DoubleInterval>(frame_.rough, rough, widest_region);
-      if (hint.proof.located) widest = hint.region.half;
-    }
     const ChartPoint<I> at = chart_point<I, S>(frame_.frame, found.normal);
-    const auto proved = region_about<I>(frame_.fine, at, widest);
+    const ProvedRegion<I> proved = proved_region(at);
     Min out{proved.region, proved.proof, at.v, found, proved.proof.located};
     if (out.exists)
       for (const int step : {1, 2}) {
@@ -245,12 +266,26 @@ class Certifier {
     CoverResult found = search_cover(rough_, frame_.frame, high(value_), start, {gap, most_cells<I>}, settle);
     out_.cells = found.cells;
     if (is_separated()) return;
-    using C = CoverInterval<I>;
-    conclude(found, verify_cover<C>(FramedPair<C>(enclose<C>(pair_), frame_.frame), found.cover, high(value_)));
+    conclude(found, verified(found.cover));
   }
 
+  /// In doubles except for powers, and in Interval18 where that takes more digits.
+  [[nodiscard]] CoverProof verified(const Cover& cover) const {
+    const double level = high(value_);
+    if (in_doubles || needs_no_power()) {
+      CoverProof proof = verify_cover<DoubleInterval>(frame_.rough, cover, level);
+      if (in_doubles || is_sound(proof)) return proof;
+    }
+    const auto bodies = enclose<Interval18>(pair_);
+    CoverProof proof = verify_cover<DoubleInterval, Interval18>(frame_.rough, bodies, cover, level);
+    if (is_sound(proof)) return proof;
+    return verify_cover<Interval18>({bodies, frame_.frame}, cover, level);
+  }
+
+  [[nodiscard]] static bool is_sound(const CoverProof& proof) { return proof.well_formed && proof.excluded; }
+
   void conclude(CoverResult& found, const CoverProof& proof) {
-    if (!proof.well_formed || !proof.excluded) {
+    if (!is_sound(proof)) {
       out_.reason = "the cover found by the search does not stand up to its verifier";
       return;
     }

@@ -86,6 +86,27 @@ I least_power(const I& x, const I& e) {
   return low_end<I>(power<I>(end, e));
 }
 
+/// Encloses x^e from above alone, for x >= 0 and e > 0: half the work of power(x, e).
+template <class I>
+I power_from_above(const I& x, const I& e) {
+  if constexpr (std::is_same_v<I, DoubleInterval>) {
+    return power<I>(x, e);
+  } else {
+    I out(0.0);
+    if (high(x) <= 0) return out;
+    const mpfr_ptr top = &out.data()->right;
+    mpfr_log(top, &x.data()->right, MPFR_RNDU);
+    mpfr_mul(top, top, mpfr_sgn(top) < 0 ? &e.data()->left : &e.data()->right, MPFR_RNDU);
+    mpfr_exp(top, top, MPFR_RNDU);
+    return out;
+  }
+}
+
+template <class I>
+I power_from_above(const I& x, double n) {
+  return n == std::floor(n) ? power<I>(x, n) : power_from_above<I>(x, I(n));
+}
+
 /// grad r = (gx, gy) of the inner norm.
 template <class I>
 IVec2<I> inner_gradient(const EnclosedBody<I>& body, const IVec3<I>& q, const Norms<I>& n) {
@@ -104,8 +125,18 @@ struct Weights {
   I inner_over_r;  ///< N_r kappa2 r^2
 };
 
+/// m = 2 leaves no powers.
+template <class I>
+Weights<I> ellipsoid_weights(const Norms<I>& n) {
+  const I length = high_end<I>(n.value);
+  const I inner_over_r = low_end<I>(I(I(1.0) / length)), outer = low_end<I>(I(inner_over_r / square<I>(length)));
+  return {outer, outer * square<I>(low_end<I>(n.r)), outer * square<I>(low_end<I>(n.size[2])),
+          low_end<I>(I(inner_over_r / square<I>(high_end<I>(n.r)))), inner_over_r};
+}
+
 template <class I>
 Weights<I> least_weights(const EnclosedBody<I>& body, const Norms<I>& n) {
+  if (body.is_ellipsoid()) return ellipsoid_weights<I>(n);
   const DualExponent<I>&m1 = body.m1, &m2 = body.m2;
   const I scale = least_power<I>(n.value, I(I(1.0) - I(2.0) * m1.m)) * m1.minus_one;
   const I r = least_power<I>(n.r, m1.minus_two), z = least_power<I>(n.size[2], m1.minus_two);
@@ -136,9 +167,9 @@ template <class I>
 bool is_inside(const EnclosedBody<I>& body, const Vec3<double>& x) {
   IVec3<I> v;
   for (int i = 0; i < 3; ++i) v[i] = magnitude<I>(I(I(x[i]) / body.semi_axes[i]));
-  I inner = power<I>(v[0], body.n2) + power<I>(v[1], body.n2);
-  if (body.n1 != body.n2) inner = power<I>(inner, I(I(body.n1) / I(body.n2)));
-  return high(I(inner + power<I>(v[2], body.n1))) <= 1;
+  I inner = power_from_above<I>(v[0], body.n2) + power_from_above<I>(v[1], body.n2);
+  if (body.n1 != body.n2) inner = power_from_above<I>(inner, I(I(body.n1) / I(body.n2)));
+  return high(I(inner + power_from_above<I>(v[2], body.n1))) <= 1;
 }
 
 template <class I>
@@ -149,6 +180,11 @@ I support_value(const EnclosedBody<I>& body, const IVec3<I>& q) {
 template <class I>
 SupportEnclosure<I> support(const EnclosedBody<I>& body, const IVec3<I>& q) {
   const Norms<I> n(body, q);
+  if (body.is_ellipsoid()) {
+    SupportEnclosure<I> out{n.value, body.semi_axes};
+    for (int i = 0; i < 3; ++i) out.point[i] = out.point[i] * signed_like<I>(share<I>(n.size[i], n.value), q[i]);
+    return out;
+  }
   const IVec2<I> g = inner_gradient<I>(body, q, n);
   const I outer = power<I>(share<I>(n.r, n.value), body.m1.minus_one);
   const I last = signed_like<I>(power<I>(share<I>(n.size[2], n.value), body.m1.minus_one), q[2]);

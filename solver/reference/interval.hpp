@@ -1,7 +1,7 @@
 // Interval scalars of the proofs, and the few functions that the library behind them leaves open.
 //
-// MPFI: every operation, exp and log included, is rounded outwards. The trusted base of a proof is therefore MPFI, MPFR and
-// GMP, and nothing of the machine's own arithmetic.
+// MPFI: every operation, exp and log included, is rounded outwards. The trusted base of a stored proof is therefore MPFI, MPFR
+// and GMP, and nothing of the machine's own arithmetic.
 #pragma once
 
 #include <mpfi.h>

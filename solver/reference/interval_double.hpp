@@ -1,8 +1,10 @@
-// Intervals of doubles for the cheap bounds: Boost.Interval's arithmetic with a rounding of our own that needs no machine
-// state, so that neither the compiler nor a thread can break it.
+// Intervals of doubles for the cheap bounds, and for what a proof needs with few digits and without a power:
+// Boost.Interval's arithmetic with a rounding of our own that needs no machine state, so that neither the compiler nor a
+// thread can break it.
 //
 // Trusted base: IEEE 754 arithmetic to nearest for + - * / and the square root, and a std::pow that is off by less than
-// `pow_error` units in the last place (glibc's stays below 1). A proof that is stored or called one uses interval.hpp instead.
+// `pow_error` units in the last place (glibc's stays below 1). What is called a proof leaves powers to interval.hpp, and
+// what verifies a stored one uses nothing else.
 #pragma once
 
 #include <boost/numeric/interval.hpp>

@@ -53,8 +53,8 @@ enum class Claim { open, proved, disproved };
 /// How far a reference goes, each step dearer than the last.
 enum class Effort {
   bounds,  ///< intervals of doubles: trusts IEEE arithmetic and pow (interval_double.hpp)
-  proof,   ///< intervals of MPFI, a solution of 19 digits
-  digits   ///< intervals of MPFI, a solution of 50 digits
+  proof,   ///< intervals of MPFI, and of doubles without pow; a solution of 19 digits
+  digits   ///< the same, a solution of 50 digits
 };
 inline constexpr std::array efforts{Effort::bounds, Effort::proof, Effort::digits};  ///< the cheapest first
 [[nodiscard]] std::string_view name(Effort effort);

@@ -81,11 +81,11 @@ std::array<Corner<I>, 4> corners(const Cell& cell, const IVec3<I>& w) {
   return out;
 }
 
-template <class I>
+template <class I, class W>
 class CoverCheck {
  public:
-  CoverCheck(const FramedPair<I>& pair, const Cover& cover, double level)
-      : pair_(pair), cover_(cover), level2_(square<I>(I(I(level) * pair.longest))),
+  CoverCheck(const FramedPair<I>& pair, const EnclosedPair<W>& bodies, const Cover& cover, double level)
+      : pair_(pair), bodies_(bodies), cover_(cover), level2_(square<I>(I(I(level) * pair.longest))),
         centre_(pair.frame.transpose() * pair.pair.centre) {}
 
   CoverProof run() {
@@ -145,7 +145,7 @@ class CoverCheck {
       return enclosed<I>(Vec3<double>::Zero());
     }
     const auto& [p1, p2] = cover_.witnesses[k];
-    proof_.well_formed &= is_inside<I>(pair_.pair.body1, p1) && is_inside<I>(pair_.pair.body2, p2);
+    proof_.well_formed &= is_inside<W>(bodies_.body1, p1) && is_inside<W>(bodies_.body2, p2);
     IVec3<I> w = -centre_;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -174,6 +174,7 @@ class CoverCheck {
   }
 
   const FramedPair<I>& pair_;
+  const EnclosedPair<W>& bodies_;
   const Cover& cover_;
   const I level2_;         ///< of level |F v| / |v|, squared
   const IVec3<I> centre_;  ///< of body 2, in the frame
@@ -230,20 +231,23 @@ struct LengthHessian {
 /// the bodies' Hessians that shows it to be positive, or the best.
 template <class I>
 I least_curvature(const FramedPair<I>& framed, const IVec3<I>& box, int axis, const I& c) {
-  const auto forms = [&](const EnclosedBody<I>& body, const IMat3<I>& to_q) -> std::array<HessianTerms<I>, 2> {
-    const IVec3<I> q = to_q * box;
-    const ChartMap<I> map = chart_columns<I>(to_q, axis);
-    return {hessian_terms<I>(body, q, map), hessian_floor<I>(body, q, map)};
-  };
+  const EnclosedBody<I>&body1 = framed.pair.body1, &body2 = framed.pair.body2;
+  const IVec3<I> q1 = framed.to_q1 * box, q2 = framed.to_q2 * box;
+  const ChartMap<I> map1 = chart_columns<I>(framed.to_q1, axis), map2 = chart_columns<I>(framed.to_q2, axis);
   const LengthHessian<I> length(framed, box, axis, c);
-  const auto first = forms(framed.pair.body1, framed.to_q1), second = forms(framed.pair.body2, framed.to_q2);
   I best = -length.most;
-  for (const HessianTerms<I>& a : first)
-    for (const HessianTerms<I>& b : second) {
-      const I found = least_eigenvalue<I>({a[0], a[1], a[2], b[0], b[1], b[2], length.less}) - length.most;
-      if (low(found) > low(best)) best = low_end<I>(found);
-      if (is_positive(best)) return best;
-    }
+  const auto consider = [&](const HessianTerms<I>& a, const HessianTerms<I>& b) {
+    if (is_positive(best)) return;
+    const I found = least_eigenvalue<I>({a[0], a[1], a[2], b[0], b[1], b[2], length.less}) - length.most;
+    if (low(found) > low(best)) best = low_end<I>(found);
+  };
+  const HessianTerms<I> sharp1 = hessian_terms<I>(body1, q1, map1), sharp2 = hessian_terms<I>(body2, q2, map2);
+  consider(sharp1, sharp2);
+  if (is_positive(best)) return best;
+  const HessianTerms<I> rough1 = hessian_floor<I>(body1, q1, map1), rough2 = hessian_floor<I>(body2, q2, map2);
+  consider(sharp1, rough2);
+  consider(rough1, sharp2);
+  consider(rough1, rough2);
   return best;
 }
 
@@ -285,9 +289,9 @@ FramedPair<I>::FramedPair(const EnclosedPair<I>& enclosed_pair, const Mat3<doubl
   shortest = worst < 1 ? low_end<I>(root<I>(I(I(1.0) - I(worst)))) : I(0.0);
 }
 
-template <class I>
-CoverProof verify_cover(const FramedPair<I>& pair, const Cover& cover, double level) {
-  return CoverCheck<I>(pair, cover, level).run();
+template <class I, class W>
+CoverProof verify_cover(const FramedPair<I>& pair, const EnclosedPair<W>& bodies, const Cover& cover, double level) {
+  return CoverCheck<I, W>(pair, bodies, cover, level).run();
 }
 
 template <class I>
@@ -298,40 +302,57 @@ I overlap_at(const FramedPair<I>& framed, const IVec3<I>& chart) {
   return (reach1 + reach2 - dot<I>(framed.pair.centre, direction)) / length_of<I>(direction);
 }
 
-// On the region s - o0 |F v| (o0 = o at the solution) is zero at the solution and, where its Hessian is at least
-// mu > 0, convex. The Hessian of |F v| is positive, so that the highest o of the region may stand for o0 in it.
+// The Hessian of |F v| is positive, so that the highest o of the region may stand for that of any point in it.
 template <class I>
-RegionProof<I> verify_region(const FramedPair<I>& framed, const Cell& region, const IVec3<I>& chart) {
-  const EnclosedPair<I>& pair = framed.pair;
-  const int first = (region.axis + 1) % 3, second = (region.axis + 2) % 3;
+I curvature_on(const FramedPair<I>& framed, const Cell& region) {
   IVec3<I> box = enclosed<I>(region.at(0, 0));
-  for (const int i : {first, second}) box[i] += hull<I>(-region.half, region.half);
+  for (const int step : {1, 2}) box[(region.axis + step) % 3] += hull<I>(-region.half, region.half);
+  return least_curvature<I>(framed, box, region.axis, highest_overlap<I>(framed, region, box));
+}
 
-  RegionProof<I> proof;
-  proof.curvature = least_curvature<I>(framed, box, region.axis, highest_overlap<I>(framed, region, box));
-
+template <class I>
+Slope<I> slope_at(const FramedPair<I>& framed, int axis, const IVec3<I>& chart) {
+  const EnclosedPair<I>& pair = framed.pair;
   const SupportEnclosure<I> h1 = support<I>(pair.body1, IVec3<I>(framed.to_q1 * chart)),
                             h2 = support<I>(pair.body2, IVec3<I>(framed.to_q2 * chart));
   const IVec3<I> direction = framed.frame * chart;
   const I length = length_of<I>(direction);
-  proof.value = (h1.value + h2.value - dot<I>(pair.centre, direction)) / length;
+  const I value = (h1.value + h2.value - dot<I>(pair.centre, direction)) / length;
   // Support points by the direction, then down to the chart: d s = (p1 + p2' - c).F dv, p2' the point of body 2 at +n.
   const IVec3<I> reach = pair.body1.rotation * h1.point + pair.body2.rotation * h2.point - pair.centre;
   I gradient2(0.0);
-  for (const int i : {first, second}) {
-    const IVec3<I> column = framed.frame.col(i);
-    gradient2 += square<I>(I(dot<I>(reach, column) - proof.value * dot<I>(direction, column) / length));
+  for (const int step : {1, 2}) {
+    const IVec3<I> column = framed.frame.col((axis + step) % 3);
+    gradient2 += square<I>(I(dot<I>(reach, column) - value * dot<I>(direction, column) / length));
   }
-  proof.gradient = high_end<I>(root<I>(gradient2));
-  if (!is_positive(proof.curvature)) return proof;
-  proof.radius = high_end<I>(I(I(2.0) * proof.gradient / proof.curvature));
-  proof.deficit = high_end<I>(I(square<I>(proof.gradient) / (I(2.0) * proof.curvature * framed.shortest)));
+  return {value, high_end<I>(root<I>(gradient2))};
+}
+
+// On the region s - o0 |F v| (o0 = o at the solution) is zero at the solution and, where its Hessian is at least
+// mu > 0, convex.
+template <class I>
+RegionProof<I> proof_on(const Cell& region, const I& curvature, const IVec3<I>& chart, const Slope<I>& slope,
+                        const I& shortest) {
+  RegionProof<I> proof;
+  proof.value = slope.value;
+  proof.gradient = slope.gradient;
+  proof.curvature = curvature;
+  if (!is_positive(curvature)) return proof;
+  proof.radius = high_end<I>(I(I(2.0) * slope.gradient / curvature));
+  proof.deficit = high_end<I>(I(square<I>(slope.gradient) / (I(2.0) * curvature * shortest)));
   proof.convex = proof.located = true;
-  for (const int i : {first, second}) {
+  for (const int step : {1, 2}) {
+    const int i = (region.axis + step) % 3;
     const I off = magnitude<I>(I(chart[i] - I(region.at(0, 0)[i]))) + proof.radius;
     proof.located &= high(off) < region.half;
   }
   return proof;
+}
+
+template <class I>
+RegionProof<I> verify_region(const FramedPair<I>& framed, const Cell& region, const IVec3<I>& chart) {
+  return proof_on<I>(region, curvature_on<I>(framed, region), chart, slope_at<I>(framed, region.axis, chart),
+                     framed.shortest);
 }
 
 template <class I>
@@ -353,16 +374,21 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
           framed.pair.centre - point_at(framed.pair.body2, framed.to_q2)};
 }
 
-#define PLUMB_INSTANTIATE_VERIFY(I)                                                          \
-  template struct FramedPair<I>;                                                             \
-  template CoverProof verify_cover(const FramedPair<I>&, const Cover&, double);              \
-  template I overlap_at(const FramedPair<I>&, const IVec3<I>&);                              \
-  template RegionProof<I> verify_region(const FramedPair<I>&, const Cell&, const IVec3<I>&); \
-  template double least_overlap_apart(const EnclosedPair<I>&, const Witness&);               \
+#define PLUMB_INSTANTIATE_VERIFY(I)                                                                     \
+  template struct FramedPair<I>;                                                                        \
+  template CoverProof verify_cover(const FramedPair<I>&, const EnclosedPair<I>&, const Cover&, double); \
+  template I overlap_at(const FramedPair<I>&, const IVec3<I>&);                                         \
+  template I curvature_on(const FramedPair<I>&, const Cell&);                                           \
+  template Slope<I> slope_at(const FramedPair<I>&, int, const IVec3<I>&);                               \
+  template RegionProof<I> proof_on(const Cell&, const I&, const IVec3<I>&, const Slope<I>&, const I&);  \
+  template RegionProof<I> verify_region(const FramedPair<I>&, const Cell&, const IVec3<I>&);            \
+  template double least_overlap_apart(const EnclosedPair<I>&, const Witness&);                          \
   template DirectionEnclosure<I> enclose_direction(const FramedPair<I>&, const IVec3<I>&);
 
 PLUMB_INSTANTIATE_VERIFY(DoubleInterval)
 PLUMB_INSTANTIATE_VERIFY(Interval18)
 PLUMB_INSTANTIATE_VERIFY(Interval80)
+template CoverProof verify_cover(const FramedPair<DoubleInterval>&, const EnclosedPair<Interval18>&, const Cover&,
+                                 double);
 
 }  // namespace plumb::reference

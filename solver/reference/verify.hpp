@@ -1,5 +1,5 @@
 // The verifier of a cover: no search, only checks, in interval arithmetic. This file and enclosure.hpp are all that has
-// to be believed, with MPFI.
+// to be believed, with the intervals (of a stored proof: MPFI).
 #pragma once
 
 #include "solver/reference/cover.hpp"
@@ -45,13 +45,36 @@ struct CoverProof {
   int witnesses = 0;
 };
 
-/// Checks the cover against `level` >= 0: every excluded leaf has o > level.
+/// Checks the cover against `level` >= 0: every excluded leaf has o > level. W: the intervals of the one test that takes
+/// powers, whether the witnesses lie in the bodies.
+template <class I, class W>
+[[nodiscard]] CoverProof verify_cover(const FramedPair<I>& pair, const EnclosedPair<W>& bodies, const Cover& cover,
+                                      double level);
 template <class I>
-[[nodiscard]] CoverProof verify_cover(const FramedPair<I>& pair, const Cover& cover, double level);
+[[nodiscard]] CoverProof verify_cover(const FramedPair<I>& pair, const Cover& cover, double level) {
+  return verify_cover<I, I>(pair, pair.pair, cover, level);
+}
 
 /// o at a chart point.
 template <class I>
 [[nodiscard]] I overlap_at(const FramedPair<I>& pair, const IVec3<I>& chart);
+
+/// Lower bound of the least eigenvalue of the Hessian of s - o |F v| on the region; not above zero where none is found.
+template <class I>
+[[nodiscard]] I curvature_on(const FramedPair<I>& pair, const Cell& region);
+
+/// o at a chart point of a face, and the length of the gradient of s - value |F v| there, an upper bound.
+template <class I>
+struct Slope {
+  I value, gradient;
+};
+template <class I>
+[[nodiscard]] Slope<I> slope_at(const FramedPair<I>& pair, int axis, const IVec3<I>& chart);
+
+/// What follows for the region from a lower bound of its curvature and the slope at a chart point of its face.
+template <class I>
+[[nodiscard]] RegionProof<I> proof_on(const Cell& region, const I& curvature, const IVec3<I>& chart,
+                                      const Slope<I>& slope, const I& shortest);
 
 /// o and the proof of convexity on `region` for the solution at `chart` (a chart point of the region's face).
 template <class I>
