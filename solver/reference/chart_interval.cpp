@@ -9,12 +9,6 @@ namespace {
 
 using I = Interval80;
 
-template <class J>
-J with_sign_of(const J& size, const J& x) {
-  if (low(x) >= 0) return size;
-  return high(x) <= 0 ? J(-size) : hull<J>(J(-high_end<J>(size)), high_end<J>(size));
-}
-
 /// The part of x within [0, 1], where the exact value is known to lie.
 template <class J>
 J within_one(const J& x) {
@@ -84,10 +78,10 @@ struct ChartNorms {
     const J slope = power_of<J>(rho_share, outer.norm_less_one());
     for (int i = 0; i < 2; ++i) {
       inner_share[i] = share<J>(w[i], rho);
-      drho[i] = with_sign_of<J>(power_of<J>(inner_share[i], inner.norm_less_one()), w[i]);
+      drho[i] = signed_like<J>(power_of<J>(inner_share[i], inner.norm_less_one()), w[i]);
       dtau[i] = slope * drho[i];
     }
-    dtau[2] = with_sign_of<J>(power_of<J>(z_share, outer.norm_less_one()), w[2]);
+    dtau[2] = signed_like<J>(power_of<J>(z_share, outer.norm_less_one()), w[2]);
   }
 };
 
@@ -101,21 +95,21 @@ struct PowerMapBox {
     const J one(1.0), zero(0.0);
     const J slope = power_of<J>(at.rho, J(k1 - one)), length = power_of<J>(at.rho, k1);
     for (int i = 0; i < 2; ++i) {
-      const J size = with_sign_of<J>(power_of<J>(at.inner_share[i], k2), at.w[i]);
+      const J size = signed_like<J>(power_of<J>(at.inner_share[i], k2), at.w[i]);
       value[i] = length * size;
       for (int j = 0; j < 2; ++j) jacobian(i, j) = (k1 - k2) * slope * size * at.drho[j];
       jacobian(i, i) += k2 * slope * power_of<J>(at.inner_share[i], J(k2 - one));
       jacobian(i, 2) = jacobian(2, i) = zero;
     }
     const J z = magnitude<J>(at.w[2]);
-    value[2] = with_sign_of<J>(power_of<J>(z, k1), at.w[2]);
+    value[2] = signed_like<J>(power_of<J>(z, k1), at.w[2]);
     jacobian(2, 2) = k1 * power_of<J>(z, J(k1 - one));
   }
 };
 
 template <class J>
 IVec3<J> across(const IVec3<J>& n, const IVec3<J>& v) {
-  return v - n * (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
+  return v - n * dot<J>(n, v);
 }
 
 /// The columns by the exponents: products of powers and logarithms of the shares of the nest (sensitivity.hpp).
@@ -128,10 +122,10 @@ void set_by_exponents(SurfaceJet<J>& jet, const EnclosedBody<J>& body, const Cha
       const J& s = at.inner_share[i];
       const J size = column == 3 ? at.outer.alpha * power_log<J>(at.rho_share, k1) * power_of<J>(s, k2)
                                  : at.inner.alpha * power_of<J>(at.rho_share, k1) * power_log<J>(s, k2);
-      out[i] = -with_sign_of<J>(J(-size), at.w[i]);  // size <= 0
+      out[i] = -signed_like<J>(J(-size), at.w[i]);  // size <= 0
     }
     const J z = column == 3 ? J(at.outer.alpha * power_log<J>(at.z_share, k1)) : J(0.0);
-    out[2] = -with_sign_of<J>(J(-z), at.w[2]);
+    out[2] = -signed_like<J>(J(-z), at.w[2]);
     return out;
   };
   for (const int column : {3, 4}) {
@@ -156,10 +150,6 @@ void set_by_axes(SurfaceJet<J>& jet) {
 }
 
 using Square = Eigen::Matrix<I, 4, 4>;
-
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// The larger of two upper bounds, NaN where one is.
 I larger(const I& a, const I& b) {
@@ -189,8 +179,7 @@ I newton_step(const EnclosedPair<I>& pair, const SquareForm& form, const ChartPa
 }  // namespace
 
 ChartBox<I> chart_box(const CubePoint<Real50>& at, const I& radius) {
-  ChartBox<I> out{{}, at.major};
-  for (int i = 0; i < 3; ++i) out.w[i] = enclosing<I>(at.w[i]);
+  ChartBox<I> out{enclosed<I>(at.w), at.major};
   const I both = hull<I>(I(-radius), radius);
   for (int k = 0; k < 2; ++k) out.w[at.minor(k)] += both;
   return out;
@@ -207,7 +196,7 @@ SurfaceJet<J> surface_jet(const EnclosedBody<J>& body, const ChartBox<J>& box) {
     out.point[i] = body.semi_axes[i] * x.value[i] * shrink;
     v[i] = u.value[i] / body.semi_axes[i];
   }
-  const J length = root<J>(J(square<J>(v[0]) + square<J>(v[1]) + square<J>(v[2])));
+  const J length = length_of<J>(v);
   for (int i = 0; i < 3; ++i) out.normal[i] = v[i] / length;
   for (int k = 0; k < 2; ++k) {
     const int column = (box.major + 1 + k) % 3;
@@ -225,12 +214,8 @@ SurfaceJet<J> surface_jet(const EnclosedBody<J>& body, const ChartBox<J>& box) {
 }
 
 ContactJet<I> contact_jet(const EnclosedPair<I>& pair, const ChartPair<Real50>& at, const I& radius) {
-  I size = pair.body1.semi_axes[0];
-  for (const auto* body : {&pair.body1, &pair.body2})
-    for (int i = 0; i < 3; ++i)
-      if (high(body->semi_axes[i]) > high(size)) size = body->semi_axes[i];
   return {surface_jet<I>(pair.body1, chart_box(at.at1, radius)).turned(pair.body1.rotation),
-          surface_jet<I>(pair.body2, chart_box(at.at2, radius)).turned(pair.body2.rotation), pair.centre, size};
+          surface_jet<I>(pair.body2, chart_box(at.at2, radius)).turned(pair.body2.rotation), pair.centre, pair.size()};
 }
 
 SquareForm square_form(const PlacedPair<Real50>& placed, const ChartPair<Real50>& at) {

@@ -7,32 +7,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <class I>
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class I>
-IVec3<I> cross(const IVec3<I>& a, const IVec3<I>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class I>
-IVec3<I> enclosed(const Vec3<double>& v) {
-  return {I(v[0]), I(v[1]), I(v[2])};
-}
-
-template <class I>
-bool is_zero(const I& x) {
-  return low(x) == 0 && high(x) == 0;
-}
-
-template <class I>
-I signed_like(const I& size, const I& x) {
-  if (low(x) >= 0) return size;
-  return high(x) <= 0 ? I(-size) : hull<I>(I(-high_end<I>(size)), high_end<I>(size));
-}
-
 /// The m-norm of (x, y), x and y >= 0, with its derivatives g, and the s = g / x that second derivatives are made of.
 template <class I>
 struct PairNorm {
@@ -216,7 +190,7 @@ Functional<I> functional(const ChartedPair<I>& pair, const Vec3<double>& c) {
   for (std::size_t b = 0; b < 2; ++b) out.k[b] = pair.from_base[b] * along;
   const IVec3<I> world =
       pair.base < 0 ? along : IVec3<I>(pair.body(static_cast<std::size_t>(pair.base)).rotation * along);
-  out.offset = pair.frame.transpose() * cross<I>(world, pair.pair.centre);
+  out.offset = pair.frame.transpose() * cross_product<I>(world, pair.pair.centre);
   return out;
 }
 
@@ -227,7 +201,7 @@ Functional<I> axis_functional(const ChartedPair<I>& pair, int axis) {
   Functional<I> out;
   out.k[own] = enclosed<I>(Vec3<double>::Unit(axis % 3));
   out.k[other] = pair.body(other).rotation.transpose() * along;
-  out.offset = pair.frame.transpose() * cross<I>(along, pair.pair.centre);
+  out.offset = pair.frame.transpose() * cross_product<I>(along, pair.pair.centre);
   return out;
 }
 
@@ -236,7 +210,7 @@ I value_of(const DirectionBox<I>& box, const Functional<I>& phi) {
   I out = -dot<I>(phi.offset, box.v);
   for (std::size_t b = 0; b < 2; ++b) {
     const BodyBox<I>& body = box.bodies[b];
-    out += dot<I>(body.point, cross<I>(body.direction, phi.k[b]));
+    out += dot<I>(body.point, cross_product<I>(body.direction, phi.k[b]));
   }
   return out;
 }
@@ -250,12 +224,12 @@ I slope_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Functio
     const BodyBox<I>& body = box.bodies[b];
     const IVec3<I>& k = phi.k[b];
     const IVec3<I> w = pair.to_body[b].col(component);
-    const IVec3<I> across = cross<I>(body.direction, k);
-    out += dot<I>(body.point, cross<I>(w, k));
+    const IVec3<I> across = cross_product<I>(body.direction, k);
+    out += dot<I>(body.point, cross_product<I>(w, k));
     for (int i = 0; i < 3; ++i) {
-      if (is_zero<I>(k[(i + 1) % 3]) && is_zero<I>(k[(i + 2) % 3])) continue;
+      if (is_exactly<I>(k[(i + 1) % 3], 0) && is_exactly<I>(k[(i + 2) % 3], 0)) continue;
       for (int j = 0; j < 3; ++j)
-        if (!is_zero<I>(w[j])) out += across[i] * body.hessian(i, j) * w[j];
+        if (!is_exactly<I>(w[j], 0)) out += across[i] * body.hessian(i, j) * w[j];
     }
   }
   return out;
@@ -264,24 +238,15 @@ I slope_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Functio
 template <class I>
 I bending_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Vec3<double>& c) {
   const Functional<I> phi = functional<I>(pair, c);
-  const IVec3<I> d = pair.columns * box.v, b = cross<I>(d, enclosed<I>(c));
+  const IVec3<I> d = pair.columns * box.v, b = cross_product<I>(d, enclosed<I>(c));
   I out(0.0), height = -dot<I>(pair.pair.centre, IVec3<I>(pair.frame * box.v));
   for (std::size_t i = 0; i < 2; ++i) {
     const BodyBox<I>& body = box.bodies[i];
-    const IVec3<I> across = cross<I>(body.direction, phi.k[i]);
+    const IVec3<I> across = cross_product<I>(body.direction, phi.k[i]);
     out += dot<I>(across, IVec3<I>(body.hessian * across));
     height += dot<I>(body.point, body.direction);
   }
-  const auto length2 = [](const IVec3<I>& x) -> I { return square<I>(x[0]) + square<I>(x[1]) + square<I>(x[2]); };
-  return out - height * length2(b) / length2(d);
-}
-
-template <class I>
-IVec3<I> box_of(const Cell& cell, double half) {
-  IVec3<I> out = enclosed<I>(cell.at(0, 0));
-  if (half > 0)
-    for (const int step : {1, 2}) out[(cell.axis + step) % 3] += hull<I>(-half, half);
-  return out;
+  return out - height * squared_length<I>(b) / squared_length<I>(d);
 }
 
 template <class I>
@@ -316,7 +281,6 @@ bool holds(const ChartedPair<I>& pair, const Cell& cell, const Exclusion& exclus
   template I value_of(const DirectionBox<I>&, const Functional<I>&);                             \
   template I slope_of(const ChartedPair<I>&, const DirectionBox<I>&, const Functional<I>&, int); \
   template I bending_of(const ChartedPair<I>&, const DirectionBox<I>&, const Vec3<double>&);     \
-  template IVec3<I> box_of(const Cell&, double);                                                 \
   template bool is_within(const Mat3<double>&, const IVec3<I>&, double);                         \
   template bool holds(const ChartedPair<I>&, const Cell&, const Exclusion&);
 

@@ -158,10 +158,6 @@ template <class I>
 template <class I>
 [[nodiscard]] I bending_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Vec3<double>& c);
 
-/// The box of a cell's chart points, and its middle.
-template <class I>
-[[nodiscard]] IVec3<I> box_of(const Cell& cell, double half);
-
 /// Whether d is a positive multiple of frame (x, y, 1) with |x| and |y| <= half, and det(frame) positive.
 template <class I>
 [[nodiscard]] bool is_within(const Mat3<double>& frame, const IVec3<I>& d, double half);

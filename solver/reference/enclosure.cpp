@@ -71,12 +71,6 @@ I share(const I& a, const I& b) {
   return high(quotient) <= 1 ? quotient : hull<I>(low_end<I>(quotient), I(1.0));
 }
 
-template <class I>
-I signed_like(const I& size, const I& x) {
-  if (low(x) >= 0) return size;
-  return high(x) <= 0 ? I(-size) : hull<I>(I(-high_end<I>(size)), high_end<I>(size));
-}
-
 /// The least x^e over x >= 0, finite: at the high end for a negative e, at the low end otherwise.
 template <class I>
 I least_power(const I& x, const I& e) {
@@ -227,12 +221,6 @@ HessianTerms<I> hessian_floor(const EnclosedBody<I>& body, const IVec3<I>& q, co
 }
 
 namespace {
-
-/// Exactly one number?
-template <class I>
-bool is_exactly(const I& x, double value) {
-  return low(x) == value && high(x) == value;
-}
 
 /// x^e for x >= 0 and e >= 0, with 0^0 = 1.
 template <class I>

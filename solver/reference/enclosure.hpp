@@ -2,18 +2,9 @@
 // pose.hpp (origin at body 1, lengths over 2^exponent).
 #pragma once
 
-#include <Eigen/Core>
-
-#include "solver/reference/interval.hpp"
+#include "solver/reference/vector_interval.hpp"
 
 namespace plumb::reference {
-
-template <class I>
-using IVec3 = Eigen::Matrix<I, 3, 1>;
-template <class I>
-using IVec2 = Eigen::Matrix<I, 2, 1>;
-template <class I>
-using IMat3 = Eigen::Matrix<I, 3, 3>;
 
 /// An exponent of a support function, m = n/(n-1), with m - 1 and m - 2 free of cancellation.
 template <class I>
@@ -39,6 +30,20 @@ struct EnclosedPair {
   EnclosedBody<I> body1, body2;
   IVec3<I> centre;  ///< of body 2
   int exponent;     ///< world length = 2^exponent times the pair's
+
+  /// The longest semi-axis.
+  [[nodiscard]] I size() const {
+    I out = body1.semi_axes[0];
+    for (const auto* body : {&body1, &body2})
+      for (int i = 0; i < 3; ++i)
+        if (high(body->semi_axes[i]) > high(out)) out = body->semi_axes[i];
+    return out;
+  }
+  [[nodiscard]] IVec3<I> to_world_point(const IVec3<I>& x, const Pair& pair) const {
+    IVec3<I> out;
+    for (int i = 0; i < 3; ++i) out[i] = times_power_of_two<I>(x[i], exponent) + I(pair.body1.position[i]);
+    return out;
+  }
 };
 
 template <class I>

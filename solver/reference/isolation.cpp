@@ -1,10 +1,10 @@
 #include "solver/reference/isolation.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
+#include "solver/reference/frame.hpp"
 #include "solver/reference/verify.hpp"
 
 namespace plumb::reference {
@@ -60,11 +60,9 @@ IVec3<I> square_about_axis(double half) {
   return box_of<I>(Cell{2, 1, 0, 0, half}, half);
 }
 
-/// An orthonormal frame but for rounding, its third axis n, its first two along the eigenvectors of the Hessian of o.
-Mat3<double> frame_about(const EnclosedPair<Look>& pair, const Vec3<double>& n) {
-  Mat3<double> f;
-  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
-  f << across, axis.cross(across), axis;
+/// A frame about n whose first two axes are along the eigenvectors of the Hessian of o.
+Mat3<double> principal_frame(const EnclosedPair<Look>& pair, const Vec3<double>& n) {
+  Mat3<double> f = frame_about(n);
   const ChartedPair<Look> charted(pair, {f});
   const IMat2<Look> j = PlaneMap<Look>(charted, {f}).jacobian(charted, direction_box<Look>(charted, {0.0, 0.0, 1.0}));
   Eigen::Matrix2d m;
@@ -90,10 +88,8 @@ DirectionFrame ridge_frame(int body, int k, const Vec3<double>& n, bool aligned)
 
 /// The chart point v with L v parallel to n, third component 1, to the digits of n.
 IVec3<Proof> chart_point(const Mat3<double>& frame, const Vec3<Real50>& n) {
-  const Mat3<Real50> f = frame.cast<Real50>();
-  Vec3<Real50> v = f.transpose() * n;
-  for (int i = 0; i < 3; ++i) v += f.transpose() * (n - f * v);  // each gains the 15 digits of F's own rounding
-  return {enclosing<Proof>(Real50(v[0] / v[2])), enclosing<Proof>(Real50(v[1] / v[2])), Proof(1.0)};
+  const Vec3<Real50> v = in_frame<Real50>(frame, n);
+  return enclosed<Proof>(Vec3<Real50>(v / v[2]));
 }
 
 // sym(Q J) > 0 on a convex set, Q = diag(sign J11, sign J22): phi(x) = phi(y) would give (x - y)'Q (phi(x) - phi(y)) > 0, so
@@ -206,12 +202,8 @@ struct Ball {
 
 Ball ball_about(const IVec3<Proof>& x) {
   Ball out;
-  Proof reach2(0.0);
-  for (int i = 0; i < 3; ++i) {
-    out.centre[i] = middle<Real50>(x[i]);
-    reach2 += square<Proof>(magnitude<Proof>(Proof(x[i] - enclosing<Proof>(out.centre[i]))));
-  }
-  out.radius = high(root<Proof>(reach2));
+  for (int i = 0; i < 3; ++i) out.centre[i] = middle<Real50>(x[i]);
+  out.radius = farthest(x, out.centre);
   return out;
 }
 
@@ -220,17 +212,13 @@ StationaryPair reported(const Pair& pair, const ChartedPair<Proof>& charted, con
                         const std::optional<Proof>& overlap) {
   const DirectionBox<Proof> box = direction_box<Proof>(charted, v);
   const IVec3<Proof> d = charted.frame * v;
-  const Proof length = root<Proof>(Proof(square<Proof>(d[0]) + square<Proof>(d[1]) + square<Proof>(d[2])));
-  const IVec3<Proof> normal = d / length;
-  IVec3<Proof> point1 = charted.pair.body1.rotation * box.bodies[0].point;
-  IVec3<Proof> point2 = charted.pair.body2.rotation * box.bodies[1].point + charted.pair.centre;
-  const IVec3<Proof> apart = point1 - point2;
-  const Proof along = normal[0] * apart[0] + normal[1] * apart[1] + normal[2] * apart[2];
+  const IVec3<Proof> normal = d / length_of(d);
+  const IVec3<Proof> point1 = charted.pair.body1.rotation * box.bodies[0].point;
+  const IVec3<Proof> point2 = charted.pair.body2.rotation * box.bodies[1].point + charted.pair.centre;
+  const Proof along = dot<Proof>(normal, point1 - point2);
   const Proof world = times_power_of_two<Proof>(overlap.value_or(along), charted.pair.exponent);
-  for (int i = 0; i < 3; ++i)
-    for (Proof* x : {&point1[i], &point2[i]})
-      *x = times_power_of_two<Proof>(*x, charted.pair.exponent) + Proof(pair.body1.position[i]);
-  const Ball n = ball_about(normal), p1 = ball_about(point1), p2 = ball_about(point2);
+  const Ball n = ball_about(normal), p1 = ball_about(charted.pair.to_world_point(point1, pair)),
+             p2 = ball_about(charted.pair.to_world_point(point2, pair));
   return {kind,      low_as<Real50>(world),         high_as<Real50>(world), n.centre, n.radius, p1.centre,
           p2.centre, std::max(p1.radius, p2.radius)};
 }
@@ -266,15 +254,14 @@ template <class I>
 bool is_inside_region(const ChartedPair<I>& search, const Cell& cell, const Isolated& region) {
   for (const double du : {-1.0, 1.0})
     for (const double dv : {-1.0, 1.0}) {
-      const Vec3<double> v = cell.at(du, dv);
-      const IVec3<I> corner{I(v[0]), I(v[1]), I(v[2])};
-      if (!is_in_region<I>(search.pair, IVec3<I>(search.frame * corner), region)) return false;
+      const IVec3<I> corner = search.frame * enclosed<I>(cell.at(du, dv));
+      if (!is_in_region<I>(search.pair, corner, region)) return false;
     }
   return true;
 }
 
 bool lies_in_region(const EnclosedPair<Look>& pair, const Vec3<double>& direction, const Isolated& region) {
-  return is_in_region<Look>(pair, {direction[0], direction[1], direction[2]}, region);
+  return is_in_region<Look>(pair, enclosed<Look>(direction), region);
 }
 
 Isolator::Isolator(const Pair& pair)
@@ -332,7 +319,7 @@ std::optional<Isolated> Isolator::isolate(const ChartPair<Real50>& at) const {
   const Vec3<Real50> normal1 = surface_point<Real50>(placed_.body1.shape, at.at1).normal;
   const Vec3<Real50> normal2 = surface_point<Real50>(placed_.body2.shape, at.at2).normal;
   const Vec3<Real50> world = placed_.body1.to_pair_direction(normal1);
-  const DirectionFrame frame{frame_about(rough_, world.cast<double>())};
+  const DirectionFrame frame{principal_frame(rough_, world.cast<double>())};
   const IVec3<Proof> v = chart_point(frame.columns, world);
   std::optional<Isolated> best = isolate_in(frame, v);
   const auto keep = [&](const std::optional<Isolated>& other) {

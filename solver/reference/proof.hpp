@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "solver/reference/reference.hpp"
+#include "solver/reference/vector_interval.hpp"
 
 namespace plumb::reference {
 
@@ -22,6 +23,10 @@ namespace plumb::reference {
 struct SplitVector {
   Vec3<double> high = Vec3<double>::Zero();
   Vec3<double> low = Vec3<double>::Zero();
+
+  [[nodiscard]] IVec3<Interval80> enclosed() const {
+    return reference::enclosed<Interval80>(high) + reference::enclosed<Interval80>(low);
+  }
 };
 
 struct Proof {

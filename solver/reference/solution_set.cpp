@@ -1,16 +1,14 @@
 #include "solver/reference/solution_set.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <numbers>
 #include <vector>
 
 #include "solver/pose.hpp"
-#include "solver/reference/cover.hpp"
 #include "solver/reference/enclosure.hpp"
+#include "solver/reference/frame.hpp"
 #include "solver/reference/input_change.hpp"
-#include "solver/reference/sensitivity.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::reference {
@@ -18,16 +16,7 @@ namespace {
 
 using I = InputChange::I;
 
-constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
 constexpr double half_turn = std::numbers::pi;
-
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-I length_of(const IVec3<I>& v) {
-  return root<I>(I(square<I>(v[0]) + square<I>(v[1]) + square<I>(v[2])));
-}
 
 IVec3<I> scaled(const EnclosedBody<I>& body, const IVec3<I>& direction) {
   IVec3<I> q = body.rotation.transpose() * direction;
@@ -39,14 +28,6 @@ IVec3<I> scaled(const EnclosedBody<I>& body, const IVec3<I>& direction) {
 I overlap(const EnclosedPair<I>& pair, const IVec3<I>& n) {
   return support_value<I>(pair.body1, scaled(pair.body1, n)) + support_value<I>(pair.body2, scaled(pair.body2, n)) -
          dot(n, pair.centre);
-}
-
-/// An orthonormal frame, but for rounding, whose third axis is n: cells near it have exact corners at any size.
-Mat3<double> frame_about(const Vec3<double>& n) {
-  Mat3<double> f;
-  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
-  f << across, axis.cross(across), axis;
-  return f;
 }
 
 struct Box {
@@ -64,7 +45,7 @@ class Hull {
   }
   [[nodiscard]] Vec3<double> middle() const { return low_ + (high_ - low_) / 2; }
   [[nodiscard]] static double distance(const Vec3<double>& from, const IVec3<I>& x) {
-    return high(length_of({x[0] - I(from[0]), x[1] - I(from[1]), x[2] - I(from[2])}));
+    return high(length_of<I>(x - enclosed<I>(from)));
   }
 
  private:
@@ -79,7 +60,7 @@ class Sublevel {
         changed1_(widened(enclosed_.body1, change_)), changed2_(widened(enclosed_.body2, change_)) {
     set_frame(frame_about(normal.cast<double>()));
     delta_ = change_.delta(enclosed_);
-    const IVec3<I> n{enclosing<I>(normal[0]), enclosing<I>(normal[1]), enclosing<I>(normal[2])};
+    const IVec3<I> n = enclosed<I>(normal);
     level_ = high_end<I>(I(overlap(enclosed_, n) / length_of(n) + I(2.0) * delta_));
     rough_level_ = high(level_);
   }
@@ -159,8 +140,7 @@ class Sublevel {
   /// Whether the first cell of the frame's third face holds the cells: with d = x f0 + y f1 + z f2, z > 0 and |x|, |y| <= z.
   [[nodiscard]] bool holds_all(const Mat3<double>& frame, const std::vector<Cell>& open) const {
     std::array<IVec3<I>, 3> f;
-    for (int k = 0; k < 3; ++k)
-      f[static_cast<std::size_t>(k)] = IVec3<I>(I(frame(0, k)), I(frame(1, k)), I(frame(2, k)));
+    for (int k = 0; k < 3; ++k) f[static_cast<std::size_t>(k)] = enclosed<I>(frame.col(k));
     const IVec3<I> by_x = cross_product<I>(f[1], f[2]), by_y = cross_product<I>(f[2], f[0]),
                    by_z = cross_product<I>(f[0], f[1]);
     if (!is_positive(dot(by_z, f[2]))) return false;
@@ -226,17 +206,10 @@ class Sublevel {
   }
 
   [[nodiscard]] IVec3<I> direction(const Cell& cell, double du, double dv) const {
-    const Vec3<double> v = cell.at(du, dv);
-    return enclosed_frame_ * IVec3<I>(I(v[0]), I(v[1]), I(v[2]));
+    return enclosed_frame_ * enclosed<I>(cell.at(du, dv));
   }
 
-  [[nodiscard]] IVec3<I> direction_box(const Cell& cell) const {
-    IVec3<I> v;
-    v[cell.axis] = I(cell.sign);
-    v[(cell.axis + 1) % 3] = I(cell.u) + hull<I>(-cell.half, cell.half);
-    v[(cell.axis + 2) % 3] = I(cell.v) + hull<I>(-cell.half, cell.half);
-    return enclosed_frame_ * v;
-  }
+  [[nodiscard]] IVec3<I> direction_box(const Cell& cell) const { return enclosed_frame_ * box_of<I>(cell, cell.half); }
 
   /// Whether g.d > level |d| on the cell. For level >= 0 the difference is concave and its least value at a corner; otherwise
   /// |d| is bounded by itself.
@@ -284,7 +257,7 @@ class Sublevel {
   /// Half-angle about `axis` of a cone that holds the cells. A cap of less than a right angle is convex: it holds a cell
   /// when it holds its corners.
   [[nodiscard]] double enclosing_angle(const std::vector<Cell>& open, const Vec3<double>& axis) const {
-    const IVec3<I> a{I(axis[0]), I(axis[1]), I(axis[2])};
+    const IVec3<I> a = enclosed<I>(axis);
     const IVec3<I> unit = a / length_of(a);
     double chord = 0;
     for (const Cell& cell : open)
@@ -359,11 +332,11 @@ bool holds_normal(const SolutionSet& set, const Vec3<double>& normal) {
 
 // |o(n) - o(m)| <= |n - m| |p1 - p2|, and no two points of the bodies are further apart than both radii and the centres.
 bool may_be_lowest(const Pair& pair, const SolutionSet& set, const Vec3<double>& normal) {
-  const EnclosedPair<I> enclosed = enclose<I>(pair);
-  const IVec3<I> n{I(normal[0]), I(normal[1]), I(normal[2])};
-  const I steepest = circumradius(enclosed.body1) + circumradius(enclosed.body2) + length_of(enclosed.centre);
-  const I level = times_power_of_two<I>(I(set.level), -enclosed.exponent) + I(4 * machine_epsilon) * steepest;
-  return !is_positive(I(overlap(enclosed, n) / length_of(n) - level));
+  const EnclosedPair<I> exact = enclose<I>(pair);
+  const IVec3<I> n = enclosed<I>(normal);
+  const I steepest = circumradius(exact.body1) + circumradius(exact.body2) + length_of(exact.centre);
+  const I level = times_power_of_two<I>(I(set.level), -exact.exponent) + I(4 * machine_epsilon) * steepest;
+  return !is_positive(I(overlap(exact, n) / length_of(n) - level));
 }
 
 bool holds_points(const SolutionSet& set, const Vec3<double>& point1, const Vec3<double>& point2, double rounding) {

@@ -49,14 +49,10 @@ struct Equations {
   IVec3<I> point, gradient1, gradient2;
 };
 
-bool is_zero(const I& x) {
-  return low(x) == 0 && high(x) == 0;
-}
-
 /// The body axis that the pair's axis `a` is parallel to, exactly; -1 for none. The body is its own mirror image along it.
 int parallel_axis(const EnclosedBody<I>& body, int a) {
   for (int j = 0; j < 3; ++j)
-    if (is_zero(body.rotation(a, (j + 1) % 3)) && is_zero(body.rotation(a, (j + 2) % 3))) return j;
+    if (is_exactly(body.rotation(a, (j + 1) % 3), 0) && is_exactly(body.rotation(a, (j + 2) % 3), 0)) return j;
   return -1;
 }
 
@@ -118,9 +114,7 @@ class TouchSystem {
   }
 
  private:
-  static SurfaceBox<I> chart_of(const CubePoint<Real50>& at) {
-    return {at.major, {enclosing<I>(at.w[0]), enclosing<I>(at.w[1]), enclosing<I>(at.w[2])}};
-  }
+  static SurfaceBox<I> chart_of(const CubePoint<Real50>& at) { return {at.major, enclosed<I>(at.w)}; }
 
   static SurfaceEnclosure<I> surface(const EnclosedBody<I>& body, SurfaceBox<I> chart, const Box& y, int first) {
     for (int k = 0; k < 2; ++k) chart.w[chart.minor(k)] = y[first + k];
@@ -137,7 +131,7 @@ class TouchSystem {
   void find_mirror(int step) {
     const int a = (pivot_ + step) % 3;
     const IVec3<I>& along = family_.kind == TouchKind::along_line ? family_.line : family_.pair.centre;
-    if (!is_zero(along[a])) return;
+    if (!is_exactly(along[a], 0)) return;
     const int first = unknown_of(first_, parallel_axis(family_.pair.body1, a));
     const int second = unknown_of(second_, parallel_axis(family_.pair.body2, a));
     if (first < 0 || second < 0) return;
@@ -264,27 +258,8 @@ EnclosedPair<I> exchanged(const EnclosedPair<I>& pair) {
   return {pair.body2, pair.body1, IVec3<I>(-pair.centre), pair.exponent};
 }
 
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-I length_of(const IVec3<I>& v) {
-  return root<I>(I(square<I>(v[0]) + square<I>(v[1]) + square<I>(v[2])));
-}
-
 Bounds ends_of(const I& x) {
   return {low_as<Real50>(x), high_as<Real50>(x)};
-}
-
-double farthest(const IVec3<I>& x, const Vec3<Real50>& given) {
-  const IVec3<I> apart{x[0] - enclosing<I>(given[0]), x[1] - enclosing<I>(given[1]), x[2] - enclosing<I>(given[2])};
-  const double out = high(length_of(apart));
-  return out == out ? out : std::numeric_limits<double>::infinity();
-}
-
-// The distance from a unit vector to the ray of another is the sine of their angle.
-double angle_of_chord(double chord) {
-  return chord < 1 ? high(I(I(chord) * I(1.5708))) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace plumb::reference
