@@ -86,32 +86,4 @@ template <class I>
 template <class I>
 [[nodiscard]] HessianTerms<I> hessian_floor(const EnclosedBody<I>& body, const IVec3<I>& q, const ChartMap<I>& map);
 
-/// Chart coordinates (shape/chart.hpp): component `major` of w is +-1, the two that follow it are the unknowns.
-template <class I>
-struct SurfaceBox {
-  int major = 2;
-  IVec3<I> w;
-
-  [[nodiscard]] int minor(int which) const { return (major + 1 + which) % 3; }
-};
-
-/// The surface points that a box of charts stands for, about the body's centre, and a normal of each (the gauge's gradient
-/// but for a positive factor), with their derivatives by the two unknowns: all in the pair's axes.
-template <class I>
-struct SurfaceEnclosure {
-  IVec3<I> point, gradient;
-  ChartMap<I> dpoint, dgradient;
-};
-template <class I>
-[[nodiscard]] SurfaceEnclosure<I> enclose_surface(const EnclosedBody<I>& body, const SurfaceBox<I>& at);
-
-/// The gauge at x (about the body's centre, the pair's axes) and its gradient.
-template <class I>
-struct GaugeEnclosure {
-  I value;
-  IVec3<I> gradient;
-};
-template <class I>
-[[nodiscard]] GaugeEnclosure<I> enclose_gauge(const EnclosedBody<I>& body, const IVec3<I>& x);
-
 }  // namespace plumb::reference

@@ -186,6 +186,14 @@ template <class I>
   return low(x) == value && high(x) == value;
 }
 
+/// a / b for 0 <= a <= b, where b may reach zero.
+template <class I>
+[[nodiscard]] I share(const I& a, const I& b) {
+  if (!is_positive(b)) return hull<I>(0, 1);
+  const I quotient = a / b;
+  return high(quotient) <= 1 ? quotient : hull<I>(low_end<I>(quotient), I(1.0));
+}
+
 /// size >= 0 with the sign of x: both signs where x has no one.
 template <class I>
 [[nodiscard]] I signed_like(const I& size, const I& x) {

@@ -63,7 +63,7 @@ int parallel_axis(const EnclosedBody<I>& body, int a) {
 class TouchSystem {
  public:
   TouchSystem(const TouchFamily& family, const ChartPair<Real50>& at)
-      : family_(family), first_(chart_of(at.at1)), second_(chart_of(at.at2)) {
+      : family_(family), first_(chart_box(at.at1, I(0.0))), second_(chart_box(at.at2, I(0.0))) {
     const IVec3<I> g = enclose_surface<I>(family.pair.body1, first_).gradient;
     for (int i = 1; i < 3; ++i)
       if (low(magnitude<I>(g[i])) > low(magnitude<I>(g[pivot_]))) pivot_ = i;
@@ -114,8 +114,6 @@ class TouchSystem {
   }
 
  private:
-  static SurfaceBox<I> chart_of(const CubePoint<Real50>& at) { return {at.major, enclosed<I>(at.w)}; }
-
   static SurfaceEnclosure<I> surface(const EnclosedBody<I>& body, SurfaceBox<I> chart, const Box& y, int first) {
     for (int k = 0; k < 2; ++k) chart.w[chart.minor(k)] = y[first + k];
     return enclose_surface<I>(body, chart);

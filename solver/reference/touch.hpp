@@ -14,9 +14,8 @@
 
 #include <string>
 
-#include "solver/reference/chart_solve.hpp"
-#include "solver/reference/enclosure.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/reference/surface_enclosure.hpp"
 
 namespace plumb {
 
