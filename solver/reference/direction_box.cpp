@@ -17,7 +17,7 @@ struct PairNorm {
 
 // With t = y / x: gx = (1 + t^m)^(-1/n), gy = t^(m-1) gx, norm = x (1 + t^m) gx.
 template <class I>
-PairNorm<I> pair_norm(const I& x, const I& y, const DualExponent<I>& m, double n) {
+PairNorm<I> pair_norm_at(const I& x, const I& y, const DualExponent<I>& m, double n) {
   if (!(high(x) > 0) && !(high(y) > 0)) {
     const I any = hull<I>(0, 1), beyond = hull<I>(0, infinity);
     return {I(0.0), any, any, beyond, beyond};
@@ -26,7 +26,7 @@ PairNorm<I> pair_norm(const I& x, const I& y, const DualExponent<I>& m, double n
     const I norm = root<I>(I(square<I>(x) + square<I>(y))), s = I(1.0) / norm;
     return {norm, x * s, y * s, s, s};
   }
-  if (high(x) < high(y)) return pair_norm<I>(y, x, m, n).exchanged();
+  if (high(x) < high(y)) return pair_norm_at<I>(y, x, m, n).exchanged();
   if (!(high(y) > 0)) return {x, I(1.0), I(0.0), I(1.0) / x, I(n > 2 ? infinity : 0.0)};
   const I t = y / x, ratio = power<I>(t, m.minus_one), sum = I(1.0) + t * ratio;
   const I gx = power<I>(sum, I(I(-1.0) / I(n))), gy = ratio * gx;
@@ -42,10 +42,10 @@ bool is_narrow(const I& x) {
 // for m > 2 it is (x / norm)^(m-2) / norm.
 template <class I>
 PairNorm<I> pair_norm_range(const I& x, const I& y, const DualExponent<I>& m, double n) {
-  if (is_narrow<I>(x) && is_narrow<I>(y)) return pair_norm<I>(x, y, m, n);
+  if (is_narrow<I>(x) && is_narrow<I>(y)) return pair_norm_at<I>(x, y, m, n);
   const I x0 = low_end<I>(x), x1 = high_end<I>(x), y0 = low_end<I>(y), y1 = high_end<I>(y);
-  const PairNorm<I> least = pair_norm<I>(x0, y0, m, n), most = pair_norm<I>(x1, y1, m, n);
-  const PairNorm<I> along_x = pair_norm<I>(x1, y0, m, n), along_y = pair_norm<I>(x0, y1, m, n);
+  const PairNorm<I> least = pair_norm_at<I>(x0, y0, m, n), most = pair_norm_at<I>(x1, y1, m, n);
+  const PairNorm<I> along_x = pair_norm_at<I>(x1, y0, m, n), along_y = pair_norm_at<I>(x0, y1, m, n);
   PairNorm<I> out{hull<I>(least.norm, most.norm), hull<I>(along_y.gx, along_x.gx), hull<I>(along_x.gy, along_y.gy),
                   hull<I>(most.sx, least.sx), hull<I>(most.sy, least.sy)};
   if (n >= 2) return out;

@@ -8,7 +8,7 @@ namespace plumb::reference {
 namespace {
 
 template <class I>
-IVec3<I> enclosed(const Vec3<double>& v, int exponent) {
+IVec3<I> scaled_vector(const Vec3<double>& v, int exponent) {
   IVec3<I> out;
   for (int i = 0; i < 3; ++i) out[i] = times_power_of_two<I>(I(v[i]), exponent);
   return out;
@@ -33,7 +33,7 @@ IMat3<I> enclosed_rotation(const std::array<double, 4>& quaternion) {
 
 template <class I>
 EnclosedBody<I> enclosed_body(const Body& body, int exponent) {
-  return {enclosed<I>(body.shape.semi_axes, -exponent),
+  return {scaled_vector<I>(body.shape.semi_axes, -exponent),
           body.shape.n1,
           body.shape.n2,
           DualExponent<I>(body.shape.n1),
@@ -112,7 +112,8 @@ EnclosedPair<I> enclose(const Pair& pair) {
   int exponent = 0;
   (void)std::frexp(size_of(pair), &exponent);
   --exponent;
-  const IVec3<I> from = enclosed<I>(pair.body1.position, -exponent), to = enclosed<I>(pair.body2.position, -exponent);
+  const IVec3<I> from = scaled_vector<I>(pair.body1.position, -exponent),
+                 to = scaled_vector<I>(pair.body2.position, -exponent);
   IVec3<I> centre;
   for (int i = 0; i < 3; ++i) centre[i] = to[i] - from[i];
   return {enclosed_body<I>(pair.body1, exponent), enclosed_body<I>(pair.body2, exponent), centre, exponent};

@@ -8,9 +8,8 @@ namespace {
 
 using I = TouchScalar;
 using Unknowns = Eigen::Matrix<Real80, 5, 1>;  ///< two chart coordinates a body, and the parameter
-using Matrix = Eigen::Matrix<Real80, 5, 5>;
-using Box = Eigen::Matrix<I, 5, 1>;
-using BoxMatrix = Eigen::Matrix<I, 5, 5>;
+using TouchBox = Eigen::Matrix<I, 5, 1>;
+using TouchMatrix = Eigen::Matrix<I, 5, 5>;
 
 /// s1, s2 and c of the family at t, and their derivatives.
 struct Growth {
@@ -44,8 +43,8 @@ Growth growth_at(const TouchFamily& family, const I& t) {
 /// s1 X1 - c - s2 X2 = 0 and two components of G1 x G2 = 0, with their Jacobian. The third component vanishes with them
 /// where the component of G1 beside it does not.
 struct Equations {
-  Box value;
-  BoxMatrix jacobian;
+  TouchBox value;
+  TouchMatrix jacobian;
   IVec3<I> point, gradient1, gradient2;
 };
 
@@ -85,7 +84,7 @@ class TouchSystem {
   /// Whether unknown k is zero by symmetry.
   [[nodiscard]] bool is_fixed(int k) const { return row_of_[k] >= 0; }
 
-  [[nodiscard]] Equations at(const Box& y) const {
+  [[nodiscard]] Equations at(const TouchBox& y) const {
     const SurfaceEnclosure<I> one = surface(family_.pair.body1, first_, y, 0),
                               two = surface(family_.pair.body2, second_, y, 2);
     const Growth growth = growth_at(family_, y[4]);
@@ -114,7 +113,7 @@ class TouchSystem {
   }
 
  private:
-  static SurfaceEnclosure<I> surface(const EnclosedBody<I>& body, SurfaceBox<I> chart, const Box& y, int first) {
+  static SurfaceEnclosure<I> surface(const EnclosedBody<I>& body, SurfaceBox<I> chart, const TouchBox& y, int first) {
     for (int k = 0; k < 2; ++k) chart.w[chart.minor(k)] = y[first + k];
     return enclose_surface<I>(body, chart);
   }
@@ -155,26 +154,26 @@ class TouchSystem {
   Eigen::Matrix<int, 5, 1> row_of_ = Eigen::Matrix<int, 5, 1>::Constant(-1);  ///< of the equation that fixes an unknown
 };
 
-Box points_of(const Unknowns& y) {
-  Box out;
+TouchBox points_of(const Unknowns& y) {
+  TouchBox out;
   for (int i = 0; i < 5; ++i) out[i] = enclosing<I>(y[i]);
   return out;
 }
 
 /// An approximate inverse of the Jacobian's middle, as exact numbers.
-BoxMatrix preconditioner(const BoxMatrix& jacobian) {
-  Matrix m;
+TouchMatrix preconditioner(const TouchMatrix& jacobian) {
+  Eigen::Matrix<Real80, 5, 5> m;
   for (int i = 0; i < 25; ++i) m(i / 5, i % 5) = middle<Real80>(jacobian(i / 5, i % 5));
-  const Matrix inverse = m.fullPivLu().inverse();
-  BoxMatrix out;
+  const Eigen::Matrix<Real80, 5, 5> inverse = m.fullPivLu().inverse();
+  TouchMatrix out;
   for (int i = 0; i < 25; ++i) out(i / 5, i % 5) = enclosing<I>(inverse(i / 5, i % 5));
   return out;
 }
 
 /// One Newton step; y is left at its end.
 struct Step {
-  Box size;  ///< C f(y) before the step
-  BoxMatrix preconditioner;
+  TouchBox size;  ///< C f(y) before the step
+  TouchMatrix preconditioner;
 };
 
 Step newton_step(const TouchSystem& system, Unknowns& y) {
@@ -202,12 +201,12 @@ void polish(const TouchSystem& system, Unknowns& y) {
 
 /// A box about y, some times as wide as the last step, and box - y, rounded outwards like the box itself.
 struct Trial {
-  Box box, radius;
+  TouchBox box, radius;
 };
 
-Trial trial_about(const TouchSystem& system, const Box& y, const Box& step, const I& widening) {
+Trial trial_about(const TouchSystem& system, const TouchBox& y, const TouchBox& step, const I& widening) {
   const double relative_floor = 1e-74, floor = 1e-78;
-  Trial out{y, Box::Constant(I(0.0))};
+  Trial out{y, TouchBox::Constant(I(0.0))};
   for (int k = 0; k < 5; ++k) {
     if (system.is_fixed(k)) continue;
     const I rounding = magnitude<I>(y[k]) * I(relative_floor) + I(floor);
@@ -219,13 +218,13 @@ Trial trial_about(const TouchSystem& system, const Box& y, const Box& step, cons
 }
 
 /// K = y - C f(y) + (1 - C J(box)) (box - y), which holds every solution in the box, and has one where K lies inside it.
-Box krawczyk(const Box& y, const Step& step, const BoxMatrix& jacobian, const Box& radius) {
-  BoxMatrix rest = -(step.preconditioner * jacobian);
+TouchBox krawczyk(const TouchBox& y, const Step& step, const TouchMatrix& jacobian, const TouchBox& radius) {
+  TouchMatrix rest = -(step.preconditioner * jacobian);
   for (int i = 0; i < 5; ++i) rest(i, i) += I(1.0);
   return y - step.size + rest * radius;
 }
 
-bool lies_inside(const TouchSystem& system, const Box& x, const Box& box) {
+bool lies_inside(const TouchSystem& system, const TouchBox& x, const TouchBox& box) {
   bool inside = true;
   for (int k = 0; k < 5; ++k) inside &= system.is_fixed(k) || mpfi_is_strictly_inside(x[k].data(), box[k].data()) > 0;
   return inside;
@@ -238,13 +237,13 @@ EnclosedTouch enclose_touch(const TouchFamily& family, const ChartPair<Real50>& 
   const TouchSystem system(family, start);
   Unknowns y = system.start(parameter);
   polish(system, y);
-  const Box centre = points_of(y);
+  const TouchBox centre = points_of(y);
   const Step step = newton_step(system, y);
   I widening(8.0);
   for (int i = 0; i < widenings; ++i, widening *= I(32.0)) {
     const Trial trial = trial_about(system, centre, step.size, widening);
     const Equations f = system.at(trial.box);
-    const Box image = krawczyk(centre, step, f.jacobian, trial.radius);
+    const TouchBox image = krawczyk(centre, step, f.jacobian, trial.radius);
     if (!lies_inside(system, image, trial.box)) continue;
     if (!system.is_touch(f, trial.box[4])) return {};
     return {true, image[4], f.point, f.gradient1 / length_of(f.gradient1)};
