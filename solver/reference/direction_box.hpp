@@ -15,7 +15,9 @@
 
 namespace plumb::reference {
 
-/// Intervals of doubles rounded to nearest, for looking where a proof can be had: what they say proves nothing.
+/// Intervals of doubles rounded to nearest, for looking where a proof can be had: what they say proves nothing. With
+/// DoubleInterval in their place find_stationary leaves 12 of 50 random pairs (superquadric, hard) incomplete that it
+/// completes with these.
 struct RoughInterval {
   double lower = 0, upper = 0;
 

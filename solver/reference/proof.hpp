@@ -1,7 +1,7 @@
 // A stored proof, and the verifier that takes a case and the proof and confirms the bounds without searching.
 //
-// To be believed: this header with proof.cpp, verify.hpp, enclosure.hpp and cover.hpp, and MPFI. Nothing is taken from the
-// search, from a solution, or on trust from the proof itself.
+// To be believed: this header with proof.cpp, verify.hpp, enclosure.hpp, vector_interval.hpp, interval.hpp and cover.hpp,
+// and MPFI. Nothing is taken from the search, from a solution, or on trust from the proof itself.
 //
 //   Bodies that overlap   the cover: each part of all directions has o > level, or a lower bound of its own, or lies in a
 //                         region where o has one minimum at most and the region's solution bounds it from below
