@@ -1,6 +1,5 @@
 #include "solver/reference/certify.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "solver/reference/chart_interval.hpp"
 #include "solver/reference/condition.hpp"
 #include "solver/reference/cover_search.hpp"
+#include "solver/reference/frame.hpp"
 #include "solver/reference/interval_double.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/reference/revolution.hpp"
@@ -24,14 +24,6 @@ constexpr double gap = 1e-12;  // of the bounds, relative to the size
 template <class I>
 constexpr int most_cells = std::is_same_v<I, Interval80> ? 60'000 : 4'000;
 
-/// An orthonormal frame, but for rounding, whose third axis is n.
-Mat3<double> frame_about(const Vec3<double>& n) {
-  Mat3<double> f;
-  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
-  f << across, axis.cross(across), axis;
-  return f;
-}
-
 /// The chart point v with F v parallel to n, to the digits of n, and its face; the half-width is not set.
 template <class I>
 struct ChartPoint {
@@ -41,10 +33,7 @@ struct ChartPoint {
 
 template <class I, class S>
 ChartPoint<I> chart_point(const Mat3<double>& frame, const Vec3<S>& n) {
-  const Mat3<S> f = frame.cast<S>();
-  Vec3<S> v = f.transpose() * n;
-  const int corrections = std::numeric_limits<S>::digits / std::numeric_limits<double>::digits;
-  for (int i = 0; i < corrections; ++i) v += f.transpose() * (n - f * v);  // each gains the digits of F's own rounding
+  Vec3<S> v = in_frame<S>(frame, n);
   int axis = 0;
   v.template cast<double>().cwiseAbs().maxCoeff(&axis);
   const double sign = v[axis] < S(0) ? -1 : 1;
@@ -77,22 +66,6 @@ struct Minimum {
   [[nodiscard]] bool is_tight() const { return proof.located && high(proof.deficit) < gap / 2; }
   [[nodiscard]] I least() const { return low_end<I>(I(proof.value - proof.deficit)); }
 };
-
-/// Upper bound of the angle between two unit vectors from that of their distance.
-double angle_of_chord(double chord) {
-  return chord <= 1
-             ? high(DoubleInterval(chord) + DoubleInterval(chord) * square<DoubleInterval>(DoubleInterval(chord)))
-             : std::numeric_limits<double>::infinity();
-}
-
-/// How far a box reaches from a point; infinity where it has no bounds.
-template <class I>
-double farthest(const IVec3<I>& box, const Vec3<Real50>& from) {
-  I reach2(0.0);
-  for (int i = 0; i < 3; ++i) reach2 += square<I>(I(box[i] - enclosing<I>(from[i])));
-  const double out = high(root<I>(reach2));
-  return out == out ? out : std::numeric_limits<double>::infinity();
-}
 
 /// A region about a chart point with its proof.
 template <class I>
@@ -224,7 +197,7 @@ class Certifier {
     if (is_sphere(pair_.body1.shape) && is_sphere(pair_.body2.shape)) return bound_spheres();
     const auto axis = common_axis(rough_);
     if (!axis) return false;
-    using C = CoverInterval<I>;
+    using C = std::conditional_t<std::is_same_v<I, DoubleInterval>, DoubleInterval, Interval18>;
     const FramedPair<C> framed(enclose<C>(pair_), frame_about(*axis));
     const double slack = high(asymmetry<C>(pair_, framed));
     MeridianBound found;
@@ -246,9 +219,7 @@ class Certifier {
   /// o(n) = r1 + r2 - n.c: lowest along the line of centres, the same everywhere where they coincide.
   bool bound_spheres() {
     if (!minima_.empty() && minima_.front().exists) return false;
-    const IVec3<I>& c = enclosed_.centre;
-    const I distance = root<I>(I(square<I>(c[0]) + square<I>(c[1]) + square<I>(c[2])));
-    bound(enclosed_.body1.semi_axes[0] + enclosed_.body2.semi_axes[0] - distance);
+    bound(enclosed_.body1.semi_axes[0] + enclosed_.body2.semi_axes[0] - length_of<I>(enclosed_.centre));
     out_.unique = pair_.body1.position == pair_.body2.position ? Claim::disproved : Claim::proved;
     if (out_.unique == Claim::proved) return true;
     out_.rings.push_back({Vec3<double>::UnitZ(), 0, std::numbers::pi});
@@ -394,7 +365,7 @@ class Certifier {
     const DirectionEnclosure<I> at = enclose_direction<I>(frame_.fine, minimum.box);
     out.proved = true;
     out.bounds = to_world(minimum.least(), minimum.proof.value);
-    out.normal_radius = angle_of_chord(farthest<I>(at.normal, out.normal));
+    out.normal_radius = angle_of_chord(farthest(at.normal, out.normal));
     out.points_radius = reach_of_points(out, at.point1, at.point2);
     if constexpr (std::is_same_v<S, Real50>) sharpen(out, minimum.at);
     return out;
@@ -402,12 +373,8 @@ class Certifier {
 
   /// How far the boxes (pair frame) reach from the solution's points (world frame).
   [[nodiscard]] double reach_of_points(const Solution& from, const IVec3<I>& point1, const IVec3<I>& point2) const {
-    const auto in_world = [&](const IVec3<I>& x) -> IVec3<I> {
-      IVec3<I> out;
-      for (int i = 0; i < 3; ++i) out[i] = times_power_of_two<I>(x[i], enclosed_.exponent) + I(pair_.body1.position[i]);
-      return out;
-    };
-    return std::max(farthest<I>(in_world(point1), from.point1), farthest<I>(in_world(point2), from.point2));
+    return std::max(farthest(enclosed_.to_world_point(point1, pair_), from.point1),
+                    farthest(enclosed_.to_world_point(point2, pair_), from.point2));
   }
 
   /// On flat faces a direction says little about the points, and the charts all: Krawczyk's test there proves the one common
@@ -417,7 +384,7 @@ class Certifier {
     if (out.points_radius < sharp * size_of(pair_) && out.normal_radius < sharp) return;
     const ProvedBox box = prove_solution(enclosed_, square_form(fine_, at.at), at.at);
     if (!box.proof.exists) return;
-    out.normal_radius = std::min(out.normal_radius, angle_of_chord(farthest<I>(box.jet.body1.normal, out.normal)));
+    out.normal_radius = std::min(out.normal_radius, angle_of_chord(farthest(box.jet.body1.normal, out.normal)));
     const IVec3<I> point2 = box.jet.body2.point + enclosed_.centre;
     out.points_radius = std::min(out.points_radius, reach_of_points(out, box.jet.body1.point, point2));
   }

@@ -9,157 +9,7 @@ namespace {
 
 using I = Interval80;
 
-template <class J>
-J with_sign_of(const J& size, const J& x) {
-  if (low(x) >= 0) return size;
-  return high(x) <= 0 ? J(-size) : hull<J>(J(-high_end<J>(size)), high_end<J>(size));
-}
-
-/// The part of x within [0, 1], where the exact value is known to lie.
-template <class J>
-J within_one(const J& x) {
-  J out;
-  mpfi_intersect(out.data(), x.data(), hull<J>(0.0, 1.0).data());
-  return out;
-}
-
-/// |x| / b for |x| <= b; anything in [0, 1] where both reach zero.
-template <class J>
-J share(const J& x, const J& b) {
-  return is_positive(b) ? within_one<J>(J(magnitude<J>(x) / b)) : hull<J>(0.0, 1.0);
-}
-
-/// x^e for x >= 0 and e >= 0, 1 for e = 0; whole exponents by multiplication.
-template <class J>
-J power_of(const J& x, const J& e) {
-  const double exponent = low(e);
-  if (exponent == 0 && high(e) == 0) return J(1.0);
-  return exponent == high(e) ? power<J>(x, exponent) : power<J>(x, e);
-}
-
-/// x^e log x for x in [0, 1] and e > 0: y log(y) / e at y = x^e, which falls to -exp(-1) and rises again.
-template <class J>
-J power_log(const J& x, const J& e) {
-  const J y = power_of<J>(x, e);
-  if (is_positive(y)) return y * log(y) / e;
-  const J end = high_end<J>(y), lowest = -exp(J(-1.0));
-  if (!is_positive(end)) return J(0.0);
-  const J at_end = end * log(end);
-  return hull<J>(high(J(end + lowest)) <= 0 ? at_end : lowest, J(0.0)) / e;
-}
-
-/// alpha and beta of one level of the nest (shape/chart.hpp).
-template <class J>
-struct Powers {
-  J alpha, beta;
-
-  explicit Powers(double n)
-      : alpha(n >= 2 ? J(1.0) : J(J(1.0) / (J(n) - J(1.0)))), beta(n >= 2 ? J(J(n) - J(1.0)) : J(1.0)) {}
-  [[nodiscard]] J norm() const { return alpha + beta; }
-  [[nodiscard]] J norm_less_one() const { return alpha + beta - J(1.0); }
-};
-
-template <class J>
-J norm_of_two(const J& x, const J& y, const J& nu) {
-  if (low(nu) == 2 && high(nu) == 2) return root<J>(J(square<J>(x) + square<J>(y)));
-  return power_of<J>(J(power_of<J>(x, nu) + power_of<J>(y, nu)), J(J(1.0) / nu));
-}
-
-/// The quantities of shape/chart.hpp over a box.
-template <class J>
-struct ChartNorms {
-  Powers<J> outer, inner;
-  IVec3<J> w;
-  J rho, tau;
-  IVec2<J> inner_share;  ///< |xi| / rho, |eta| / rho
-  J rho_share, z_share;  ///< rho / tau, |zeta| / tau
-  IVec2<J> drho;
-  IVec3<J> dtau;
-
-  ChartNorms(const EnclosedBody<J>& body, const IVec3<J>& at) : outer(body.n1), inner(body.n2), w(at) {
-    rho = norm_of_two<J>(magnitude<J>(w[0]), magnitude<J>(w[1]), inner.norm());
-    tau = norm_of_two<J>(rho, magnitude<J>(w[2]), outer.norm());
-    rho_share = share<J>(rho, tau);
-    z_share = share<J>(w[2], tau);
-    const J slope = power_of<J>(rho_share, outer.norm_less_one());
-    for (int i = 0; i < 2; ++i) {
-      inner_share[i] = share<J>(w[i], rho);
-      drho[i] = with_sign_of<J>(power_of<J>(inner_share[i], inner.norm_less_one()), w[i]);
-      dtau[i] = slope * drho[i];
-    }
-    dtau[2] = with_sign_of<J>(power_of<J>(z_share, outer.norm_less_one()), w[2]);
-  }
-};
-
-/// v = (rho^k1 (xi/rho)^k2, .. eta .., zeta^k1), signed powers, and its Jacobian by w.
-template <class J>
-struct PowerMapBox {
-  IVec3<J> value;
-  IMat3<J> jacobian;
-
-  PowerMapBox(const ChartNorms<J>& at, const J& k1, const J& k2) {
-    const J one(1.0), zero(0.0);
-    const J slope = power_of<J>(at.rho, J(k1 - one)), length = power_of<J>(at.rho, k1);
-    for (int i = 0; i < 2; ++i) {
-      const J size = with_sign_of<J>(power_of<J>(at.inner_share[i], k2), at.w[i]);
-      value[i] = length * size;
-      for (int j = 0; j < 2; ++j) jacobian(i, j) = (k1 - k2) * slope * size * at.drho[j];
-      jacobian(i, i) += k2 * slope * power_of<J>(at.inner_share[i], J(k2 - one));
-      jacobian(i, 2) = jacobian(2, i) = zero;
-    }
-    const J z = magnitude<J>(at.w[2]);
-    value[2] = with_sign_of<J>(power_of<J>(z, k1), at.w[2]);
-    jacobian(2, 2) = k1 * power_of<J>(z, J(k1 - one));
-  }
-};
-
-template <class J>
-IVec3<J> across(const IVec3<J>& n, const IVec3<J>& v) {
-  return v - n * (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
-}
-
-/// The columns by the exponents: products of powers and logarithms of the shares of the nest (sensitivity.hpp).
-/// `scale`: |U(w / tau) / (a, b, c)|.
-template <class J>
-void set_by_exponents(SurfaceJet<J>& jet, const EnclosedBody<J>& body, const ChartNorms<J>& at, const J& scale) {
-  const auto by = [&](const J& k1, const J& k2, int column) -> IVec3<J> {
-    IVec3<J> out;
-    for (int i = 0; i < 2; ++i) {
-      const J& s = at.inner_share[i];
-      const J size = column == 3 ? at.outer.alpha * power_log<J>(at.rho_share, k1) * power_of<J>(s, k2)
-                                 : at.inner.alpha * power_of<J>(at.rho_share, k1) * power_log<J>(s, k2);
-      out[i] = -with_sign_of<J>(J(-size), at.w[i]);  // size <= 0
-    }
-    const J z = column == 3 ? J(at.outer.alpha * power_log<J>(at.z_share, k1)) : J(0.0);
-    out[2] = -with_sign_of<J>(J(-z), at.w[2]);
-    return out;
-  };
-  for (const int column : {3, 4}) {
-    const IVec3<J> x = by(at.outer.alpha, at.inner.alpha, column);
-    IVec3<J> u = by(at.outer.beta, at.inner.beta, column);
-    for (int i = 0; i < 3; ++i) {
-      jet.point_by_shape(i, column) = -(body.semi_axes[i] * x[i]);
-      u[i] = u[i] / (body.semi_axes[i] * scale);
-    }
-    jet.normal_by_shape.col(column) = across<J>(jet.normal, u);
-  }
-}
-
-template <class J>
-void set_by_axes(SurfaceJet<J>& jet) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      jet.point_by_shape(j, i) = i == j ? jet.point[i] : J(0.0);
-      jet.normal_by_shape(j, i) =
-          i == j ? J(jet.normal[i] * (square<J>(jet.normal[i]) - J(1.0))) : J(jet.normal[j] * square<J>(jet.normal[i]));
-    }
-}
-
 using Square = Eigen::Matrix<I, 4, 4>;
-
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// The larger of two upper bounds, NaN where one is.
 I larger(const I& a, const I& b) {
@@ -188,49 +38,9 @@ I newton_step(const EnclosedPair<I>& pair, const SquareForm& form, const ChartPa
 
 }  // namespace
 
-ChartBox<I> chart_box(const CubePoint<Real50>& at, const I& radius) {
-  ChartBox<I> out{{}, at.major};
-  for (int i = 0; i < 3; ++i) out.w[i] = enclosing<I>(at.w[i]);
-  const I both = hull<I>(I(-radius), radius);
-  for (int k = 0; k < 2; ++k) out.w[at.minor(k)] += both;
-  return out;
-}
-
-template <class J>
-SurfaceJet<J> surface_jet(const EnclosedBody<J>& body, const ChartBox<J>& box) {
-  const ChartNorms<J> at(body, box.w);
-  const PowerMapBox<J> x(at, at.outer.alpha, at.inner.alpha), u(at, at.outer.beta, at.inner.beta);
-  const J shrink = J(1.0) / power_of<J>(at.tau, at.outer.alpha);
-  SurfaceJet<J> out;
-  IVec3<J> v;
-  for (int i = 0; i < 3; ++i) {
-    out.point[i] = body.semi_axes[i] * x.value[i] * shrink;
-    v[i] = u.value[i] / body.semi_axes[i];
-  }
-  const J length = root<J>(J(square<J>(v[0]) + square<J>(v[1]) + square<J>(v[2])));
-  for (int i = 0; i < 3; ++i) out.normal[i] = v[i] / length;
-  for (int k = 0; k < 2; ++k) {
-    const int column = (box.major + 1 + k) % 3;
-    IVec3<J> dv;
-    for (int i = 0; i < 3; ++i) {
-      const J slide = x.jacobian(i, column) - at.outer.alpha * x.value[i] * at.dtau[column] / at.tau;
-      out.dpoint(i, k) = body.semi_axes[i] * slide * shrink;
-      dv[i] = u.jacobian(i, column) / (body.semi_axes[i] * length);
-    }
-    out.dnormal.col(k) = across<J>(out.normal, dv);
-  }
-  set_by_axes<J>(out);
-  set_by_exponents<J>(out, body, at, J(length / power_of<J>(at.tau, at.outer.beta)));
-  return out;
-}
-
 ContactJet<I> contact_jet(const EnclosedPair<I>& pair, const ChartPair<Real50>& at, const I& radius) {
-  I size = pair.body1.semi_axes[0];
-  for (const auto* body : {&pair.body1, &pair.body2})
-    for (int i = 0; i < 3; ++i)
-      if (high(body->semi_axes[i]) > high(size)) size = body->semi_axes[i];
   return {surface_jet<I>(pair.body1, chart_box(at.at1, radius)).turned(pair.body1.rotation),
-          surface_jet<I>(pair.body2, chart_box(at.at2, radius)).turned(pair.body2.rotation), pair.centre, size};
+          surface_jet<I>(pair.body2, chart_box(at.at2, radius)).turned(pair.body2.rotation), pair.centre, pair.size()};
 }
 
 SquareForm square_form(const PlacedPair<Real50>& placed, const ChartPair<Real50>& at) {
@@ -292,8 +102,5 @@ ProvedBox prove_solution(const EnclosedPair<I>& pair, const SquareForm& form, co
   const I radius = high(step) > least ? I(I(4.0) * high_end<I>(step)) : I(least);
   return krawczyk(pair, form, at, step, radius);
 }
-
-template SurfaceJet<Interval18> surface_jet(const EnclosedBody<Interval18>&, const ChartBox<Interval18>&);
-template SurfaceJet<Interval80> surface_jet(const EnclosedBody<Interval80>&, const ChartBox<Interval80>&);
 
 }  // namespace plumb::reference

@@ -1,34 +1,15 @@
-// The surface's charts (shape/chart.hpp) in interval arithmetic, and Krawczyk's test on the chart equations.
+// Krawczyk's test on the chart equations (chart_solve.hpp).
 //
 // Existence and uniqueness come from four of the six equations, G = (e_k.(n1 + n2), e_k.(n1 x (p1 - p2))), k = 1, 2, with two
 // fixed vectors e1, e2 across the approximate normal and e3 = e1 x e2. Where G = 0, n1 + n2 = s e3 with s = 0 or, n1 and n2
 // being unit, n1.n2 = 2 (n1.e3)^2 / |e3|^2 - 1; and n1 x (p1 - p2) = g e3 with g n1.e3 = 0. So on a box where n1.n2 < 0 and
 // (n1.e3)^2 > |e3|^2 / 2, G = 0 is all of a common normal. In chart coordinates nothing is infinite: where one body's flat or
 // edge makes the second derivatives by direction infinite, this test still proves.
-//
-// The charts are Lipschitz, and differentiable except at the pole rho = 0 of an outer power 1 and another inner one; there
-// the intervals hold every limit of the derivatives, which is what the mean value theorem (and so Krawczyk's test) asks for.
 #pragma once
 
-#include "solver/reference/enclosure.hpp"
-#include "solver/reference/real.hpp"
-#include "solver/reference/sensitivity.hpp"
+#include "solver/reference/surface_enclosure.hpp"
 
 namespace plumb::reference {
-
-/// A box of chart points: w's largest component is 1 or -1, the two others are intervals.
-template <class I>
-struct ChartBox {
-  IVec3<I> w;
-  int major;
-};
-
-/// The box of half-width `radius` about a chart point.
-[[nodiscard]] ChartBox<Interval80> chart_box(const CubePoint<Real50>& at, const Interval80& radius);
-
-/// Point, normal and all their derivatives over the box, body axes. Zero coordinates and any legal exponents.
-template <class I>
-[[nodiscard]] SurfaceJet<I> surface_jet(const EnclosedBody<I>& body, const ChartBox<I>& box);
 
 /// Both bodies over the boxes of half-width `radius` about a chart pair, pair frame.
 [[nodiscard]] ContactJet<Interval80> contact_jet(const EnclosedPair<Interval80>& pair, const ChartPair<Real50>& at,

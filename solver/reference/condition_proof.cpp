@@ -32,20 +32,18 @@ bool is_bounded(const Magnitudes<I>& m) {
 }
 
 IVec3<I> ball(const Vec3<double>& centre, double radius) {
-  IVec3<I> out;
-  for (int i = 0; i < 3; ++i) out[i] = I(centre[i]) + hull<I>(-radius, radius);
-  return out;
+  return enclosed<I>(centre) + IVec3<I>::Constant(hull<I>(-radius, radius));
 }
 
 /// A contact point relative to its body's centre.
 IVec3<I> reach(const IVec3<I>& point, const Body& body) {
-  return {point[0] - I(body.position[0]), point[1] - I(body.position[1]), point[2] - I(body.position[2])};
+  return point - enclosed<I>(body.position);
 }
 
 /// The support functions' share of the overlap's condition: 2 |p x n| by the turn, h by the axes, and at most
 /// h log 2 (1 / n1 + 1 / n2) by the exponents.
 I support_part(const IVec3<I>& n, const IVec3<I>& p, const Superellipsoid<double>& shape) {
-  const I h = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
+  const I h = dot(n, p);
   const I exponents = log(I(2.0)) * (I(1.0) / I(shape.n1) + I(1.0) / I(shape.n2));
   return I(2.0) * frobenius_norm<I>(cross_product<I>(p, n)) + h * (I(1.0) + hull<I>(I(0.0), exponents));
 }

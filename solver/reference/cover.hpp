@@ -5,11 +5,15 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "solver/contact.hpp"
 
 namespace plumb::reference {
+
+/// Of the doubles that a cover is written in.
+inline constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
 
 /// A square of directions on one face of the cube; it may reach beyond [-1, 1].
 struct Cell {

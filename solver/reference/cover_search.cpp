@@ -8,7 +8,6 @@
 namespace plumb::reference {
 namespace {
 
-constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
 constexpr double inside = 1 - 16 * machine_epsilon;  // witnesses are drawn in by this, to lie in their bodies for sure
 constexpr double above = 128 * machine_epsilon;      // how far above the level a corner must be to be so in intervals
 constexpr double small_cell = 1.0 / (1 << 10);       // of this half-width a cell is worth a question

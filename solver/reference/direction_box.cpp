@@ -7,32 +7,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <class I>
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class I>
-IVec3<I> cross(const IVec3<I>& a, const IVec3<I>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <class I>
-IVec3<I> enclosed(const Vec3<double>& v) {
-  return {I(v[0]), I(v[1]), I(v[2])};
-}
-
-template <class I>
-bool is_zero(const I& x) {
-  return low(x) == 0 && high(x) == 0;
-}
-
-template <class I>
-I signed_like(const I& size, const I& x) {
-  if (low(x) >= 0) return size;
-  return high(x) <= 0 ? I(-size) : hull<I>(I(-high_end<I>(size)), high_end<I>(size));
-}
-
 /// The m-norm of (x, y), x and y >= 0, with its derivatives g, and the s = g / x that second derivatives are made of.
 template <class I>
 struct PairNorm {
@@ -43,7 +17,7 @@ struct PairNorm {
 
 // With t = y / x: gx = (1 + t^m)^(-1/n), gy = t^(m-1) gx, norm = x (1 + t^m) gx.
 template <class I>
-PairNorm<I> pair_norm(const I& x, const I& y, const DualExponent<I>& m, double n) {
+PairNorm<I> pair_norm_at(const I& x, const I& y, const DualExponent<I>& m, double n) {
   if (!(high(x) > 0) && !(high(y) > 0)) {
     const I any = hull<I>(0, 1), beyond = hull<I>(0, infinity);
     return {I(0.0), any, any, beyond, beyond};
@@ -52,7 +26,7 @@ PairNorm<I> pair_norm(const I& x, const I& y, const DualExponent<I>& m, double n
     const I norm = root<I>(I(square<I>(x) + square<I>(y))), s = I(1.0) / norm;
     return {norm, x * s, y * s, s, s};
   }
-  if (high(x) < high(y)) return pair_norm<I>(y, x, m, n).exchanged();
+  if (high(x) < high(y)) return pair_norm_at<I>(y, x, m, n).exchanged();
   if (!(high(y) > 0)) return {x, I(1.0), I(0.0), I(1.0) / x, I(n > 2 ? infinity : 0.0)};
   const I t = y / x, ratio = power<I>(t, m.minus_one), sum = I(1.0) + t * ratio;
   const I gx = power<I>(sum, I(I(-1.0) / I(n))), gy = ratio * gx;
@@ -68,10 +42,10 @@ bool is_narrow(const I& x) {
 // for m > 2 it is (x / norm)^(m-2) / norm.
 template <class I>
 PairNorm<I> pair_norm_range(const I& x, const I& y, const DualExponent<I>& m, double n) {
-  if (is_narrow<I>(x) && is_narrow<I>(y)) return pair_norm<I>(x, y, m, n);
+  if (is_narrow<I>(x) && is_narrow<I>(y)) return pair_norm_at<I>(x, y, m, n);
   const I x0 = low_end<I>(x), x1 = high_end<I>(x), y0 = low_end<I>(y), y1 = high_end<I>(y);
-  const PairNorm<I> least = pair_norm<I>(x0, y0, m, n), most = pair_norm<I>(x1, y1, m, n);
-  const PairNorm<I> along_x = pair_norm<I>(x1, y0, m, n), along_y = pair_norm<I>(x0, y1, m, n);
+  const PairNorm<I> least = pair_norm_at<I>(x0, y0, m, n), most = pair_norm_at<I>(x1, y1, m, n);
+  const PairNorm<I> along_x = pair_norm_at<I>(x1, y0, m, n), along_y = pair_norm_at<I>(x0, y1, m, n);
   PairNorm<I> out{hull<I>(least.norm, most.norm), hull<I>(along_y.gx, along_x.gx), hull<I>(along_x.gy, along_y.gy),
                   hull<I>(most.sx, least.sx), hull<I>(most.sy, least.sy)};
   if (n >= 2) return out;
@@ -216,7 +190,7 @@ Functional<I> functional(const ChartedPair<I>& pair, const Vec3<double>& c) {
   for (std::size_t b = 0; b < 2; ++b) out.k[b] = pair.from_base[b] * along;
   const IVec3<I> world =
       pair.base < 0 ? along : IVec3<I>(pair.body(static_cast<std::size_t>(pair.base)).rotation * along);
-  out.offset = pair.frame.transpose() * cross<I>(world, pair.pair.centre);
+  out.offset = pair.frame.transpose() * cross_product<I>(world, pair.pair.centre);
   return out;
 }
 
@@ -227,7 +201,7 @@ Functional<I> axis_functional(const ChartedPair<I>& pair, int axis) {
   Functional<I> out;
   out.k[own] = enclosed<I>(Vec3<double>::Unit(axis % 3));
   out.k[other] = pair.body(other).rotation.transpose() * along;
-  out.offset = pair.frame.transpose() * cross<I>(along, pair.pair.centre);
+  out.offset = pair.frame.transpose() * cross_product<I>(along, pair.pair.centre);
   return out;
 }
 
@@ -236,7 +210,7 @@ I value_of(const DirectionBox<I>& box, const Functional<I>& phi) {
   I out = -dot<I>(phi.offset, box.v);
   for (std::size_t b = 0; b < 2; ++b) {
     const BodyBox<I>& body = box.bodies[b];
-    out += dot<I>(body.point, cross<I>(body.direction, phi.k[b]));
+    out += dot<I>(body.point, cross_product<I>(body.direction, phi.k[b]));
   }
   return out;
 }
@@ -250,12 +224,12 @@ I slope_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Functio
     const BodyBox<I>& body = box.bodies[b];
     const IVec3<I>& k = phi.k[b];
     const IVec3<I> w = pair.to_body[b].col(component);
-    const IVec3<I> across = cross<I>(body.direction, k);
-    out += dot<I>(body.point, cross<I>(w, k));
+    const IVec3<I> across = cross_product<I>(body.direction, k);
+    out += dot<I>(body.point, cross_product<I>(w, k));
     for (int i = 0; i < 3; ++i) {
-      if (is_zero<I>(k[(i + 1) % 3]) && is_zero<I>(k[(i + 2) % 3])) continue;
+      if (is_exactly<I>(k[(i + 1) % 3], 0) && is_exactly<I>(k[(i + 2) % 3], 0)) continue;
       for (int j = 0; j < 3; ++j)
-        if (!is_zero<I>(w[j])) out += across[i] * body.hessian(i, j) * w[j];
+        if (!is_exactly<I>(w[j], 0)) out += across[i] * body.hessian(i, j) * w[j];
     }
   }
   return out;
@@ -264,24 +238,15 @@ I slope_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Functio
 template <class I>
 I bending_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Vec3<double>& c) {
   const Functional<I> phi = functional<I>(pair, c);
-  const IVec3<I> d = pair.columns * box.v, b = cross<I>(d, enclosed<I>(c));
+  const IVec3<I> d = pair.columns * box.v, b = cross_product<I>(d, enclosed<I>(c));
   I out(0.0), height = -dot<I>(pair.pair.centre, IVec3<I>(pair.frame * box.v));
   for (std::size_t i = 0; i < 2; ++i) {
     const BodyBox<I>& body = box.bodies[i];
-    const IVec3<I> across = cross<I>(body.direction, phi.k[i]);
+    const IVec3<I> across = cross_product<I>(body.direction, phi.k[i]);
     out += dot<I>(across, IVec3<I>(body.hessian * across));
     height += dot<I>(body.point, body.direction);
   }
-  const auto length2 = [](const IVec3<I>& x) -> I { return square<I>(x[0]) + square<I>(x[1]) + square<I>(x[2]); };
-  return out - height * length2(b) / length2(d);
-}
-
-template <class I>
-IVec3<I> box_of(const Cell& cell, double half) {
-  IVec3<I> out = enclosed<I>(cell.at(0, 0));
-  if (half > 0)
-    for (const int step : {1, 2}) out[(cell.axis + step) % 3] += hull<I>(-half, half);
-  return out;
+  return out - height * squared_length<I>(b) / squared_length<I>(d);
 }
 
 template <class I>
@@ -316,7 +281,6 @@ bool holds(const ChartedPair<I>& pair, const Cell& cell, const Exclusion& exclus
   template I value_of(const DirectionBox<I>&, const Functional<I>&);                             \
   template I slope_of(const ChartedPair<I>&, const DirectionBox<I>&, const Functional<I>&, int); \
   template I bending_of(const ChartedPair<I>&, const DirectionBox<I>&, const Vec3<double>&);     \
-  template IVec3<I> box_of(const Cell&, double);                                                 \
   template bool is_within(const Mat3<double>&, const IVec3<I>&, double);                         \
   template bool holds(const ChartedPair<I>&, const Cell&, const Exclusion&);
 

@@ -15,7 +15,9 @@
 
 namespace plumb::reference {
 
-/// Intervals of doubles rounded to nearest, for looking where a proof can be had: what they say proves nothing.
+/// Intervals of doubles rounded to nearest, for looking where a proof can be had: what they say proves nothing. With
+/// DoubleInterval in their place find_stationary leaves 12 of 50 random pairs (superquadric, hard) incomplete that it
+/// completes with these.
 struct RoughInterval {
   double lower = 0, upper = 0;
 
@@ -157,10 +159,6 @@ template <class I>
 /// the axes of the frame's base.
 template <class I>
 [[nodiscard]] I bending_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Vec3<double>& c);
-
-/// The box of a cell's chart points, and its middle.
-template <class I>
-[[nodiscard]] IVec3<I> box_of(const Cell& cell, double half);
 
 /// Whether d is a positive multiple of frame (x, y, 1) with |x| and |y| <= half, and det(frame) positive.
 template <class I>

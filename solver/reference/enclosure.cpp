@@ -8,7 +8,7 @@ namespace plumb::reference {
 namespace {
 
 template <class I>
-IVec3<I> enclosed(const Vec3<double>& v, int exponent) {
+IVec3<I> scaled_vector(const Vec3<double>& v, int exponent) {
   IVec3<I> out;
   for (int i = 0; i < 3; ++i) out[i] = times_power_of_two<I>(I(v[i]), exponent);
   return out;
@@ -33,7 +33,7 @@ IMat3<I> enclosed_rotation(const std::array<double, 4>& quaternion) {
 
 template <class I>
 EnclosedBody<I> enclosed_body(const Body& body, int exponent) {
-  return {enclosed<I>(body.shape.semi_axes, -exponent),
+  return {scaled_vector<I>(body.shape.semi_axes, -exponent),
           body.shape.n1,
           body.shape.n2,
           DualExponent<I>(body.shape.n1),
@@ -62,20 +62,6 @@ struct Norms {
     value = pair_norm<I>(r, size[2], body.m1, body.n1);
   }
 };
-
-/// a / b for 0 <= a <= b, where b may reach zero.
-template <class I>
-I share(const I& a, const I& b) {
-  if (!is_positive(b)) return hull<I>(0, 1);
-  const I quotient = a / b;
-  return high(quotient) <= 1 ? quotient : hull<I>(low_end<I>(quotient), I(1.0));
-}
-
-template <class I>
-I signed_like(const I& size, const I& x) {
-  if (low(x) >= 0) return size;
-  return high(x) <= 0 ? I(-size) : hull<I>(I(-high_end<I>(size)), high_end<I>(size));
-}
 
 /// The least x^e over x >= 0, finite: at the high end for a negative e, at the low end otherwise.
 template <class I>
@@ -157,7 +143,8 @@ EnclosedPair<I> enclose(const Pair& pair) {
   int exponent = 0;
   (void)std::frexp(size_of(pair), &exponent);
   --exponent;
-  const IVec3<I> from = enclosed<I>(pair.body1.position, -exponent), to = enclosed<I>(pair.body2.position, -exponent);
+  const IVec3<I> from = scaled_vector<I>(pair.body1.position, -exponent),
+                 to = scaled_vector<I>(pair.body2.position, -exponent);
   IVec3<I> centre;
   for (int i = 0; i < 3; ++i) centre[i] = to[i] - from[i];
   return {enclosed_body<I>(pair.body1, exponent), enclosed_body<I>(pair.body2, exponent), centre, exponent};
@@ -262,119 +249,6 @@ HessianTerms<I> hessian_floor(const EnclosedBody<I>& body, const IVec3<I>& q, co
   return out;
 }
 
-namespace {
-
-/// Exactly one number?
-template <class I>
-bool is_exactly(const I& x, double value) {
-  return low(x) == value && high(x) == value;
-}
-
-/// x^e for x >= 0 and e >= 0, with 0^0 = 1.
-template <class I>
-I plain_power(const I& x, const I& e) {
-  if (is_exactly<I>(e, 0)) return I(1.0);
-  return is_exactly<I>(e, 1) ? x : power<I>(x, e);
-}
-
-/// |(x, y)|_p for x, y >= 0.
-template <class I>
-I norm_of_pair(const I& x, const I& y, const I& p) {
-  if (is_exactly<I>(p, 2)) return root<I>(I(square<I>(x) + square<I>(y)));
-  return power<I>(I(power<I>(x, p) + power<I>(y, p)), I(I(1.0) / p));
-}
-
-/// The nested norm of v with its gradient (the formula of shape/nested_norm.hpp).
-template <class I>
-struct NestedNorm {
-  IVec3<I> size;    ///< |v|
-  IVec2<I> shares;  ///< |x|/R, |y|/R
-  I inner, outer;   ///< R, N
-  IVec2<I> inner_gradient;
-  IVec3<I> gradient;
-
-  NestedNorm(const IVec3<I>& v, const I& p1, const I& p2) {
-    for (int i = 0; i < 3; ++i) size[i] = magnitude<I>(v[i]);
-    inner = norm_of_pair<I>(size[0], size[1], p2);
-    outer = norm_of_pair<I>(inner, size[2], p1);
-    shares = {share<I>(size[0], inner), share<I>(size[1], inner)};
-    const I less1 = p1 - I(1.0), less2 = p2 - I(1.0);
-    const I outward = plain_power<I>(share<I>(inner, outer), less1);
-    for (int i = 0; i < 2; ++i) {
-      inner_gradient[i] = signed_like<I>(plain_power<I>(shares[i], less2), v[i]);
-      gradient[i] = outward * inner_gradient[i];
-    }
-    gradient[2] = signed_like<I>(plain_power<I>(share<I>(size[2], outer), less1), v[2]);
-  }
-};
-
-/// alpha and beta of shape/chart.hpp: one of them is 1 and the other at least 1.
-template <class I>
-struct LevelPowers {
-  I alpha, beta;
-
-  explicit LevelPowers(double n) : alpha(1.0), beta(1.0) {
-    const I less_one = I(n) - I(1.0);
-    if (n >= 2)
-      beta = less_one;
-    else
-      alpha = I(1.0) / less_one;
-  }
-};
-
-/// v = (rho^k1 (xi/rho)^k2, .. eta .., zeta^k1) in signed powers, and dv/dw; `norm` is that of w, rho its inner one.
-template <class I>
-struct PowerMap {
-  IVec3<I> value;
-  IMat3<I> jacobian;
-
-  PowerMap(const IVec3<I>& w, const NestedNorm<I>& norm, const I& k1, const I& k2) : value(w) {
-    const I one(1.0);
-    jacobian.setConstant(I(0.0));
-    for (int i = 0; i < 3; ++i) jacobian(i, i) = one;
-    if (is_exactly<I>(k1, 1) && is_exactly<I>(k2, 1)) return;
-    value[2] = signed_like<I>(plain_power<I>(norm.size[2], k1), w[2]);
-    jacobian(2, 2) = k1 * plain_power<I>(norm.size[2], I(k1 - one));
-    const I slope = plain_power<I>(norm.inner, I(k1 - one));
-    for (int i = 0; i < 2; ++i) {
-      const I part = slope * signed_like<I>(plain_power<I>(norm.shares[i], k2), w[i]);
-      value[i] = norm.inner * part;
-      for (int j = 0; j < 2; ++j) jacobian(i, j) = part * norm.inner_gradient[j] * (k1 - k2);
-      jacobian(i, i) += k2 * slope * plain_power<I>(norm.shares[i], I(k2 - one));
-    }
-  }
-};
-
-}  // namespace
-
-// X = x(w) / tau^alpha1 with dX = (dx - alpha1 x dtau / tau) / tau^alpha1; u(w) is the gradient but for a power of tau.
-template <class I>
-SurfaceEnclosure<I> enclose_surface(const EnclosedBody<I>& body, const SurfaceBox<I>& at) {
-  const LevelPowers<I> first(body.n1), second(body.n2);
-  const NestedNorm<I> tau(at.w, I(first.alpha + first.beta), I(second.alpha + second.beta));
-  const PowerMap<I> x(at.w, tau, first.alpha, second.alpha), u(at.w, tau, first.beta, second.beta);
-  const I shrink = I(1.0) / plain_power<I>(tau.outer, first.alpha), pull = first.alpha / tau.outer;
-  const IMat3<I> stretch = body.rotation * body.semi_axes.asDiagonal();
-  const IMat3<I> unstretch = body.rotation * body.semi_axes.cwiseInverse().asDiagonal();
-  SurfaceEnclosure<I> out;
-  out.point = stretch * IVec3<I>(x.value * shrink);
-  out.gradient = unstretch * u.value;
-  for (int k = 0; k < 2; ++k) {
-    const int column = at.minor(k);
-    const IVec3<I> dx = x.jacobian.col(column) - x.value * I(tau.gradient[column] * pull);
-    out.dpoint.col(k) = stretch * IVec3<I>(dx * shrink);
-    out.dgradient.col(k) = unstretch * u.jacobian.col(column);
-  }
-  return out;
-}
-
-template <class I>
-GaugeEnclosure<I> enclose_gauge(const EnclosedBody<I>& body, const IVec3<I>& x) {
-  const IVec3<I> v = (body.rotation.transpose() * x).cwiseQuotient(body.semi_axes);
-  const NestedNorm<I> norm(v, I(body.n1), I(body.n2));
-  return {norm.outer, body.rotation * IVec3<I>(norm.gradient.cwiseQuotient(body.semi_axes))};
-}
-
 #define PLUMB_INSTANTIATE_ENCLOSURE(I)                                                                 \
   template EnclosedPair<I> enclose(const Pair&);                                                       \
   template bool is_inside(const EnclosedBody<I>&, const Vec3<double>&);                                \
@@ -386,8 +260,5 @@ GaugeEnclosure<I> enclose_gauge(const EnclosedBody<I>& body, const IVec3<I>& x) 
 PLUMB_INSTANTIATE_ENCLOSURE(DoubleInterval)
 PLUMB_INSTANTIATE_ENCLOSURE(Interval18)
 PLUMB_INSTANTIATE_ENCLOSURE(Interval80)
-
-template SurfaceEnclosure<Interval80> enclose_surface(const EnclosedBody<Interval80>&, const SurfaceBox<Interval80>&);
-template GaugeEnclosure<Interval80> enclose_gauge(const EnclosedBody<Interval80>&, const IVec3<Interval80>&);
 
 }  // namespace plumb::reference

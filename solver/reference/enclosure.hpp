@@ -2,18 +2,9 @@
 // pose.hpp (origin at body 1, lengths over 2^exponent).
 #pragma once
 
-#include <Eigen/Core>
-
-#include "solver/reference/interval.hpp"
+#include "solver/reference/vector_interval.hpp"
 
 namespace plumb::reference {
-
-template <class I>
-using IVec3 = Eigen::Matrix<I, 3, 1>;
-template <class I>
-using IVec2 = Eigen::Matrix<I, 2, 1>;
-template <class I>
-using IMat3 = Eigen::Matrix<I, 3, 3>;
 
 /// An exponent of a support function, m = n/(n-1), with m - 1 and m - 2 free of cancellation.
 template <class I>
@@ -39,6 +30,20 @@ struct EnclosedPair {
   EnclosedBody<I> body1, body2;
   IVec3<I> centre;  ///< of body 2
   int exponent;     ///< world length = 2^exponent times the pair's
+
+  /// The longest semi-axis.
+  [[nodiscard]] I size() const {
+    I out = body1.semi_axes[0];
+    for (const auto* body : {&body1, &body2})
+      for (int i = 0; i < 3; ++i)
+        if (high(body->semi_axes[i]) > high(out)) out = body->semi_axes[i];
+    return out;
+  }
+  [[nodiscard]] IVec3<I> to_world_point(const IVec3<I>& x, const Pair& pair) const {
+    IVec3<I> out;
+    for (int i = 0; i < 3; ++i) out[i] = times_power_of_two<I>(x[i], exponent) + I(pair.body1.position[i]);
+    return out;
+  }
 };
 
 template <class I>
@@ -80,33 +85,5 @@ template <class I>
 /// infinite (flat faces).
 template <class I>
 [[nodiscard]] HessianTerms<I> hessian_floor(const EnclosedBody<I>& body, const IVec3<I>& q, const ChartMap<I>& map);
-
-/// Chart coordinates (shape/chart.hpp): component `major` of w is +-1, the two that follow it are the unknowns.
-template <class I>
-struct SurfaceBox {
-  int major = 2;
-  IVec3<I> w;
-
-  [[nodiscard]] int minor(int which) const { return (major + 1 + which) % 3; }
-};
-
-/// The surface points that a box of charts stands for, about the body's centre, and a normal of each (the gauge's gradient
-/// but for a positive factor), with their derivatives by the two unknowns: all in the pair's axes.
-template <class I>
-struct SurfaceEnclosure {
-  IVec3<I> point, gradient;
-  ChartMap<I> dpoint, dgradient;
-};
-template <class I>
-[[nodiscard]] SurfaceEnclosure<I> enclose_surface(const EnclosedBody<I>& body, const SurfaceBox<I>& at);
-
-/// The gauge at x (about the body's centre, the pair's axes) and its gradient.
-template <class I>
-struct GaugeEnclosure {
-  I value;
-  IVec3<I> gradient;
-};
-template <class I>
-[[nodiscard]] GaugeEnclosure<I> enclose_gauge(const EnclosedBody<I>& body, const IVec3<I>& x);
 
 }  // namespace plumb::reference

@@ -72,7 +72,7 @@ namespace {
 using I = TouchScalar;
 
 IVec3<I> enclosed_unit(const Vec3<double>& direction) {
-  const IVec3<I> v{I(direction[0]), I(direction[1]), I(direction[2])};
+  const IVec3<I> v = enclosed<I>(direction);
   return v / length_of(v);
 }
 
@@ -84,10 +84,6 @@ struct Candidate {
 Candidate candidate_of(const PlacedPair<Real50>& placed, const Goal<Real50>& goal, const ChartPair<Real50>& at) {
   const ChartResidual<Real50> f = chart_residual<Real50>(placed, goal, at);
   return {f.normal1, f.point1, f.point2 - placed.body2.centre};
-}
-
-IVec3<I> exact_vector(const Vec3<Real50>& v) {
-  return {enclosing<I>(v[0]), enclosing<I>(v[1]), enclosing<I>(v[2])};
 }
 
 /// The distance at which the planes of normal n touch both bodies: never less than that of first touch.
@@ -105,7 +101,7 @@ I upper_distance(const EnclosedPair<I>& pair, const IVec3<I>& n, const IVec3<I>&
 I lower_distance(const EnclosedPair<I>& pair, const Candidate& at, const IVec3<I>& line) {
   I ball(0.0);
   const auto drawn_in = [&](const EnclosedBody<I>& body, const Vec3<Real50>& p) -> IVec3<I> {
-    const IVec3<I> x = exact_vector(p);
+    const IVec3<I> x = enclosed<I>(p);
     ball += I(1.0) / length_of(IVec3<I>(body.semi_axes.cwiseInverse()));
     return x / high_end<I>(enclose_gauge<I>(body, x).value);
   };
@@ -116,7 +112,7 @@ I lower_distance(const EnclosedPair<I>& pair, const Candidate& at, const IVec3<I
 
 /// Bounds by one direction and two points: all that is left where the charts' equations are singular.
 I bounds_by_duality(const EnclosedPair<I>& pair, const Candidate& at, const IVec3<I>& line) {
-  return hull<I>(lower_distance(pair, at, line), upper_distance(pair, exact_vector(at.normal), line));
+  return hull<I>(lower_distance(pair, at, line), upper_distance(pair, enclosed<I>(at.normal), line));
 }
 
 }  // namespace

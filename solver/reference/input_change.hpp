@@ -15,10 +15,7 @@ namespace plumb::reference {
   I longest = body.semi_axes[0];
   for (int i = 1; i < 3; ++i)
     if (high(body.semi_axes[i]) > high(longest)) longest = body.semi_axes[i];
-  return high_end<I>(
-      std::max(body.n1, body.n2) <= 2
-          ? longest
-          : root<I>(I(square<I>(body.semi_axes[0]) + square<I>(body.semi_axes[1]) + square<I>(body.semi_axes[2]))));
+  return high_end<I>(std::max(body.n1, body.n2) <= 2 ? longest : length_of<I>(body.semi_axes));
 }
 
 /// The changes of a relative size e, in the pair's frame.
@@ -27,11 +24,8 @@ struct InputChange {
 
   I e, size;
 
-  InputChange(const EnclosedPair<I>& pair, double k) : e(I(k) * I(std::numeric_limits<double>::epsilon())), size(0.0) {
-    for (const auto* body : {&pair.body1, &pair.body2})
-      for (int i = 0; i < 3; ++i)
-        if (high(body->semi_axes[i]) > high(size)) size = body->semi_axes[i];
-  }
+  InputChange(const EnclosedPair<I>& pair, double k)
+      : e(I(k) * I(std::numeric_limits<double>::epsilon())), size(pair.size()) {}
   [[nodiscard]] I both_ways() const { return hull<I>(I(-e), e); }
   [[nodiscard]] bool keeps_exponents(const EnclosedBody<I>& body) const {
     return low(I(I(std::min(body.n1, body.n2)) * (I(1.0) - e))) > 1 && high(e) < 1e-3;

@@ -129,16 +129,18 @@ template <class R, class I>
 /// The interval of a number of another type.
 template <class I, class R>
 [[nodiscard]] I enclosing(const R& x) {
-  I out;
-  if constexpr (std::is_same_v<R, long double>) {
-    mpfr_set_ld(&out.data()->left, x, MPFR_RNDD);
-    mpfr_set_ld(&out.data()->right, x, MPFR_RNDU);
-  } else if constexpr (std::is_same_v<R, double>) {
-    out = x;
+  if constexpr (std::is_same_v<R, double>) {
+    return I(x);
   } else {
-    mpfi_set_fr(out.data(), x.backend().data());
+    I out;
+    if constexpr (std::is_same_v<R, long double>) {
+      mpfr_set_ld(&out.data()->left, x, MPFR_RNDD);
+      mpfr_set_ld(&out.data()->right, x, MPFR_RNDU);
+    } else {
+      mpfi_set_fr(out.data(), x.backend().data());
+    }
+    return out;
   }
-  return out;
 }
 
 template <class I>
@@ -177,6 +179,26 @@ template <class I>
 template <class I>
 [[nodiscard]] bool is_positive(const I& x) {
   return mpfi_is_strictly_pos(x.data()) > 0;
+}
+
+template <class I>
+[[nodiscard]] bool is_exactly(const I& x, double value) {
+  return low(x) == value && high(x) == value;
+}
+
+/// a / b for 0 <= a <= b, where b may reach zero.
+template <class I>
+[[nodiscard]] I share(const I& a, const I& b) {
+  if (!is_positive(b)) return hull<I>(0, 1);
+  const I quotient = a / b;
+  return high(quotient) <= 1 ? quotient : hull<I>(low_end<I>(quotient), I(1.0));
+}
+
+/// size >= 0 with the sign of x: both signs where x has no one.
+template <class I>
+[[nodiscard]] I signed_like(const I& size, const I& x) {
+  if (low(x) >= 0) return size;
+  return high(x) <= 0 ? I(-size) : hull<I>(I(-high_end<I>(size)), high_end<I>(size));
 }
 
 /// x 2^e, exactly.

@@ -1,10 +1,10 @@
 #include "solver/reference/isolation.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
+#include "solver/reference/frame.hpp"
 #include "solver/reference/verify.hpp"
 
 namespace plumb::reference {
@@ -12,7 +12,7 @@ namespace {
 
 using Look = RoughInterval;
 using Check = Interval18;
-using Proof = Interval80;
+using Fine = Interval80;
 
 constexpr int widest_level = 2, narrowest_level = 44;  // of the squares tried, half = 2^-level
 constexpr int widest_level_by_signs = 20,
@@ -60,11 +60,9 @@ IVec3<I> square_about_axis(double half) {
   return box_of<I>(Cell{2, 1, 0, 0, half}, half);
 }
 
-/// An orthonormal frame but for rounding, its third axis n, its first two along the eigenvectors of the Hessian of o.
-Mat3<double> frame_about(const EnclosedPair<Look>& pair, const Vec3<double>& n) {
-  Mat3<double> f;
-  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
-  f << across, axis.cross(across), axis;
+/// A frame about n whose first two axes are along the eigenvectors of the Hessian of o.
+Mat3<double> principal_frame(const EnclosedPair<Look>& pair, const Vec3<double>& n) {
+  Mat3<double> f = frame_about(n);
   const ChartedPair<Look> charted(pair, {f});
   const IMat2<Look> j = PlaneMap<Look>(charted, {f}).jacobian(charted, direction_box<Look>(charted, {0.0, 0.0, 1.0}));
   Eigen::Matrix2d m;
@@ -89,11 +87,9 @@ DirectionFrame ridge_frame(int body, int k, const Vec3<double>& n, bool aligned)
 }
 
 /// The chart point v with L v parallel to n, third component 1, to the digits of n.
-IVec3<Proof> chart_point(const Mat3<double>& frame, const Vec3<Real50>& n) {
-  const Mat3<Real50> f = frame.cast<Real50>();
-  Vec3<Real50> v = f.transpose() * n;
-  for (int i = 0; i < 3; ++i) v += f.transpose() * (n - f * v);  // each gains the 15 digits of F's own rounding
-  return {enclosing<Proof>(Real50(v[0] / v[2])), enclosing<Proof>(Real50(v[1] / v[2])), Proof(1.0)};
+IVec3<Fine> chart_point(const Mat3<double>& frame, const Vec3<Real50>& n) {
+  const Vec3<Real50> v = in_frame<Real50>(frame, n);
+  return enclosed<Fine>(Vec3<Real50>(v / v[2]));
 }
 
 // sym(Q J) > 0 on a convex set, Q = diag(sign J11, sign J22): phi(x) = phi(y) would give (x - y)'Q (phi(x) - phi(y)) > 0, so
@@ -123,34 +119,33 @@ double widest_square(const ChartedPair<Look>& look, const ChartedPair<Check>& ch
 }
 
 /// A square of directions that is proved to hold a stationary one, by Krawczyk's operator.
-std::optional<IVec3<Proof>> contract(const ChartedPair<Proof>& pair, const PlaneMap<Proof>& map,
-                                     const IVec3<Proof>& v) {
-  const DirectionBox<Proof> at = direction_box<Proof>(pair, v);
-  const IMat2<Proof> slope = map.jacobian(pair, at);
-  const auto number = [](const Proof& x) { return (low(x) + high(x)) / 2; };
+std::optional<IVec3<Fine>> contract(const ChartedPair<Fine>& pair, const PlaneMap<Fine>& map, const IVec3<Fine>& v) {
+  const DirectionBox<Fine> at = direction_box<Fine>(pair, v);
+  const IMat2<Fine> slope = map.jacobian(pair, at);
+  const auto number = [](const Fine& x) { return (low(x) + high(x)) / 2; };
   Eigen::Matrix2d m;
   m << number(slope(0, 0)), number(slope(0, 1)), number(slope(1, 0)), number(slope(1, 1));
   const Eigen::Matrix2d inverse = m.inverse();
   if (!inverse.allFinite()) return {};
-  IMat2<Proof> y;
-  for (int i = 0; i < 4; ++i) y(i / 2, i % 2) = Proof(inverse(i / 2, i % 2));
-  const IVec2<Proof> newton = y * map.value(at);
+  IMat2<Fine> y;
+  for (int i = 0; i < 4; ++i) y(i / 2, i % 2) = Fine(inverse(i / 2, i % 2));
+  const IVec2<Fine> newton = y * map.value(at);
   const auto first_half = [&](int k) {
-    return 4 * high(magnitude<Proof>(newton[k])) + 1e-30 * high(magnitude<Proof>(v[k])) + 1e-60;
+    return 4 * high(magnitude<Fine>(newton[k])) + 1e-30 * high(magnitude<Fine>(v[k])) + 1e-60;
   };
   std::array<double, 2> half{first_half(0), first_half(1)};
   for (int i = 0; i < 6; ++i, half[0] *= 1024, half[1] *= 1024) {
-    IVec3<Proof> box = v;
-    const std::array<Proof, 2> reach{hull<Proof>(-half[0], half[0]), hull<Proof>(-half[1], half[1])};
+    IVec3<Fine> box = v;
+    const std::array<Fine, 2> reach{hull<Fine>(-half[0], half[0]), hull<Fine>(-half[1], half[1])};
     for (const int k : {0, 1}) box[k] += reach[static_cast<std::size_t>(k)];
-    const IMat2<Proof> product = y * map.jacobian(pair, direction_box<Proof>(pair, box));
+    const IMat2<Fine> product = y * map.jacobian(pair, direction_box<Fine>(pair, box));
     bool inside = true;
-    IVec3<Proof> next = v;
+    IVec3<Fine> next = v;
     for (const int k : {0, 1}) {
-      Proof step = -newton[k];
+      Fine step = -newton[k];
       for (const int l : {0, 1})
-        step += (Proof(k == l ? 1.0 : 0.0) - product(k, l)) * reach[static_cast<std::size_t>(l)];
-      inside &= high(magnitude<Proof>(step)) < half[static_cast<std::size_t>(k)];
+        step += (Fine(k == l ? 1.0 : 0.0) - product(k, l)) * reach[static_cast<std::size_t>(l)];
+      inside &= high(magnitude<Fine>(step)) < half[static_cast<std::size_t>(k)];
       next[k] += step;
     }
     if (inside) return next;
@@ -159,16 +154,16 @@ std::optional<IVec3<Proof>> contract(const ChartedPair<Proof>& pair, const Plane
 }
 
 /// det J has the sign of the Hessian's determinant: the two bases of the plane that it is written in are turned alike.
-std::optional<StationaryKind> kind_of(const ChartedPair<Proof>& pair, const PlaneMap<Proof>& map, const IVec3<Proof>& v,
+std::optional<StationaryKind> kind_of(const ChartedPair<Fine>& pair, const PlaneMap<Fine>& map, const IVec3<Fine>& v,
                                       const DirectionFrame& frame) {
-  const DirectionBox<Proof> box = direction_box<Proof>(pair, v);
-  const IMat2<Proof> j = map.jacobian(pair, box);
-  const Proof determinant = j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0);
-  if (is_positive(Proof(-determinant))) return StationaryKind::saddle;
+  const DirectionBox<Fine> box = direction_box<Fine>(pair, v);
+  const IMat2<Fine> j = map.jacobian(pair, box);
+  const Fine determinant = j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0);
+  if (is_positive(Fine(-determinant))) return StationaryKind::saddle;
   if (!is_positive(determinant)) return {};
-  const Proof bending = bending_of<Proof>(pair, box, frame.columns.col(0));
+  const Fine bending = bending_of<Fine>(pair, box, frame.columns.col(0));
   if (is_positive(bending)) return StationaryKind::minimum;
-  if (is_positive(Proof(-bending))) return StationaryKind::maximum;
+  if (is_positive(Fine(-bending))) return StationaryKind::maximum;
   return {};
 }
 
@@ -204,39 +199,31 @@ struct Ball {
   double radius;
 };
 
-Ball ball_about(const IVec3<Proof>& x) {
+Ball ball_about(const IVec3<Fine>& x) {
   Ball out;
-  Proof reach2(0.0);
-  for (int i = 0; i < 3; ++i) {
-    out.centre[i] = middle<Real50>(x[i]);
-    reach2 += square<Proof>(magnitude<Proof>(Proof(x[i] - enclosing<Proof>(out.centre[i]))));
-  }
-  out.radius = high(root<Proof>(reach2));
+  for (int i = 0; i < 3; ++i) out.centre[i] = middle<Real50>(x[i]);
+  out.radius = farthest(x, out.centre);
   return out;
 }
 
 /// What is known of a pair whose direction lies in a box of chart points; `overlap` in the pair's lengths.
-StationaryPair reported(const Pair& pair, const ChartedPair<Proof>& charted, const IVec3<Proof>& v, StationaryKind kind,
-                        const std::optional<Proof>& overlap) {
-  const DirectionBox<Proof> box = direction_box<Proof>(charted, v);
-  const IVec3<Proof> d = charted.frame * v;
-  const Proof length = root<Proof>(Proof(square<Proof>(d[0]) + square<Proof>(d[1]) + square<Proof>(d[2])));
-  const IVec3<Proof> normal = d / length;
-  IVec3<Proof> point1 = charted.pair.body1.rotation * box.bodies[0].point;
-  IVec3<Proof> point2 = charted.pair.body2.rotation * box.bodies[1].point + charted.pair.centre;
-  const IVec3<Proof> apart = point1 - point2;
-  const Proof along = normal[0] * apart[0] + normal[1] * apart[1] + normal[2] * apart[2];
-  const Proof world = times_power_of_two<Proof>(overlap.value_or(along), charted.pair.exponent);
-  for (int i = 0; i < 3; ++i)
-    for (Proof* x : {&point1[i], &point2[i]})
-      *x = times_power_of_two<Proof>(*x, charted.pair.exponent) + Proof(pair.body1.position[i]);
-  const Ball n = ball_about(normal), p1 = ball_about(point1), p2 = ball_about(point2);
+StationaryPair reported(const Pair& pair, const ChartedPair<Fine>& charted, const IVec3<Fine>& v, StationaryKind kind,
+                        const std::optional<Fine>& overlap) {
+  const DirectionBox<Fine> box = direction_box<Fine>(charted, v);
+  const IVec3<Fine> d = charted.frame * v;
+  const IVec3<Fine> normal = d / length_of(d);
+  const IVec3<Fine> point1 = charted.pair.body1.rotation * box.bodies[0].point;
+  const IVec3<Fine> point2 = charted.pair.body2.rotation * box.bodies[1].point + charted.pair.centre;
+  const Fine along = dot<Fine>(normal, point1 - point2);
+  const Fine world = times_power_of_two<Fine>(overlap.value_or(along), charted.pair.exponent);
+  const Ball n = ball_about(normal), p1 = ball_about(charted.pair.to_world_point(point1, pair)),
+             p2 = ball_about(charted.pair.to_world_point(point2, pair));
   return {kind,      low_as<Real50>(world),         high_as<Real50>(world), n.centre, n.radius, p1.centre,
           p2.centre, std::max(p1.radius, p2.radius)};
 }
 
-IVec3<Check> narrowed(const IVec3<Proof>& v) {
-  return v.unaryExpr([](const Proof& x) {
+IVec3<Check> narrowed(const IVec3<Fine>& v) {
+  return v.unaryExpr([](const Fine& x) {
     Check out;
     mpfi_set(out.data(), x.data());
     return out;
@@ -266,30 +253,29 @@ template <class I>
 bool is_inside_region(const ChartedPair<I>& search, const Cell& cell, const Isolated& region) {
   for (const double du : {-1.0, 1.0})
     for (const double dv : {-1.0, 1.0}) {
-      const Vec3<double> v = cell.at(du, dv);
-      const IVec3<I> corner{I(v[0]), I(v[1]), I(v[2])};
-      if (!is_in_region<I>(search.pair, IVec3<I>(search.frame * corner), region)) return false;
+      const IVec3<I> corner = search.frame * enclosed<I>(cell.at(du, dv));
+      if (!is_in_region<I>(search.pair, corner, region)) return false;
     }
   return true;
 }
 
 bool lies_in_region(const EnclosedPair<Look>& pair, const Vec3<double>& direction, const Isolated& region) {
-  return is_in_region<Look>(pair, {direction[0], direction[1], direction[2]}, region);
+  return is_in_region<Look>(pair, enclosed<Look>(direction), region);
 }
 
 Isolator::Isolator(const Pair& pair)
-    : pair_(pair), placed_(place<Real50>(pair)), fine_(enclose<Proof>(pair)), coarse_(enclose<Check>(pair)),
+    : pair_(pair), placed_(place<Real50>(pair)), fine_(enclose<Fine>(pair)), coarse_(enclose<Check>(pair)),
       rough_(rounded(coarse_)) {}
 
-std::optional<Isolated> Isolator::isolate_in(const DirectionFrame& frame, const IVec3<Proof>& v) const {
+std::optional<Isolated> Isolator::isolate_in(const DirectionFrame& frame, const IVec3<Fine>& v) const {
   const ChartedPair<Check> check(coarse_, frame);
   const double half = widest_square({rough_, frame}, check, frame);
   if (!(half > 0)) return {};
-  const auto is_in_square = [&](const IVec3<Proof>& box) {
-    return is_within<Proof>(frame.columns, IVec3<Proof>(frame.columns.cast<Proof>() * box), half);
+  const auto is_in_square = [&](const IVec3<Fine>& box) {
+    return is_within<Fine>(frame.columns, IVec3<Fine>(frame.columns.cast<Fine>() * box), half);
   };
-  const ChartedPair<Proof> charted(fine_, frame);
-  const PlaneMap<Proof> map(charted, frame);
+  const ChartedPair<Fine> charted(fine_, frame);
+  const PlaneMap<Fine> map(charted, frame);
   if (const auto box = contract(charted, map, v); box && is_in_square(*box))
     if (const auto kind = kind_of(charted, map, *box, frame))
       return Isolated{reported(pair_, charted, *box, *kind, std::nullopt), frame, half};
@@ -298,33 +284,33 @@ std::optional<Isolated> Isolator::isolate_in(const DirectionFrame& frame, const 
   for (int level = narrowest_level_by_signs; level >= widest_level_by_signs; --level) {
     const double small = std::ldexp(1, -level);
     if (small > half) break;
-    const bool holds_solution = is_within<Proof>(frame.columns, frame.columns.cast<Proof>() * v, small);
+    const bool holds_solution = is_within<Fine>(frame.columns, frame.columns.cast<Fine>() * v, small);
     if (!holds_solution || !has_zero_by_signs(check, rough_map, small)) continue;
     const StationaryKind kind = kind_of_region(check, rough_map, square_about_axis<Check>(small));
-    const IVec3<Proof> box = square_about_axis<Proof>(small);
+    const IVec3<Fine> box = square_about_axis<Fine>(small);
     return Isolated{reported(pair_, charted, box, kind, std::nullopt), frame, half};
   }
   return {};
 }
 
 // The widest square proved serves the cover, the narrowest the answer.
-std::optional<Isolated> Isolator::isolate_convex(const Mat3<double>& frame, const IVec3<Proof>& v) const {
+std::optional<Isolated> Isolator::isolate_convex(const Mat3<double>& frame, const IVec3<Fine>& v) const {
   const FramedPair<Check> check(coarse_, frame);
-  const FramedPair<Proof> framed(fine_, frame);
+  const FramedPair<Fine> framed(fine_, frame);
   double widest = 0;
-  RegionProof<Proof> best;
+  RegionProof<Fine> best;
   for (int level = widest_level; level < narrowest_level; level += widest > 0 ? 8 : 1) {
     const Cell region{2, 1, 0, 0, std::ldexp(1, -level)};
     if (!is_positive(verify_region<Check>(check, region, narrowed(v)).curvature)) continue;
-    const RegionProof<Proof> proof = verify_region<Proof>(framed, region, v);
+    const RegionProof<Fine> proof = verify_region<Fine>(framed, region, v);
     if (!proof.located) continue;
     best = proof;
     widest = std::max(widest, region.half);
   }
   if (!(widest > 0)) return {};
-  IVec3<Proof> about = v;
-  for (const int k : {0, 1}) about[k] += hull<Proof>(Proof(-best.radius), best.radius);
-  const Proof overlap = hull<Proof>(Proof(best.value - best.deficit), best.value);
+  IVec3<Fine> about = v;
+  for (const int k : {0, 1}) about[k] += hull<Fine>(Fine(-best.radius), best.radius);
+  const Fine overlap = hull<Fine>(Fine(best.value - best.deficit), best.value);
   return Isolated{reported(pair_, {fine_, {frame}}, about, StationaryKind::minimum, overlap), {frame}, widest};
 }
 
@@ -332,8 +318,8 @@ std::optional<Isolated> Isolator::isolate(const ChartPair<Real50>& at) const {
   const Vec3<Real50> normal1 = surface_point<Real50>(placed_.body1.shape, at.at1).normal;
   const Vec3<Real50> normal2 = surface_point<Real50>(placed_.body2.shape, at.at2).normal;
   const Vec3<Real50> world = placed_.body1.to_pair_direction(normal1);
-  const DirectionFrame frame{frame_about(rough_, world.cast<double>())};
-  const IVec3<Proof> v = chart_point(frame.columns, world);
+  const DirectionFrame frame{principal_frame(rough_, world.cast<double>())};
+  const IVec3<Fine> v = chart_point(frame.columns, world);
   std::optional<Isolated> best = isolate_in(frame, v);
   const auto keep = [&](const std::optional<Isolated>& other) {
     if (other && (!best || other->half > best->half)) best = other;

@@ -1,9 +1,9 @@
 #include "solver/reference/make_proof.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "solver/pose.hpp"
+#include "solver/reference/frame.hpp"
 #include "solver/reference/verify.hpp"
 
 namespace plumb::reference {
@@ -16,14 +16,6 @@ SplitVector split(const Vec3<Real50>& v) {
   return out;
 }
 
-/// v with F v = n, to all digits: F is orthonormal but for rounding, and each correction gains its digits.
-Vec3<Real50> in_frame(const Mat3<double>& frame, const Vec3<Real50>& n) {
-  const Mat3<Real50> f = frame.cast<Real50>();
-  Vec3<Real50> v = f.transpose() * n;
-  for (int corrections = 0; corrections < 4; ++corrections) v += f.transpose() * Vec3<Real50>(n - f * v);
-  return v;
-}
-
 /// The chart point of a region's face; nothing where the direction lies outside the region.
 std::optional<SplitVector> chart_point_in(const Cell& region, const Vec3<Real50>& v) {
   const Real50 along = v[region.axis] * region.sign;
@@ -33,12 +25,6 @@ std::optional<SplitVector> chart_point_in(const Cell& region, const Vec3<Real50>
   out.low[region.axis] = 0;
   const bool inside = ((out.high - region.at(0, 0)).cwiseAbs().array() <= region.half).all();
   return inside ? std::optional(out) : std::nullopt;
-}
-
-IVec3<Interval80> enclosed(const SplitVector& v) {
-  IVec3<Interval80> out;
-  for (int i = 0; i < 3; ++i) out[i] = Interval80(v.high[i]) + Interval80(v.low[i]);
-  return out;
 }
 
 /// The directions that the reference tells, in the frame, the lowest first.
@@ -54,7 +40,7 @@ SplitVector solution_in(const Cell& region, const FramedPair<Interval80>& framed
                         const std::vector<Vec3<Real50>>& directions) {
   SplitVector best{region.at(0, 0), Vec3<double>::Zero()};
   const auto bound_by = [&](const SplitVector& point) {
-    const auto proof = verify_region<Interval80>(framed, region, enclosed(point));
+    const auto proof = verify_region<Interval80>(framed, region, point.enclosed());
     const Interval80 bound = proof.value - proof.deficit;
     return proof.convex ? low_as<Real50>(bound) : Bounds().lower;
   };
@@ -82,13 +68,6 @@ Proof proof_by_cover(const Pair& pair, const Reference& reference) {
   return out;
 }
 
-Mat3<double> frame_about(const Vec3<double>& n) {
-  Mat3<double> f;
-  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
-  f << across, axis.cross(across), axis;
-  return f;
-}
-
 /// Adds the widest region about the direction in which the verifier locates the common normal, if there is one.
 void add_region(const Pair& pair, Proof& proof) {
   const int widest = -3, narrowest = -49;  // half-widths, powers of two
@@ -98,7 +77,7 @@ void add_region(const Pair& pair, Proof& proof) {
     const Cell region{2, 1, static_cast<double>(v[0] / v[2]), static_cast<double>(v[1] / v[2]), std::ldexp(1.0, power)};
     const auto chart = chart_point_in(region, v);
     if (!chart) return;
-    if (!verify_region<Interval80>(framed, region, enclosed(*chart)).located) continue;
+    if (!verify_region<Interval80>(framed, region, chart->enclosed()).located) continue;
     proof.cover.regions.push_back(region);
     proof.solutions.push_back(*chart);
     return;

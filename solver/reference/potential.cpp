@@ -273,11 +273,13 @@ EnclosedAnswer enclosed_answer(const Midway& found, const EnclosedPair<I>& pair)
   return {{}, *s1 - *s2, touch.normal, touch.point + touch.normal * *s1, touch.point + touch.normal * *s2};
 }
 
-EnclosedAnswer in_world(EnclosedAnswer answer, int exponent, const Pair& pair) {
-  answer.overlap = times_power_of_two<I>(answer.overlap, exponent);
-  for (IVec3<I>* point : {&answer.point1, &answer.point2})
-    for (int i = 0; i < 3; ++i) (*point)[i] = times_power_of_two<I>((*point)[i], exponent) + I(pair.body1.position[i]);
-  return answer;
+template <class Found>
+EnclosedAnswer answer_in_world(const Found& found, const Pair& pair) {
+  const EnclosedPair<I> enclosed = enclose<I>(pair);
+  EnclosedAnswer out = enclosed_answer(found, enclosed);
+  out.overlap = times_power_of_two<I>(out.overlap, enclosed.exponent);
+  for (IVec3<I>* point : {&out.point1, &out.point2}) *point = enclosed.to_world_point(*point, pair);
+  return out;
 }
 
 bool is_near(const I& x, const R& given, double slack) {
@@ -321,8 +323,7 @@ void round_to(Solution& out, const EnclosedAnswer& truth) {
 /// Where the proof succeeds its digits take the place of the local solve's.
 template <class Found>
 ProvedSolution proved_solution(const Found& found, const Both& placed, const Pair& pair) {
-  const EnclosedPair<I> enclosed = enclose<I>(pair);
-  const EnclosedAnswer truth = in_world(enclosed_answer(found, enclosed), enclosed.exponent, pair);
+  const EnclosedAnswer truth = answer_in_world(found, pair);
   Solution solution = solution_of(found, placed, pair);
   if (solution.solved && truth.reason.empty()) round_to(solution, truth);
   const TouchProof proof = judged(truth, size_of(pair), solution);
@@ -331,8 +332,7 @@ ProvedSolution proved_solution(const Found& found, const Both& placed, const Pai
 
 template <class Found>
 TouchProof judged_by(const Found& found, const Pair& pair, const Solution& given) {
-  const EnclosedPair<I> enclosed = enclose<I>(pair);
-  return judged(in_world(enclosed_answer(found, enclosed), enclosed.exponent, pair), size_of(pair), given);
+  return judged(answer_in_world(found, pair), size_of(pair), given);
 }
 
 TouchProof unproved(const char* reason) {

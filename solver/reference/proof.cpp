@@ -17,12 +17,6 @@ std::string of_region(std::size_t index) {
   return "region " + std::to_string(index) + ": ";
 }
 
-IVec3<Fine> enclosed(const SplitVector& v) {
-  IVec3<Fine> out;
-  for (int i = 0; i < 3; ++i) out[i] = Fine(v.high[i]) + Fine(v.low[i]);
-  return out;
-}
-
 /// How many leaves of each sort a tree has, and how deep they are.
 struct TreeShape {
   bool complete = false;  ///< six faces, and nothing after them
@@ -108,7 +102,7 @@ class ProofVerifier {
 
   /// o at any direction is at least the lowest.
   bool bound_from_above() {
-    highest_ = overlap_at<Fine>(framed_, enclosed(proof_.direction));
+    highest_ = overlap_at<Fine>(framed_, proof_.direction.enclosed());
     const bool is_direction = mpfi_bounded_p(highest_.data()) != 0;
     if (!is_direction) fail("the direction is none");
     return is_direction;
@@ -146,7 +140,7 @@ class ProofVerifier {
   /// o >= value - deficit on the region; nothing, and the proof fails, where that is not so.
   std::optional<RegionBound> check_region(std::size_t index) {
     const Cell& region = proof_.cover.regions[index];
-    const IVec3<Fine> chart = enclosed(proof_.solutions[index]);
+    const IVec3<Fine> chart = proof_.solutions[index].enclosed();
     if (!lies_in(chart, region)) {
       fail(of_region(index) + "the solution lies outside");
       return {};

@@ -1,7 +1,7 @@
 // A stored proof, and the verifier that takes a case and the proof and confirms the bounds without searching.
 //
-// To be believed: this header with proof.cpp, verify.hpp, enclosure.hpp and cover.hpp, and MPFI. Nothing is taken from the
-// search, from a solution, or on trust from the proof itself.
+// To be believed: this header with proof.cpp, verify.hpp, enclosure.hpp, vector_interval.hpp, interval.hpp and cover.hpp,
+// and MPFI. Nothing is taken from the search, from a solution, or on trust from the proof itself.
 //
 //   Bodies that overlap   the cover: each part of all directions has o > level, or a lower bound of its own, or lies in a
 //                         region where o has one minimum at most and the region's solution bounds it from below
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "solver/reference/reference.hpp"
+#include "solver/reference/vector_interval.hpp"
 
 namespace plumb::reference {
 
@@ -22,6 +23,10 @@ namespace plumb::reference {
 struct SplitVector {
   Vec3<double> high = Vec3<double>::Zero();
   Vec3<double> low = Vec3<double>::Zero();
+
+  [[nodiscard]] IVec3<Interval80> enclosed() const {
+    return reference::enclosed<Interval80>(high) + reference::enclosed<Interval80>(low);
+  }
 };
 
 struct Proof {

@@ -9,8 +9,8 @@
 namespace plumb::reference {
 namespace {
 
-constexpr double nearly = 1e-14;  // of the size: rounding of a case's numbers, far below the gap of the bounds
-constexpr int most_cells = 20'000;
+constexpr double rounding_of_case = 1e-14;  // relative to the size, far below the gap of the bounds
+constexpr int most_meridian_cells = 20'000;
 
 /// The body axis of revolution: z of a superellipsoid, the unequal one of a spheroid.
 std::optional<int> axis_of_revolution(const Superellipsoid<double>& shape) {
@@ -29,17 +29,8 @@ Vec3<double> line_of_centres(const Vec3<double>& centre) {
 /// |a - b| or |a + b|, the lesser: of two lines.
 template <class I>
 I distance_of_lines(const IVec3<I>& a, const IVec3<I>& b) {
-  I minus(0.0), plus(0.0);
-  for (int i = 0; i < 3; ++i) {
-    minus += square<I>(I(a[i] - b[i]));
-    plus += square<I>(I(a[i] + b[i]));
-  }
-  return root<I>(high(minus) < high(plus) ? minus : plus);
-}
-
-template <class I>
-I length(const IVec3<I>& v) {
-  return root<I>(I(square<I>(v[0]) + square<I>(v[1]) + square<I>(v[2])));
+  const I minus = length_of<I>(a - b), plus = length_of<I>(a + b);
+  return high(minus) < high(plus) ? minus : plus;
 }
 
 /// How much a body's support function may change in a turn about `axis` (unit): see asymmetry.
@@ -59,18 +50,13 @@ Vec3<double> chart_at(double place) {
 }
 
 template <class I>
-IVec3<I> point(const Vec3<double>& v) {
-  return {I(v[0]), I(v[1]), I(v[2])};
-}
-
-template <class I>
 class MeridianSearch {
  public:
   MeridianSearch(const FramedPair<I>& framed, double level, double gap) : framed_(framed), level_(level), gap_(gap) {}
 
   MeridianBound run() {
     for (int part = 0; part < 4; ++part) look_at({static_cast<double>(part), part + 1.0});
-    out_.complete = out_.cells <= most_cells;
+    out_.complete = out_.cells <= most_meridian_cells;
     out_.least = level_;
     for (const Bounded& kept : kept_)
       if (kept.bound <= level_) add(kept);
@@ -85,11 +71,11 @@ class MeridianSearch {
 
   /// The tangent line of |F v| o at the middle is below it on the whole arc, and over |F v| least at one of the ends.
   void look_at(const Arc& arc) {
-    if (++out_.cells > most_cells) return;
+    if (++out_.cells > most_meridian_cells) return;
     const double middle = (arc.first + arc.last) / 2;
-    const DirectionEnclosure<I> at = enclose_direction<I>(framed_, point<I>(chart_at(middle)));
+    const DirectionEnclosure<I> at = enclose_direction<I>(framed_, enclosed<I>(chart_at(middle)));
     const IVec3<I> apart = at.point1 - at.point2;
-    learn(at.normal, high(I(at.normal.dot(apart))));
+    learn(at.normal, high(I(dot<I>(at.normal, apart))));
     const double bound = std::min(bound_at(apart, arc.first), bound_at(apart, arc.last));
     if (bound > level_) return;
     if (bound > level_ - gap_) return kept_.push_back({arc, bound});
@@ -104,9 +90,9 @@ class MeridianSearch {
   }
 
   [[nodiscard]] double bound_at(const IVec3<I>& apart, double place) const {
-    const IVec3<I> direction = framed_.frame * point<I>(chart_at(place));
-    const I above = direction.dot(apart);
-    return low(above) >= 0 ? low(I(above / length<I>(direction))) : -std::numeric_limits<double>::infinity();
+    const IVec3<I> direction = framed_.frame * enclosed<I>(chart_at(place));
+    const I above = dot<I>(direction, apart);
+    return low(above) >= 0 ? low(I(above / length_of<I>(direction))) : -std::numeric_limits<double>::infinity();
   }
 
   void add(const Bounded& kept) {
@@ -138,12 +124,12 @@ std::optional<Vec3<double>> common_axis(const PlacedPair<double>& pair) {
     const auto own = axis_of_revolution(body->shape);
     if (!own) return {};
     const Vec3<double> line = body->rotation.col(*own);
-    if (axis && line.cross(*axis).norm() > nearly) return {};
+    if (axis && line.cross(*axis).norm() > rounding_of_case) return {};
     axis = line;
   }
   const Vec3<double>& centre = pair.body2.centre;
   if (!axis) return line_of_centres(centre);
-  if (centre.cross(*axis).norm() > nearly * pair.size()) return {};
+  if (centre.cross(*axis).norm() > rounding_of_case * pair.size()) return {};
   return axis;
 }
 
@@ -152,11 +138,11 @@ std::optional<Vec3<double>> common_axis(const PlacedPair<double>& pair) {
 // twice the distance of c from the axis.
 template <class I>
 I asymmetry(const Pair& pair, const FramedPair<I>& framed) {
-  const IVec3<I> third = framed.frame.col(2), axis = third / length<I>(third), &c = framed.pair.centre;
-  const I along = c.dot(axis);
+  const IVec3<I> third = framed.frame.col(2), axis = third / length_of<I>(third), &c = framed.pair.centre;
+  const I along = dot<I>(c, axis);
   const IVec3<I> across = c - axis * along;
   return body_asymmetry<I>(framed.pair.body1, pair.body1.shape, axis) +
-         body_asymmetry<I>(framed.pair.body2, pair.body2.shape, axis) + I(2.0) * length<I>(across);
+         body_asymmetry<I>(framed.pair.body2, pair.body2.shape, axis) + I(2.0) * length_of<I>(across);
 }
 
 template <class I>

@@ -13,9 +13,8 @@
 // normal (a plane's worth of response) and 2 for a point.
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "solver/reference/chart_solve.hpp"
+#include "solver/reference/vector_interval.hpp"
 
 namespace plumb::reference {
 
@@ -70,11 +69,6 @@ template <class T>
 struct Magnitudes {
   T overlap, normal1, normal2, point1, point2;
 };
-
-template <class T>
-[[nodiscard]] Vec3<T> cross_product(const Vec3<T>& a, const Vec3<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// sqrt(sum of squares); for intervals too, where a square of x is not x times x.
 template <class T, class Matrix>

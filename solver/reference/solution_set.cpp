@@ -1,70 +1,51 @@
 #include "solver/reference/solution_set.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <numbers>
 #include <vector>
 
 #include "solver/pose.hpp"
-#include "solver/reference/cover.hpp"
 #include "solver/reference/enclosure.hpp"
+#include "solver/reference/frame.hpp"
 #include "solver/reference/input_change.hpp"
-#include "solver/reference/sensitivity.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::reference {
 namespace {
 
-using I = InputChange::I;
+using Coarse = Interval18;
 
-constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
 constexpr double half_turn = std::numbers::pi;
 
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-I length_of(const IVec3<I>& v) {
-  return root<I>(I(square<I>(v[0]) + square<I>(v[1]) + square<I>(v[2])));
-}
-
-IVec3<I> scaled(const EnclosedBody<I>& body, const IVec3<I>& direction) {
-  IVec3<I> q = body.rotation.transpose() * direction;
+IVec3<Coarse> scaled(const EnclosedBody<Coarse>& body, const IVec3<Coarse>& direction) {
+  IVec3<Coarse> q = body.rotation.transpose() * direction;
   for (int i = 0; i < 3; ++i) q[i] = q[i] * body.semi_axes[i];
   return q;
 }
 
 /// |n| o(n).
-I overlap(const EnclosedPair<I>& pair, const IVec3<I>& n) {
-  return support_value<I>(pair.body1, scaled(pair.body1, n)) + support_value<I>(pair.body2, scaled(pair.body2, n)) -
-         dot(n, pair.centre);
+Coarse overlap(const EnclosedPair<Coarse>& pair, const IVec3<Coarse>& n) {
+  return support_value<Coarse>(pair.body1, scaled(pair.body1, n)) +
+         support_value<Coarse>(pair.body2, scaled(pair.body2, n)) - dot(n, pair.centre);
 }
 
-/// An orthonormal frame, but for rounding, whose third axis is n: cells near it have exact corners at any size.
-Mat3<double> frame_about(const Vec3<double>& n) {
-  Mat3<double> f;
-  const Vec3<double> axis = n.normalized(), across = axis.unitOrthogonal();
-  f << across, axis.cross(across), axis;
-  return f;
-}
-
-struct Box {
-  IVec3<I> point1, point2;  ///< world
+struct ContactBox {
+  IVec3<Coarse> point1, point2;  ///< world
 };
 
 /// A ball about the middle of what was added so far.
 class Hull {
  public:
-  void add(const IVec3<I>& x) {
+  void add(const IVec3<Coarse>& x) {
     for (int i = 0; i < 3; ++i) {
       low_[i] = std::min(low_[i], low(x[i]));
       high_[i] = std::max(high_[i], high(x[i]));
     }
   }
   [[nodiscard]] Vec3<double> middle() const { return low_ + (high_ - low_) / 2; }
-  [[nodiscard]] static double distance(const Vec3<double>& from, const IVec3<I>& x) {
-    return high(length_of({x[0] - I(from[0]), x[1] - I(from[1]), x[2] - I(from[2])}));
+  [[nodiscard]] static double distance(const Vec3<double>& from, const IVec3<Coarse>& x) {
+    return high(length_of<Coarse>(x - enclosed<Coarse>(from)));
   }
 
  private:
@@ -75,12 +56,12 @@ class Hull {
 class Sublevel {
  public:
   Sublevel(const Pair& pair, const Vec3<Real50>& normal, double k)
-      : pair_(pair), placed_(place<double>(pair)), enclosed_(enclose<I>(pair)), change_(enclosed_, k),
+      : pair_(pair), placed_(place<double>(pair)), enclosed_(enclose<Coarse>(pair)), change_(enclosed_, k),
         changed1_(widened(enclosed_.body1, change_)), changed2_(widened(enclosed_.body2, change_)) {
     set_frame(frame_about(normal.cast<double>()));
     delta_ = change_.delta(enclosed_);
-    const IVec3<I> n{enclosing<I>(normal[0]), enclosing<I>(normal[1]), enclosing<I>(normal[2])};
-    level_ = high_end<I>(I(overlap(enclosed_, n) / length_of(n) + I(2.0) * delta_));
+    const IVec3<Coarse> n = enclosed<Coarse>(normal);
+    level_ = high_end<Coarse>(Coarse(overlap(enclosed_, n) / length_of(n) + Coarse(2.0) * delta_));
     rough_level_ = high(level_);
   }
 
@@ -88,8 +69,8 @@ class Sublevel {
     std::vector<Cell> open;
     for (int face = 0; face < 6; ++face) open.push_back(face_of_cube(face));
     SolutionSet out;
-    out.delta = high(times_power_of_two<I>(delta_, enclosed_.exponent));
-    out.level = high(times_power_of_two<I>(level_, enclosed_.exponent));
+    out.delta = high(times_power_of_two<Coarse>(delta_, enclosed_.exponent));
+    out.level = high(times_power_of_two<Coarse>(level_, enclosed_.exponent));
     double last_radius = half_turn;
     int stretches = 0;
     for (bool is_thin = false;;) {
@@ -117,7 +98,7 @@ class Sublevel {
 
   void set_frame(const Mat3<double>& frame) {
     frame_ = frame;
-    for (int i = 0; i < 9; ++i) enclosed_frame_(i / 3, i % 3) = I(frame_(i / 3, i % 3));
+    for (int i = 0; i < 9; ++i) enclosed_frame_(i / 3, i % 3) = Coarse(frame_(i / 3, i % 3));
     to_body1_ = placed_.body1.rotation.transpose() * frame_;
     to_body2_ = placed_.body2.rotation.transpose() * frame_;
   }
@@ -158,19 +139,18 @@ class Sublevel {
 
   /// Whether the first cell of the frame's third face holds the cells: with d = x f0 + y f1 + z f2, z > 0 and |x|, |y| <= z.
   [[nodiscard]] bool holds_all(const Mat3<double>& frame, const std::vector<Cell>& open) const {
-    std::array<IVec3<I>, 3> f;
-    for (int k = 0; k < 3; ++k)
-      f[static_cast<std::size_t>(k)] = IVec3<I>(I(frame(0, k)), I(frame(1, k)), I(frame(2, k)));
-    const IVec3<I> by_x = cross_product<I>(f[1], f[2]), by_y = cross_product<I>(f[2], f[0]),
-                   by_z = cross_product<I>(f[0], f[1]);
+    std::array<IVec3<Coarse>, 3> f;
+    for (int k = 0; k < 3; ++k) f[static_cast<std::size_t>(k)] = enclosed<Coarse>(frame.col(k));
+    const IVec3<Coarse> by_x = cross_product<Coarse>(f[1], f[2]), by_y = cross_product<Coarse>(f[2], f[0]),
+                        by_z = cross_product<Coarse>(f[0], f[1]);
     if (!is_positive(dot(by_z, f[2]))) return false;
     for (const Cell& cell : open)
       for (const double du : {-1.0, 1.0})
         for (const double dv : {-1.0, 1.0}) {
-          const IVec3<I> d = direction(cell, du, dv);
-          const I z = dot(by_z, d);
-          if (!is_positive(z) || !is_positive(I(z - magnitude<I>(dot(by_x, d)))) ||
-              !is_positive(I(z - magnitude<I>(dot(by_y, d)))))
+          const IVec3<Coarse> d = direction(cell, du, dv);
+          const Coarse z = dot(by_z, d);
+          if (!is_positive(z) || !is_positive(Coarse(z - magnitude<Coarse>(dot(by_x, d)))) ||
+              !is_positive(Coarse(z - magnitude<Coarse>(dot(by_y, d)))))
             return false;
         }
     return true;
@@ -179,7 +159,7 @@ class Sublevel {
   /// p1 - p2 of the support points at one direction: |d| o(d) >= (p1 - p2).d for every d.
   struct Bound {
     Vec3<double> rough;
-    IVec3<I> exact;
+    IVec3<Coarse> exact;
   };
 
   [[nodiscard]] std::vector<Cell> refined(const std::vector<Cell>& open) {
@@ -210,9 +190,10 @@ class Sublevel {
            placed_.body2.centre;
   }
 
-  [[nodiscard]] IVec3<I> gradient(const IVec3<I>& d) const {
-    return enclosed_.body1.rotation * support<I>(enclosed_.body1, scaled(enclosed_.body1, d)).point +
-           enclosed_.body2.rotation * support<I>(enclosed_.body2, scaled(enclosed_.body2, d)).point - enclosed_.centre;
+  [[nodiscard]] IVec3<Coarse> gradient(const IVec3<Coarse>& d) const {
+    return enclosed_.body1.rotation * support<Coarse>(enclosed_.body1, scaled(enclosed_.body1, d)).point +
+           enclosed_.body2.rotation * support<Coarse>(enclosed_.body2, scaled(enclosed_.body2, d)).point -
+           enclosed_.centre;
   }
 
   /// is_above in double, to save most of the intervals' time.
@@ -225,28 +206,23 @@ class Sublevel {
     return true;
   }
 
-  [[nodiscard]] IVec3<I> direction(const Cell& cell, double du, double dv) const {
-    const Vec3<double> v = cell.at(du, dv);
-    return enclosed_frame_ * IVec3<I>(I(v[0]), I(v[1]), I(v[2]));
+  [[nodiscard]] IVec3<Coarse> direction(const Cell& cell, double du, double dv) const {
+    return enclosed_frame_ * enclosed<Coarse>(cell.at(du, dv));
   }
 
-  [[nodiscard]] IVec3<I> direction_box(const Cell& cell) const {
-    IVec3<I> v;
-    v[cell.axis] = I(cell.sign);
-    v[(cell.axis + 1) % 3] = I(cell.u) + hull<I>(-cell.half, cell.half);
-    v[(cell.axis + 2) % 3] = I(cell.v) + hull<I>(-cell.half, cell.half);
-    return enclosed_frame_ * v;
+  [[nodiscard]] IVec3<Coarse> direction_box(const Cell& cell) const {
+    return enclosed_frame_ * box_of<Coarse>(cell, cell.half);
   }
 
   /// Whether g.d > level |d| on the cell. For level >= 0 the difference is concave and its least value at a corner; otherwise
   /// |d| is bounded by itself.
-  [[nodiscard]] bool is_above(const Cell& cell, const IVec3<I>& g) const {
+  [[nodiscard]] bool is_above(const Cell& cell, const IVec3<Coarse>& g) const {
     const bool concave = low(level_) >= 0;
-    const I least = concave ? I(0.0) : low_end<I>(length_of(direction_box(cell)));
+    const Coarse least = concave ? Coarse(0.0) : low_end<Coarse>(length_of(direction_box(cell)));
     for (const double du : {-1.0, 1.0})
       for (const double dv : {-1.0, 1.0}) {
-        const IVec3<I> d = direction(cell, du, dv);
-        if (!is_positive(I(dot(g, d) - level_ * (concave ? length_of(d) : least)))) return false;
+        const IVec3<Coarse> d = direction(cell, du, dv);
+        if (!is_positive(Coarse(dot(g, d) - level_ * (concave ? length_of(d) : least)))) return false;
       }
     return true;
   }
@@ -284,29 +260,31 @@ class Sublevel {
   /// Half-angle about `axis` of a cone that holds the cells. A cap of less than a right angle is convex: it holds a cell
   /// when it holds its corners.
   [[nodiscard]] double enclosing_angle(const std::vector<Cell>& open, const Vec3<double>& axis) const {
-    const IVec3<I> a{I(axis[0]), I(axis[1]), I(axis[2])};
-    const IVec3<I> unit = a / length_of(a);
+    const IVec3<Coarse> a = enclosed<Coarse>(axis);
+    const IVec3<Coarse> unit = a / length_of(a);
     double chord = 0;
     for (const Cell& cell : open)
       for (const double du : {-1.0, 1.0})
         for (const double dv : {-1.0, 1.0}) {
-          const IVec3<I> d = direction(cell, du, dv);
-          chord = std::max(chord, high(length_of(IVec3<I>(d / length_of(d) - unit))));
+          const IVec3<Coarse> d = direction(cell, du, dv);
+          chord = std::max(chord, high(length_of(IVec3<Coarse>(d / length_of(d) - unit))));
         }
     const double right_angle = std::numbers::sqrt2 * (1 - 4 * machine_epsilon);
     return chord < right_angle ? 2 * std::asin(chord / 2) * (1 + 8 * machine_epsilon) : half_turn;
   }
 
   /// Both points in the world for every changed input whose lowest direction is in the cell.
-  [[nodiscard]] Box points(const Cell& cell) const {
-    const IVec3<I> d = direction_box(cell);
-    const IVec3<I> x1 = changed1_.rotation * support<I>(changed1_, scaled(changed1_, d)).point,
-                   x2 = changed2_.rotation * support<I>(changed2_, scaled(changed2_, d)).point;
-    const I moved = change_.both_ways() * change_.size;
-    Box out;
+  [[nodiscard]] ContactBox points(const Cell& cell) const {
+    const IVec3<Coarse> d = direction_box(cell);
+    const IVec3<Coarse> x1 = changed1_.rotation * support<Coarse>(changed1_, scaled(changed1_, d)).point,
+                        x2 = changed2_.rotation * support<Coarse>(changed2_, scaled(changed2_, d)).point;
+    const Coarse moved = change_.both_ways() * change_.size;
+    ContactBox out;
     for (int i = 0; i < 3; ++i) {
-      out.point1[i] = I(pair_.body1.position[i]) + times_power_of_two<I>(I(x1[i] + moved), enclosed_.exponent);
-      out.point2[i] = I(pair_.body2.position[i]) - times_power_of_two<I>(I(x2[i] + moved), enclosed_.exponent);
+      out.point1[i] =
+          Coarse(pair_.body1.position[i]) + times_power_of_two<Coarse>(Coarse(x1[i] + moved), enclosed_.exponent);
+      out.point2[i] =
+          Coarse(pair_.body2.position[i]) - times_power_of_two<Coarse>(Coarse(x2[i] + moved), enclosed_.exponent);
     }
     return out;
   }
@@ -315,7 +293,7 @@ class Sublevel {
     out.normal = middle(open);
     out.normal_radius = enclosing_angle(open, out.normal);
     Hull hull1, hull2;
-    std::vector<Box> boxes;
+    std::vector<ContactBox> boxes;
     for (const Cell& cell : open) {
       boxes.push_back(points(cell));
       hull1.add(boxes.back().point1);
@@ -324,19 +302,19 @@ class Sublevel {
     out.point1 = hull1.middle();
     out.point2 = hull2.middle();
     out.points_radius = 0;
-    for (const Box& box : boxes)
+    for (const ContactBox& box : boxes)
       out.points_radius =
           std::max({out.points_radius, Hull::distance(out.point1, box.point1), Hull::distance(out.point2, box.point2)});
   }
 
   const Pair& pair_;
   const PlacedPair<double> placed_;
-  const EnclosedPair<I> enclosed_;
+  const EnclosedPair<Coarse> enclosed_;
   const InputChange change_;
-  const EnclosedBody<I> changed1_, changed2_;
+  const EnclosedBody<Coarse> changed1_, changed2_;
   Mat3<double> frame_;
-  IMat3<I> enclosed_frame_;
-  I delta_, level_;
+  IMat3<Coarse> enclosed_frame_;
+  Coarse delta_, level_;
   double rough_level_;
   Mat3<double> to_body1_, to_body2_;
   std::vector<Bound> recent_;
@@ -346,7 +324,7 @@ class Sublevel {
 }  // namespace
 
 SolutionSet enclose_solutions(const Pair& pair, const Vec3<Real50>& normal, double k, const SolutionSetLimits& limits) {
-  const EnclosedPair<I> enclosed = enclose<I>(pair);
+  const EnclosedPair<Coarse> enclosed = enclose<Coarse>(pair);
   const InputChange change(enclosed, k);
   if (!change.keeps_exponents(enclosed.body1) || !change.keeps_exponents(enclosed.body2)) return {};
   return Sublevel(pair, normal, k).run(limits.cells);
@@ -359,11 +337,12 @@ bool holds_normal(const SolutionSet& set, const Vec3<double>& normal) {
 
 // |o(n) - o(m)| <= |n - m| |p1 - p2|, and no two points of the bodies are further apart than both radii and the centres.
 bool may_be_lowest(const Pair& pair, const SolutionSet& set, const Vec3<double>& normal) {
-  const EnclosedPair<I> enclosed = enclose<I>(pair);
-  const IVec3<I> n{I(normal[0]), I(normal[1]), I(normal[2])};
-  const I steepest = circumradius(enclosed.body1) + circumradius(enclosed.body2) + length_of(enclosed.centre);
-  const I level = times_power_of_two<I>(I(set.level), -enclosed.exponent) + I(4 * machine_epsilon) * steepest;
-  return !is_positive(I(overlap(enclosed, n) / length_of(n) - level));
+  const EnclosedPair<Coarse> exact = enclose<Coarse>(pair);
+  const IVec3<Coarse> n = enclosed<Coarse>(normal);
+  const Coarse steepest = circumradius(exact.body1) + circumradius(exact.body2) + length_of(exact.centre);
+  const Coarse level =
+      times_power_of_two<Coarse>(Coarse(set.level), -exact.exponent) + Coarse(4 * machine_epsilon) * steepest;
+  return !is_positive(Coarse(overlap(exact, n) / length_of(n) - level));
 }
 
 bool holds_points(const SolutionSet& set, const Vec3<double>& point1, const Vec3<double>& point2, double rounding) {

@@ -8,7 +8,7 @@
 
 #include "solver/reference/direction_box.hpp"
 #include "solver/reference/isolation.hpp"
-#include "solver/reference/refine.hpp"
+#include "solver/reference/stationary_point.hpp"
 
 namespace plumb {
 namespace {
@@ -18,7 +18,6 @@ using Look = RoughInterval;
 using Check = Interval18;
 
 constexpr double smallest_cell = 0x1p-46;
-constexpr double usable_residual = 1e-8;  // of a local solve in double, for 50 digits to go on from there
 
 /// Generic, so that no edge of a cell follows a plane of symmetry.
 Mat3<double> search_frame() {
@@ -164,11 +163,11 @@ class StationarySearch {
     const Vec3<double> normal = chart_residual<double>(placed_, {}, rough.at).normal1;
     const auto same = [&](const Vec3<double>& other) { return (normal - other).norm() < 1e-9; };
     if (is_known(normal) || std::any_of(out_.unproved.begin(), out_.unproved.end(), same)) return;
-    const LocalSolution<Real50> local = refine(fine_, {}, rough.at);
-    if (!(local.residual < Real50("1e-40"))) return;
-    const Vec3<double> refined = chart_residual<Real50>(fine_, {}, local.at).normal1.cast<double>();
+    const StationaryPoint<Real50> found = polished<Real50>(fine_, rough);
+    if (!found.solved) return;
+    const Vec3<double> refined = found.normal.cast<double>();
     if (is_known(refined)) return;
-    if (const auto isolated = isolator_.isolate(local.at))
+    if (const auto isolated = isolator_.isolate(found.at))
       found_.push_back(*isolated);
     else
       out_.unproved.push_back(refined);

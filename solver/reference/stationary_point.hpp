@@ -38,6 +38,16 @@ template <class S>
           at};
 }
 
+/// |F| of a local solution in double below which more digits go on from there.
+inline constexpr double usable_residual = 1e-4;
+
+template <class S>
+[[nodiscard]] StationaryPoint<S> polished(const PlacedPair<S>& fine, const LocalSolution<double>& near) {
+  if (!(near.residual < usable_residual)) return {};
+  const LocalSolution<S> local = refine<S>(fine, {}, near.at);
+  return point_at<S>(fine, local.at, local.residual);
+}
+
 /// Where on two facing surfaces the common normal may be when the direction does not say (flat faces): halfway, across the
 /// direction, between the two support points.
 [[nodiscard]] inline ChartPair<double> charts_halfway(const PlacedPair<double>& pair, const Vec3<double>& n) {
@@ -51,15 +61,10 @@ template <class S>
 template <class S>
 [[nodiscard]] StationaryPoint<S> point_from(const PlacedPair<double>& rough, const PlacedPair<S>& fine,
                                             const Vec3<double>& direction) {
-  const double usable = 1e-4;  // residual in double, for more digits to go on from there
-  const auto polished = [&](const LocalSolution<double>& near) {
-    if (!(near.residual < usable)) return StationaryPoint<S>{};
-    const LocalSolution<S> local = refine<S>(fine, {}, near.at);
-    return point_at<S>(fine, local.at, local.residual);
-  };
-  const StationaryPoint<S> found = polished(solve_from_direction<double>(rough, {}, direction));
+  const StationaryPoint<S> found = polished<S>(fine, solve_from_direction<double>(rough, {}, direction));
   if (found.solved) return found;
-  const StationaryPoint<S> between = polished(solve_from_charts<double>(rough, {}, charts_halfway(rough, direction)));
+  const StationaryPoint<S> between =
+      polished<S>(fine, solve_from_charts<double>(rough, {}, charts_halfway(rough, direction)));
   if (between.solved) return between;
   const Vec3<S> n = direction.template cast<S>().normalized();
   return point_at<S>(fine, charts_of_direction<S>(fine, n), std::numeric_limits<S>::infinity());

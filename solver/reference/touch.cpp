@@ -8,9 +8,8 @@ namespace {
 
 using I = TouchScalar;
 using Unknowns = Eigen::Matrix<Real80, 5, 1>;  ///< two chart coordinates a body, and the parameter
-using Matrix = Eigen::Matrix<Real80, 5, 5>;
-using Box = Eigen::Matrix<I, 5, 1>;
-using BoxMatrix = Eigen::Matrix<I, 5, 5>;
+using TouchBox = Eigen::Matrix<I, 5, 1>;
+using TouchMatrix = Eigen::Matrix<I, 5, 5>;
 
 /// s1, s2 and c of the family at t, and their derivatives.
 struct Growth {
@@ -44,19 +43,15 @@ Growth growth_at(const TouchFamily& family, const I& t) {
 /// s1 X1 - c - s2 X2 = 0 and two components of G1 x G2 = 0, with their Jacobian. The third component vanishes with them
 /// where the component of G1 beside it does not.
 struct Equations {
-  Box value;
-  BoxMatrix jacobian;
+  TouchBox value;
+  TouchMatrix jacobian;
   IVec3<I> point, gradient1, gradient2;
 };
-
-bool is_zero(const I& x) {
-  return low(x) == 0 && high(x) == 0;
-}
 
 /// The body axis that the pair's axis `a` is parallel to, exactly; -1 for none. The body is its own mirror image along it.
 int parallel_axis(const EnclosedBody<I>& body, int a) {
   for (int j = 0; j < 3; ++j)
-    if (is_zero(body.rotation(a, (j + 1) % 3)) && is_zero(body.rotation(a, (j + 2) % 3))) return j;
+    if (is_exactly(body.rotation(a, (j + 1) % 3), 0) && is_exactly(body.rotation(a, (j + 2) % 3), 0)) return j;
   return -1;
 }
 
@@ -67,7 +62,7 @@ int parallel_axis(const EnclosedBody<I>& body, int a) {
 class TouchSystem {
  public:
   TouchSystem(const TouchFamily& family, const ChartPair<Real50>& at)
-      : family_(family), first_(chart_of(at.at1)), second_(chart_of(at.at2)) {
+      : family_(family), first_(chart_box(at.at1, I(0.0))), second_(chart_box(at.at2, I(0.0))) {
     const IVec3<I> g = enclose_surface<I>(family.pair.body1, first_).gradient;
     for (int i = 1; i < 3; ++i)
       if (low(magnitude<I>(g[i])) > low(magnitude<I>(g[pivot_]))) pivot_ = i;
@@ -89,7 +84,7 @@ class TouchSystem {
   /// Whether unknown k is zero by symmetry.
   [[nodiscard]] bool is_fixed(int k) const { return row_of_[k] >= 0; }
 
-  [[nodiscard]] Equations at(const Box& y) const {
+  [[nodiscard]] Equations at(const TouchBox& y) const {
     const SurfaceEnclosure<I> one = surface(family_.pair.body1, first_, y, 0),
                               two = surface(family_.pair.body2, second_, y, 2);
     const Growth growth = growth_at(family_, y[4]);
@@ -118,11 +113,7 @@ class TouchSystem {
   }
 
  private:
-  static SurfaceBox<I> chart_of(const CubePoint<Real50>& at) {
-    return {at.major, {enclosing<I>(at.w[0]), enclosing<I>(at.w[1]), enclosing<I>(at.w[2])}};
-  }
-
-  static SurfaceEnclosure<I> surface(const EnclosedBody<I>& body, SurfaceBox<I> chart, const Box& y, int first) {
+  static SurfaceEnclosure<I> surface(const EnclosedBody<I>& body, SurfaceBox<I> chart, const TouchBox& y, int first) {
     for (int k = 0; k < 2; ++k) chart.w[chart.minor(k)] = y[first + k];
     return enclose_surface<I>(body, chart);
   }
@@ -137,7 +128,7 @@ class TouchSystem {
   void find_mirror(int step) {
     const int a = (pivot_ + step) % 3;
     const IVec3<I>& along = family_.kind == TouchKind::along_line ? family_.line : family_.pair.centre;
-    if (!is_zero(along[a])) return;
+    if (!is_exactly(along[a], 0)) return;
     const int first = unknown_of(first_, parallel_axis(family_.pair.body1, a));
     const int second = unknown_of(second_, parallel_axis(family_.pair.body2, a));
     if (first < 0 || second < 0) return;
@@ -163,26 +154,26 @@ class TouchSystem {
   Eigen::Matrix<int, 5, 1> row_of_ = Eigen::Matrix<int, 5, 1>::Constant(-1);  ///< of the equation that fixes an unknown
 };
 
-Box points_of(const Unknowns& y) {
-  Box out;
+TouchBox points_of(const Unknowns& y) {
+  TouchBox out;
   for (int i = 0; i < 5; ++i) out[i] = enclosing<I>(y[i]);
   return out;
 }
 
 /// An approximate inverse of the Jacobian's middle, as exact numbers.
-BoxMatrix preconditioner(const BoxMatrix& jacobian) {
-  Matrix m;
+TouchMatrix preconditioner(const TouchMatrix& jacobian) {
+  Eigen::Matrix<Real80, 5, 5> m;
   for (int i = 0; i < 25; ++i) m(i / 5, i % 5) = middle<Real80>(jacobian(i / 5, i % 5));
-  const Matrix inverse = m.fullPivLu().inverse();
-  BoxMatrix out;
+  const Eigen::Matrix<Real80, 5, 5> inverse = m.fullPivLu().inverse();
+  TouchMatrix out;
   for (int i = 0; i < 25; ++i) out(i / 5, i % 5) = enclosing<I>(inverse(i / 5, i % 5));
   return out;
 }
 
 /// One Newton step; y is left at its end.
 struct Step {
-  Box size;  ///< C f(y) before the step
-  BoxMatrix preconditioner;
+  TouchBox size;  ///< C f(y) before the step
+  TouchMatrix preconditioner;
 };
 
 Step newton_step(const TouchSystem& system, Unknowns& y) {
@@ -210,12 +201,12 @@ void polish(const TouchSystem& system, Unknowns& y) {
 
 /// A box about y, some times as wide as the last step, and box - y, rounded outwards like the box itself.
 struct Trial {
-  Box box, radius;
+  TouchBox box, radius;
 };
 
-Trial trial_about(const TouchSystem& system, const Box& y, const Box& step, const I& widening) {
+Trial trial_about(const TouchSystem& system, const TouchBox& y, const TouchBox& step, const I& widening) {
   const double relative_floor = 1e-74, floor = 1e-78;
-  Trial out{y, Box::Constant(I(0.0))};
+  Trial out{y, TouchBox::Constant(I(0.0))};
   for (int k = 0; k < 5; ++k) {
     if (system.is_fixed(k)) continue;
     const I rounding = magnitude<I>(y[k]) * I(relative_floor) + I(floor);
@@ -227,13 +218,13 @@ Trial trial_about(const TouchSystem& system, const Box& y, const Box& step, cons
 }
 
 /// K = y - C f(y) + (1 - C J(box)) (box - y), which holds every solution in the box, and has one where K lies inside it.
-Box krawczyk(const Box& y, const Step& step, const BoxMatrix& jacobian, const Box& radius) {
-  BoxMatrix rest = -(step.preconditioner * jacobian);
+TouchBox krawczyk(const TouchBox& y, const Step& step, const TouchMatrix& jacobian, const TouchBox& radius) {
+  TouchMatrix rest = -(step.preconditioner * jacobian);
   for (int i = 0; i < 5; ++i) rest(i, i) += I(1.0);
   return y - step.size + rest * radius;
 }
 
-bool lies_inside(const TouchSystem& system, const Box& x, const Box& box) {
+bool lies_inside(const TouchSystem& system, const TouchBox& x, const TouchBox& box) {
   bool inside = true;
   for (int k = 0; k < 5; ++k) inside &= system.is_fixed(k) || mpfi_is_strictly_inside(x[k].data(), box[k].data()) > 0;
   return inside;
@@ -246,13 +237,13 @@ EnclosedTouch enclose_touch(const TouchFamily& family, const ChartPair<Real50>& 
   const TouchSystem system(family, start);
   Unknowns y = system.start(parameter);
   polish(system, y);
-  const Box centre = points_of(y);
+  const TouchBox centre = points_of(y);
   const Step step = newton_step(system, y);
   I widening(8.0);
   for (int i = 0; i < widenings; ++i, widening *= I(32.0)) {
     const Trial trial = trial_about(system, centre, step.size, widening);
     const Equations f = system.at(trial.box);
-    const Box image = krawczyk(centre, step, f.jacobian, trial.radius);
+    const TouchBox image = krawczyk(centre, step, f.jacobian, trial.radius);
     if (!lies_inside(system, image, trial.box)) continue;
     if (!system.is_touch(f, trial.box[4])) return {};
     return {true, image[4], f.point, f.gradient1 / length_of(f.gradient1)};
@@ -264,27 +255,8 @@ EnclosedPair<I> exchanged(const EnclosedPair<I>& pair) {
   return {pair.body2, pair.body1, IVec3<I>(-pair.centre), pair.exponent};
 }
 
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-I length_of(const IVec3<I>& v) {
-  return root<I>(I(square<I>(v[0]) + square<I>(v[1]) + square<I>(v[2])));
-}
-
 Bounds ends_of(const I& x) {
   return {low_as<Real50>(x), high_as<Real50>(x)};
-}
-
-double farthest(const IVec3<I>& x, const Vec3<Real50>& given) {
-  const IVec3<I> apart{x[0] - enclosing<I>(given[0]), x[1] - enclosing<I>(given[1]), x[2] - enclosing<I>(given[2])};
-  const double out = high(length_of(apart));
-  return out == out ? out : std::numeric_limits<double>::infinity();
-}
-
-// The distance from a unit vector to the ray of another is the sine of their angle.
-double angle_of_chord(double chord) {
-  return chord < 1 ? high(I(I(chord) * I(1.5708))) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace plumb::reference

@@ -14,9 +14,8 @@
 
 #include <string>
 
-#include "solver/reference/chart_solve.hpp"
-#include "solver/reference/enclosure.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/reference/surface_enclosure.hpp"
 
 namespace plumb {
 
@@ -82,16 +81,7 @@ struct EnclosedTouch {
 /// The pair with its bodies exchanged, body 2 at the origin.
 [[nodiscard]] EnclosedPair<TouchScalar> exchanged(const EnclosedPair<TouchScalar>& pair);
 
-[[nodiscard]] TouchScalar dot(const IVec3<TouchScalar>& a, const IVec3<TouchScalar>& b);
-[[nodiscard]] TouchScalar length_of(const IVec3<TouchScalar>& v);
-
 [[nodiscard]] Bounds ends_of(const TouchScalar& x);
-
-/// Upper bound of |x - given| over the box x.
-[[nodiscard]] double farthest(const IVec3<TouchScalar>& x, const Vec3<Real50>& given);
-
-/// Upper bound of the angle between unit vectors that are no further apart than `chord`.
-[[nodiscard]] double angle_of_chord(double chord);
 
 }  // namespace reference
 }  // namespace plumb

@@ -7,21 +7,6 @@
 namespace plumb::reference {
 namespace {
 
-template <class I>
-IVec3<I> enclosed(const Vec3<double>& v) {
-  return {I(v[0]), I(v[1]), I(v[2])};
-}
-
-template <class I>
-I dot(const IVec3<I>& a, const IVec3<I>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class I>
-I length_of(const IVec3<I>& v) {
-  return root<I>(I(square<I>(v[0]) + square<I>(v[1]) + square<I>(v[2])));
-}
-
 /// The leaf's corners as seen on the face of the region; nothing where one lies behind it.
 template <class I>
 std::optional<Reach> reach_of(const Cell& leaf, const Cell& region) {
