@@ -193,6 +193,22 @@ std::optional<Truth> build_backwards(Pair& pair, const Vec3<double>& direction, 
                   placed.to_world_point(at.point2, pair) - pair.body2.position.cast<W>());
 }
 
+/// A normal that is known to be the higher of two is not handed out as the lowest, whichever can be located.
+void expect_lowest(const Case& c) {
+  const Reference found = find_reference(c.pair);
+  const Solution& best = found.common_normal;
+  if (best.solved) {
+    EXPECT_LE(best.overlap, found.overlap.upper + size_of(c.pair) * Real50("1e-45")) << c.name;
+  }
+  EXPECT_EQ(found.unique == Claim::open, !found.reason.empty()) << c.name << ": " << found.reason;
+}
+
+TEST(Certified, OfTwoThatNearlyTieTheLowerOne) {
+  CaseReader regression(PLUMB_SOURCE_DIR "/corpus/cases/regressions/nearly-tied-flats.json");
+  expect_lowest(*regression.next());
+  for (std::uint64_t i = 0; i < 8; ++i) expect_lowest(generate_hard("nearly_tie", 3, i));
+}
+
 TEST(Certified, ContactsBuiltBackwards) {
   int sharp = 0;
   for (const std::string_view family : {"spheroid", "ellipsoid", "superquadric"})
