@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "corpus/decimal.hpp"
+#include "corpus/fields.hpp"
+#include "solver/reference/condition_proof.hpp"
 
 namespace plumb {
 namespace {
@@ -78,6 +80,22 @@ Json condition_json(const Condition& condition) {
           {"points", factor(condition.points)}};
 }
 
+/// A ball without bounds is absent.
+Json solution_set_json(const reference::SolutionSet& set, double epsilons) {
+  Json out{{"epsilons", epsilons}};
+  if (std::isfinite(set.delta)) out["overlap_change"] = set.delta;
+  if (std::isfinite(set.normal_radius)) {
+    out["normal"] = vector_json(set.normal);
+    out["normal_radius"] = set.normal_radius;
+  }
+  if (std::isfinite(set.points_radius)) {
+    out["points"] = {vector_json(set.point1), vector_json(set.point2)};
+    out["points_radius"] = set.points_radius;
+  }
+  out["complete"] = set.complete;
+  return out;
+}
+
 Verdict verdict_of(const Bounds& overlap) {
   if (overlap.lower > 0) return Verdict::overlapping;
   return overlap.upper < 0 ? Verdict::separated : Verdict::undecided;
@@ -115,11 +133,22 @@ void add_geometry(std::string& out, const Json& object) {
 
 void add_condition(std::string& out, const Json& certificate) {
   if (!certificate.contains("condition")) return;
-  std::string text;
-  for (const auto& [key, value] : certificate["condition"].items())
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key,
-                        value.is_string() ? value.get<std::string>() : fmt::format("{:.3g}", value.get<double>()));
-  add_row(out, "condition", text);
+  const auto list = [&](const char* field) {
+    std::string text;
+    for (const auto& [key, value] : certificate[field].items())
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key,
+                          value.is_string() ? value.get<std::string>() : fmt::format("{:.3g}", value.get<double>()));
+    return text;
+  };
+  add_row(out, "condition", list("condition"));
+  if (certificate.contains("condition_claims")) add_row(out, "  these are", list("condition_claims"));
+  if (!certificate.contains("solutions_within")) return;
+  const Json& set = certificate["solutions_within"];
+  const auto radius = [&](const char* key) {
+    return set.contains(key) ? fmt::format("{:.3g}", set[key].get<double>()) : std::string("any");
+  };
+  add_row(out, fmt::format("  {} epsilon", set["epsilons"].get<double>()),
+          fmt::format("normal within {} rad, points within {}", radius("normal_radius"), radius("points_radius")));
 }
 
 void add_rings(std::string& out, const Json& certificate) {
@@ -146,6 +175,21 @@ void add_others(std::string& out, const Json& certificate, const char* list, std
 void put_overlap(Json& out, const Bounds& overlap, int digits) {
   out["verdict"] = name(verdict_of(overlap));
   out["overlap"] = bounds_json(overlap, digits);
+}
+
+void put_condition_claims(Json& out, const Pair& pair, const Solution& found) {
+  using namespace reference;
+  constexpr double epsilons = 8;  // what the laws allow an answer (properties/laws.hpp)
+  ConditionProof proof = certify_condition(pair, found);
+  const auto is_infinite = [](ConditionClaim claim) { return claim == ConditionClaim::infinite; };
+  if (is_infinite(proof.normal) || is_infinite(proof.points)) {
+    const SolutionSet set = enclose_solutions(pair, found.normal, epsilons);
+    if (proof.overlap == ConditionClaim::open)
+      proof.overlap = certify_overlap_condition(pair, set, found.condition.overlap);
+    out["solutions_within"] = solution_set_json(set, epsilons);
+  }
+  out["condition_claims"] = {
+      {"overlap", name(proof.overlap)}, {"normal", name(proof.normal)}, {"points", name(proof.points)}};
 }
 
 void put_reference(Json& out, const Reference& found, int digits) {

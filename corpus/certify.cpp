@@ -84,6 +84,8 @@ class CertifyRun {
     const Reference found = reference_of(c.pair, options_);
     Json out{{"name", c.name}};
     put_reference(out, found, options_.digits);
+    if (found.effort == Effort::digits && found.common_normal.solved)
+      put_condition_claims(out, c.pair, found.common_normal);
     if (options_.all) put_stationary(out, find_stationary(c.pair), options_.digits);
     if (!options_.proof.empty()) put_proof(out, store(c, found));
     out["timing"]["ms"] = watch.milliseconds();

@@ -99,4 +99,13 @@ ConditionProof certify_condition(const Pair& pair, const ChartPair<Real50>& at, 
   return out;
 }
 
+ConditionProof certify_condition(const Pair& pair, const Solution& found) {
+  const PlacedPair<Real50> placed = place<Real50>(pair);
+  const auto chart = [&](const PlacedBody<Real50>& body, const Vec3<Real50>& point) {
+    return chart_of_point<Real50>(body.shape, body.to_body(placed.to_pair_point(point, pair)));
+  };
+  return certify_condition(pair, {chart(placed.body1, found.point1), chart(placed.body2, found.point2)},
+                           found.condition);
+}
+
 }  // namespace plumb::reference

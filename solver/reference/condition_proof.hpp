@@ -28,6 +28,9 @@ struct ConditionProof {
 [[nodiscard]] ConditionProof certify_condition(const Pair& pair, const ChartPair<Real50>& at,
                                                const Condition& reported);
 
+/// The same for a solution that find_reference gave in 50 digits.
+[[nodiscard]] ConditionProof certify_condition(const Pair& pair, const Solution& found);
+
 /// The overlap's condition where the chart equations prove nothing (flat on flat): it depends on the direction and the points
 /// alone, and little, so that a set which holds the true ones (for any k) will do.
 [[nodiscard]] ConditionClaim certify_overlap_condition(const Pair& pair, const SolutionSet& set, double reported);

@@ -52,9 +52,9 @@ TEST_F(Certifying, GivesTheContractsFields) {
   const Json found = certificate("a.json");
   std::vector<std::string> keys;
   for (const auto& [key, value] : found.items()) keys.push_back(key);
-  const std::vector<std::string> wanted{"name",   "verdict",       "overlap", "normal", "normal_radius",
-                                        "points", "points_radius", "unique",  "global", "tied",
-                                        "digits", "condition",     "timing"};
+  const std::vector<std::string> wanted{"name",   "verdict",       "overlap",          "normal", "normal_radius",
+                                        "points", "points_radius", "unique",           "global", "tied",
+                                        "digits", "condition",     "condition_claims", "timing"};
   EXPECT_EQ(keys, wanted);
   EXPECT_EQ(found["name"], "sample");
   EXPECT_EQ(found["verdict"], "overlapping");
@@ -63,6 +63,7 @@ TEST_F(Certifying, GivesTheContractsFields) {
   EXPECT_EQ(found["digits"], 50);
   EXPECT_TRUE(found["tied"].is_array() && found["tied"].empty());
   EXPECT_GE(found["condition"]["overlap"].get<double>(), 1);
+  for (const char* of : {"overlap", "normal", "points"}) EXPECT_EQ(found["condition_claims"][of], "certified") << of;
   EXPECT_GE(found["timing"]["ms"].get<double>(), 0);
 }
 
@@ -126,6 +127,22 @@ TEST_F(Certifying, WhatIsInfiniteIsAWordAndWhatIsOpenIsAbsent) {
   for (const char* key : {"normal", "normal_radius", "points", "points_radius"})
     EXPECT_FALSE(found.contains(key)) << key;
   EXPECT_EQ(found["condition"]["normal"], "infinite");
+}
+
+TEST_F(Certifying, RingsAndSolutionSetsTakeThePlaceOfWhatIsInfinite) {
+  std::string coaxial = sample_with("[1, 1, 1]", "[1, 1, 2]");
+  coaxial.replace(coaxial.rfind("[1.5, 0, 0]"), 11, "[0, 0, 0]");
+  (void)file("a.json", coaxial);
+  const Json found = certificate("a.json");
+  EXPECT_EQ(found["global"], "proved");
+  EXPECT_NE(found["unique"], "proved");
+  ASSERT_EQ(found["rings"].size(), 1U);
+  const double right_angle = 1.5707963267948966;
+  EXPECT_LT(found["rings"][0]["least_angle"], right_angle);
+  EXPECT_GT(found["rings"][0]["greatest_angle"], right_angle);
+  EXPECT_EQ(found["condition_claims"]["normal"], "infinite");
+  EXPECT_EQ(found["solutions_within"]["epsilons"], 8);
+  EXPECT_GE(found["solutions_within"]["normal_radius"], right_angle);
 }
 
 TEST_F(Certifying, OneObjectALineUpToABadOne) {
