@@ -116,6 +116,7 @@ class Certifier {
     if (!is_done() && !bound_by_revolution()) search();
     if (is_separated()) separate();
     report();
+    explain();
     return std::move(out_);
   }
 
@@ -172,8 +173,34 @@ class Certifier {
   [[nodiscard]] Min minimum_at(const StationaryPoint<S>& found) const {
     const Min own = minimum_about(found);
     if (own.is_tight() || !own.proof.convex) return own;
-    const Min aligned = minimum_about(aligned_with_body1(found));
-    return aligned.exists ? aligned : own;
+    Min out = minimum_about(aligned_with_body1(found));
+    if (!out.exists) out = own;
+    if constexpr (std::is_same_v<S, Real50>) locate_on_charts(out);
+    return out;
+  }
+
+  /// Krawczyk's test on the charts: a common normal exists, its points and its overlap. Nothing where the region might not
+  /// hold it: chart points v, v0 of one face are |v x v0| / (|v| |v0|) >= |v - v0| / 4 apart in the sine of their angle, and
+  /// the region's middle is the solution.
+  [[nodiscard]] std::optional<ProvedBox> proved_on_charts(const Min& minimum) const {
+    ProvedBox box = prove_solution(enclosed_, square_form(fine_, minimum.at.at), minimum.at.at);
+    if (!box.proof.exists) return {};
+    const double off = farthest(box.jet.body1.normal, minimum.at.normal);
+    return off < minimum.region.half / 16 ? std::optional(std::move(box)) : std::nullopt;
+  }
+
+  /// Where the direction form is singular or nearly so, its gradient says little of where in the region the minimum is.
+  void locate_on_charts(Min& minimum) const {
+    if (minimum.is_tight() || !minimum.proof.convex) return;
+    const auto box = proved_on_charts(minimum);
+    if (!box) return;
+    const IVec3<I> apart = box->jet.body1.point - box->jet.body2.point - enclosed_.centre;
+    const I overlap = dot<I>(box->jet.body1.normal, apart);
+    const double reach = 8 * farthest(box->jet.body1.normal, minimum.at.normal);
+    minimum.exists = minimum.proof.located = true;
+    minimum.proof.deficit = high_end<I>(I(minimum.proof.value - low_end<I>(overlap)));
+    minimum.box = chart_point<I, S>(frame_.frame, minimum.at.normal).v;
+    for (const int step : {1, 2}) minimum.box[(minimum.region.axis + step) % 3] += hull<I>(-reach, reach);
   }
 
   /// On a flat face the points follow digits of the direction that no computation has: 1e-49 off the face's normal they are a
@@ -219,10 +246,11 @@ class Certifier {
     const auto axis = common_axis(rough_);
     if (!axis) return false;
     using C = std::conditional_t<std::is_same_v<I, DoubleInterval>, DoubleInterval, Interval18>;
-    const FramedPair<C> framed(enclose<C>(pair_), frame_about(*axis));
+    const Mat3<double> frame = frame_about(*axis);
+    const FramedPair<C> framed(enclose<C>(pair_), frame);
     const double slack = high(asymmetry<C>(pair_, framed));
     MeridianBound found;
-    do found = bound_meridian<C>(framed, OneStepOutward::up(high(value_) + slack), gap / 4);
+    do found = bound_meridian<C>(rough_, framed, frame, OneStepOutward::up(high(value_) + slack), gap / 4);
     while (found.lower && look_at(point_from<S>(rough_, fine_, *found.lower)) && !is_separated());
     out_.cells = found.cells;
     if (is_separated()) return is_done();
@@ -362,6 +390,17 @@ class Certifier {
     out_.reason = is_best_proved ? "other common normals tie with it" : "it is not located, and others tie with it";
   }
 
+  /// Nothing is left open without a reason.
+  void explain() {
+    if (!out_.reason.empty()) return;
+    if (out_.global != Claim::proved)
+      out_.reason = "the bounds are further apart than their gap";
+    else if (out_.unique == Claim::open)
+      out_.reason = "a region has one minimum at most, which is not located";
+    else if (!out_.common_normal.proved)
+      out_.reason = "the common normal is not located";
+  }
+
   void report_others(std::size_t first) {
     const Real50 close = Real50(size_of(pair_)) * Real50(1e-7);
     for (std::size_t k = first; k < minima_.size(); ++k) {
@@ -393,7 +432,7 @@ class Certifier {
     out.bounds = to_world(minimum.least(), minimum.proof.value);
     out.normal_radius = angle_of_chord(farthest(at.normal, out.normal));
     out.points_radius = reach_of_points(out, at.point1, at.point2);
-    if constexpr (std::is_same_v<S, Real50>) sharpen(out, minimum.at);
+    if constexpr (std::is_same_v<S, Real50>) sharpen(out, minimum);
     return out;
   }
 
@@ -403,16 +442,16 @@ class Certifier {
                     farthest(enclosed_.to_world_point(point2, pair_), from.point2));
   }
 
-  /// On flat faces a direction says little about the points, and the charts all: Krawczyk's test there proves the one common
-  /// normal of the region a second time.
-  void sharpen(Solution& out, const StationaryPoint<Real50>& at) const {
+  /// On flat faces a direction says little about the points, and the charts all.
+  void sharpen(Solution& out, const Min& minimum) const {
     const double sharp = 1e-30;  // relative to the size; what a regular direction gives
     if (out.points_radius < sharp * size_of(pair_) && out.normal_radius < sharp) return;
-    const ProvedBox box = prove_solution(enclosed_, square_form(fine_, at.at), at.at);
-    if (!box.proof.exists) return;
-    out.normal_radius = std::min(out.normal_radius, angle_of_chord(farthest(box.jet.body1.normal, out.normal)));
-    const IVec3<I> point2 = box.jet.body2.point + enclosed_.centre;
-    out.points_radius = std::min(out.points_radius, reach_of_points(out, box.jet.body1.point, point2));
+    const auto box = proved_on_charts(minimum);
+    if (!box) return;
+    const auto &body1 = box->jet.body1, &body2 = box->jet.body2;
+    out.normal_radius = std::min(out.normal_radius, angle_of_chord(farthest(body1.normal, out.normal)));
+    const IVec3<I> point2 = body2.point + enclosed_.centre;
+    out.points_radius = std::min(out.points_radius, reach_of_points(out, body1.point, point2));
   }
 
   const Pair& pair_;

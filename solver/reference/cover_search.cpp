@@ -217,6 +217,11 @@ Witness witness_of(const PlacedPair<double>& pair, const Vec3<double>& point1, c
           drawn_in(pair.body2.shape, pair.body2.to_body(point2))};
 }
 
+Witness witness_along(const PlacedPair<double>& pair, const Vec3<double>& n) {
+  return {witness_point(pair.body1.shape, pair.body1.to_body_direction(n)),
+          witness_point(pair.body2.shape, pair.body2.to_body_direction(-n))};
+}
+
 CoverResult search_cover(const PlacedPair<double>& pair, const Mat3<double>& frame, double level,
                          const std::vector<KnownMinimum>& minima, const CoverLimits& limits, const Settle& settle) {
   return CoverSearch(pair, frame, level, minima, limits, settle).run();

@@ -48,6 +48,9 @@ struct CoverResult {
 [[nodiscard]] Witness witness_of(const PlacedPair<double>& pair, const Vec3<double>& point1,
                                  const Vec3<double>& point2);
 
+/// The same for the support points of a direction (pair frame, any length).
+[[nodiscard]] Witness witness_along(const PlacedPair<double>& pair, const Vec3<double>& n);
+
 /// `level`: o at the best direction known, with the minima that are proved. Below zero the bounds are rougher (w.v / |v| is
 /// no longer concave) and the cover proves nothing; the search then only looks for the direction.
 [[nodiscard]] CoverResult search_cover(const PlacedPair<double>& pair, const Mat3<double>& frame, double level,

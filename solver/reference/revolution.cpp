@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/reference/cover_search.hpp"
 #include "solver/reference/interval_double.hpp"
 
 namespace plumb::reference {
@@ -49,14 +50,26 @@ Vec3<double> chart_at(double place) {
   return {4 - place, 0, -1};
 }
 
+constexpr double shortest_arc = 1.0 / (1LL << 44);  // the places of shorter ones are not exact
+
 template <class I>
 class MeridianSearch {
  public:
-  MeridianSearch(const FramedPair<I>& framed, double level, double gap) : framed_(framed), level_(level), gap_(gap) {}
+  MeridianSearch(const PlacedPair<double>& pair, const FramedPair<I>& framed, const Mat3<double>& frame, double level,
+                 double gap)
+      : pair_(pair), framed_(framed), frame_(frame), level_(level), gap_(gap) {}
 
   MeridianBound run() {
-    for (int part = 0; part < 4; ++part) look_at({static_cast<double>(part), part + 1.0});
-    out_.complete = out_.cells <= most_meridian_cells;
+    std::vector<Arc> todo{{3, 4}, {2, 3}, {1, 2}, {0, 1}};  // the next one last, so that arcs are kept in their order
+    while (!todo.empty() && out_.cells < most_meridian_cells) {
+      const Arc arc = todo.back();
+      todo.pop_back();
+      const double middle = (arc.first + arc.last) / 2;
+      if (is_settled(arc, middle)) continue;
+      todo.push_back({middle, arc.last});
+      todo.push_back({arc.first, middle});
+    }
+    out_.complete = todo.empty();
     out_.least = level_;
     for (const Bounded& kept : kept_)
       if (kept.bound <= level_) add(kept);
@@ -69,26 +82,36 @@ class MeridianSearch {
     double bound;
   };
 
-  /// The tangent line of |F v| o at the middle is below it on the whole arc, and over |F v| least at one of the ends.
-  void look_at(const Arc& arc) {
-    if (++out_.cells > most_meridian_cells) return;
-    const double middle = (arc.first + arc.last) / 2;
-    const DirectionEnclosure<I> at = enclose_direction<I>(framed_, enclosed<I>(chart_at(middle)));
-    const IVec3<I> apart = at.point1 - at.point2;
-    learn(at.normal, high(I(dot<I>(at.normal, apart))));
+  /// Whether o is above the level on the arc, or near enough to it at its lowest.
+  bool is_settled(const Arc& arc, double middle) {
+    ++out_.cells;
+    const Vec3<double> chart = chart_at(middle), direction = (frame_ * chart).normalized();
+    learn(direction, high(overlap_at<I>(framed_, enclosed<I>(chart))));
+    const IVec3<I> apart = points_apart(direction);
     const double bound = std::min(bound_at(apart, arc.first), bound_at(apart, arc.last));
-    if (bound > level_) return;
-    if (bound > level_ - gap_) return kept_.push_back({arc, bound});
-    look_at({arc.first, middle});
-    look_at({middle, arc.last});
+    if (bound > level_) return true;
+    if (!(bound > level_ - gap_) && arc.last - arc.first > shortest_arc) return false;
+    kept_.push_back({arc, bound});
+    return true;
   }
 
-  void learn(const IVec3<I>& normal, double overlap) {
+  void learn(const Vec3<double>& direction, double overlap) {
     if (overlap >= level_ - gap_ / 2) return;
     level_ = overlap;
-    out_.lower = Vec3<double>(low(normal[0]), low(normal[1]), low(normal[2])).normalized();
+    out_.lower = direction;
   }
 
+  /// p1 - p2 for a point of each body near its support point: o(n) >= n.(p1 - p2) for every n. No enclosure of the support
+  /// points themselves: on a flat they move with the last digit of the direction.
+  [[nodiscard]] IVec3<I> points_apart(const Vec3<double>& n) const {
+    const Witness w = witness_along(pair_, n);
+    if (!is_inside<I>(framed_.pair.body1, w.point1) || !is_inside<I>(framed_.pair.body2, w.point2))
+      return IVec3<I>::Constant(I(-std::numeric_limits<double>::infinity()));
+    return framed_.pair.body1.rotation * enclosed<I>(w.point1) - framed_.pair.body2.rotation * enclosed<I>(w.point2) -
+           framed_.pair.centre;
+  }
+
+  /// The tangent line is below |F v| o on the whole arc, and over |F v| least at one of the ends.
   [[nodiscard]] double bound_at(const IVec3<I>& apart, double place) const {
     const IVec3<I> direction = framed_.frame * enclosed<I>(chart_at(place));
     const I above = dot<I>(direction, apart);
@@ -103,7 +126,9 @@ class MeridianSearch {
       out_.arcs.push_back(kept.arc);
   }
 
+  const PlacedPair<double>& pair_;
   const FramedPair<I>& framed_;
+  const Mat3<double>& frame_;
   double level_;
   const double gap_;
   std::vector<Bounded> kept_;
@@ -146,8 +171,9 @@ I asymmetry(const Pair& pair, const FramedPair<I>& framed) {
 }
 
 template <class I>
-MeridianBound bound_meridian(const FramedPair<I>& framed, double level, double gap) {
-  return MeridianSearch<I>(framed, level, gap).run();
+MeridianBound bound_meridian(const PlacedPair<double>& pair, const FramedPair<I>& framed, const Mat3<double>& frame,
+                             double level, double gap) {
+  return MeridianSearch<I>(pair, framed, frame, level, gap).run();
 }
 
 double angle_at(double place) {
@@ -155,9 +181,10 @@ double angle_at(double place) {
   return std::atan2(v[0], v[2]);
 }
 
-#define PLUMB_INSTANTIATE_REVOLUTION(I)                    \
-  template I asymmetry(const Pair&, const FramedPair<I>&); \
-  template MeridianBound bound_meridian(const FramedPair<I>&, double, double);
+#define PLUMB_INSTANTIATE_REVOLUTION(I)                                                                               \
+  template I asymmetry(const Pair&, const FramedPair<I>&);                                                            \
+  template MeridianBound bound_meridian(const PlacedPair<double>&, const FramedPair<I>&, const Mat3<double>&, double, \
+                                        double);
 
 PLUMB_INSTANTIATE_REVOLUTION(DoubleInterval)
 PLUMB_INSTANTIATE_REVOLUTION(Interval18)

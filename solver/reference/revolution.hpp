@@ -36,9 +36,11 @@ struct MeridianBound {
   int cells = 0;
 };
 
-/// Branch and bound on the half circle of directions F (x, 0, z), x >= 0. `level` >= 0: o at the best direction known.
+/// Branch and bound on the half circle of directions F (x, 0, z), x >= 0; `framed` encloses `pair` and `frame`. `level` >= 0: o
+/// at the best direction known.
 template <class I>
-[[nodiscard]] MeridianBound bound_meridian(const FramedPair<I>& framed, double level, double gap);
+[[nodiscard]] MeridianBound bound_meridian(const PlacedPair<double>& pair, const FramedPair<I>& framed,
+                                           const Mat3<double>& frame, double level, double gap);
 
 /// Angle (rad) between the frame's third axis and the meridian's direction at a place, for an orthonormal frame.
 [[nodiscard]] double angle_at(double place);

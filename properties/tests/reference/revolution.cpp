@@ -75,6 +75,22 @@ TEST_P(ContinuumAt, TurnedAndMovedItIsARingButForRounding) {
   }
 }
 
+/// Cylinders with rounded edges: flats and edges whose points move with the last digit of a direction.
+TEST_P(ContinuumAt, TurnedBlocksOfRevolutionEndInARingToo) {
+  Stream stream("blocks of revolution", 1, 0);
+  for (int i = 0; i < 12; ++i) {
+    Pair pair;
+    pair.body1.shape.semi_axes << 1, 1, stream.uniform(0.5, 2);
+    pair.body2.shape.semi_axes << 1, 1, stream.uniform(2, 3);
+    for (Body* body : {&pair.body1, &pair.body2}) body->shape.n1 = stream.pick(std::array{2.0, 3.5, 8.0, 20.0});
+    pair.body2.position << 0, 0, stream.uniform(0, 0.2);
+    const Reference found = find_reference(moved(pair, {1, 2, 3, 4}, {0.3, -0.7, 0.1}), GetParam());
+    EXPECT_EQ(found.global, Claim::proved) << i << ": " << found.reason;
+    EXPECT_FALSE(found.rings.empty()) << i << ": " << found.reason;
+    EXPECT_LT(found.cells, 1000) << i;
+  }
+}
+
 TEST_P(ContinuumAt, ConcentricSpheresTouchEverywhere) {
   Pair pair;
   pair.body1.shape.semi_axes.setConstant(0.75);
