@@ -20,7 +20,7 @@ namespace plumb::reference {
 template <class S>
 [[nodiscard]] Vec3<S> in_frame(const Mat3<double>& frame, const Vec3<S>& n) {
   const int corrections = std::numeric_limits<S>::digits / std::numeric_limits<double>::digits;
-  const Mat3<S> f = frame.cast<S>();
+  const Mat3<S>& f = frame.cast<S>();
   Vec3<S> v = f.transpose() * n;
   for (int i = 0; i < corrections; ++i) v += f.transpose() * (n - f * v);
   return v;

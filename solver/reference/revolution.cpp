@@ -38,9 +38,10 @@ I distance_of_lines(const IVec3<I>& a, const IVec3<I>& b) {
 template <class I>
 I body_asymmetry(const EnclosedBody<I>& body, const Superellipsoid<double>& shape, const IVec3<I>& axis) {
   if (is_sphere(shape)) return I(0.0);
-  const int own = *axis_of_revolution(shape);
-  const I reach = root<I>(I(square<I>(body.semi_axes[own]) + square<I>(body.semi_axes[(own + 1) % 3])));
-  return I(2.0) * reach * distance_of_lines<I>(body.rotation.col(own), axis);
+  const auto own = axis_of_revolution(shape);
+  if (!own) return I(std::numeric_limits<double>::infinity());
+  const I reach = root<I>(I(square<I>(body.semi_axes[*own]) + square<I>(body.semi_axes[(*own + 1) % 3])));
+  return I(2.0) * reach * distance_of_lines<I>(body.rotation.col(*own), axis);
 }
 
 /// The chart point at a place of the meridian; exact for the places that halving gives.
