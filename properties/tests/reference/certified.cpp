@@ -193,6 +193,13 @@ std::optional<Truth> build_backwards(Pair& pair, const Vec3<double>& direction, 
                   placed.to_world_point(at.point2, pair) - pair.body2.position.cast<W>());
 }
 
+Case regression(const std::string& file) {
+  const std::string path = PLUMB_SOURCE_DIR "/corpus/cases/regressions/" + file;
+  const std::optional<Case> c = CaseReader(path).next();
+  if (!c) throw InputFailure(path, 0, "", "holds no case");
+  return *c;
+}
+
 /// A normal that is known to be the higher of two is not handed out as the lowest, whichever can be located.
 void expect_lowest(const Case& c) {
   const Reference found = find_reference(c.pair);
@@ -205,16 +212,13 @@ void expect_lowest(const Case& c) {
 }
 
 TEST(Certified, OfTwoThatNearlyTieTheLowerOne) {
-  CaseReader regression(PLUMB_SOURCE_DIR "/corpus/cases/regressions/nearly-tied-flats.json");
-  expect_lowest(*regression.next());
+  expect_lowest(regression("nearly-tied-flats.json"));
   for (std::uint64_t i = 0; i < 8; ++i) expect_lowest(generate_hard("nearly_tie", 3, i));
 }
 
 /// Exponents of 50, edge across edge, an overlap of 1e-14: directions alone leave the verdict open.
 TEST(Certified, CrossedEdgesThatHardlyOverlapAreDecided) {
-  CaseReader regression(PLUMB_SOURCE_DIR "/corpus/cases/regressions/crossed-edges-undecided.json");
-  const Case c = *regression.next();
-  const Reference found = find_reference(c.pair);
+  const Reference found = find_reference(regression("crossed-edges-undecided.json").pair);
   EXPECT_EQ(found.verdict, Verdict::overlapping);
   EXPECT_EQ(found.global, Claim::proved);
   EXPECT_LT(found.overlap.upper - found.overlap.lower, Real50(1e-40));
