@@ -8,6 +8,7 @@
 
 #include "corpus/decimal.hpp"
 #include "corpus/fields.hpp"
+#include "corpus/reference_json.hpp"
 #include "solver/reference/condition_proof.hpp"
 
 namespace plumb {
@@ -66,10 +67,7 @@ Json tied_json(const std::vector<Solution>& tied, int digits) {
 
 Json rings_json(const std::vector<Ring>& rings) {
   Json out = Json::array();
-  for (const Ring& ring : rings)
-    out.push_back({{"axis", {ring.axis[0], ring.axis[1], ring.axis[2]}},
-                   {"least_angle", ring.least_angle},
-                   {"greatest_angle", ring.greatest_angle}});
+  for (const Ring& ring : rings) out.push_back(ring_json(ring));
   return out;
 }
 
@@ -179,7 +177,7 @@ void put_overlap(Json& out, const Bounds& overlap, int digits) {
 
 void put_condition_claims(Json& out, const Pair& pair, const Solution& found) {
   using namespace reference;
-  constexpr double epsilons = 8;  // what the laws allow an answer (properties/laws.hpp)
+  constexpr double epsilons = 8;  // what the laws allow an answer (properties/allowance.hpp)
   ConditionProof proof = certify_condition(pair, found);
   const auto is_infinite = [](ConditionClaim claim) { return claim == ConditionClaim::infinite; };
   if (is_infinite(proof.normal) || is_infinite(proof.points)) {

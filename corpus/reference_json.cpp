@@ -54,11 +54,6 @@ Json solution_json(const Solution& solution) {
           {"points_radius", number_json(points_radius)}};
 }
 
-Json ring_json(const Ring& ring) {
-  const auto& [axis, least_angle, greatest_angle] = ring;
-  return {{"axis", numbers_json(axis)}, {"least_angle", least_angle}, {"greatest_angle", greatest_angle}};
-}
-
 template <class Item, class ToJson>
 Json list_json(const std::vector<Item>& items, ToJson to_json) {
   Json out = Json::array();
@@ -146,6 +141,11 @@ auto read_list(const Field& field, Read read) {
 }
 
 }  // namespace
+
+Json ring_json(const Ring& ring) {
+  const auto& [axis, least_angle, greatest_angle] = ring;
+  return {{"axis", numbers_json(axis)}, {"least_angle", least_angle}, {"greatest_angle", greatest_angle}};
+}
 
 Json reference_json(const Reference& reference) {
   [[maybe_unused]] const auto& [effort, verdict, overlap, common_normal, tied, close, global, unique, reason, open,

@@ -13,4 +13,6 @@ namespace plumb {
 /// The same bits again, without these. Throws FieldError.
 [[nodiscard]] Reference read_reference(const Field& field);
 
+[[nodiscard]] Json ring_json(const Ring& ring);
+
 }  // namespace plumb

@@ -65,6 +65,10 @@ struct Minimum {
 
   [[nodiscard]] bool is_tight() const { return proof.located && high(proof.deficit) < gap / 2; }
   [[nodiscard]] I least() const { return low_end<I>(I(proof.value - proof.deficit)); }
+
+  void widen(const I& reach) {
+    for (const int step : {1, 2}) box[(region.axis + step) % 3] += hull<I>(I(-reach), reach);
+  }
 };
 
 /// A region about a chart point with its proof.
@@ -173,8 +177,11 @@ class Certifier {
   [[nodiscard]] Min minimum_at(const StationaryPoint<S>& found) const {
     const Min own = minimum_about(found);
     if (own.is_tight() || !own.proof.convex) return own;
-    Min out = minimum_about(aligned_with_body1(found));
-    if (!out.exists) out = own;
+    Min out = own;
+    if (const auto aligned = aligned_with_body1(found)) {
+      Min there = minimum_about(*aligned);
+      if (there.exists) out = std::move(there);
+    }
     if constexpr (std::is_same_v<S, Real50>) locate_on_charts(out);
     return out;
   }
@@ -200,18 +207,23 @@ class Certifier {
     minimum.exists = minimum.proof.located = true;
     minimum.proof.deficit = high_end<I>(I(minimum.proof.value - low_end<I>(overlap)));
     minimum.box = chart_point<I, S>(frame_.frame, minimum.at.normal).v;
-    for (const int step : {1, 2}) minimum.box[(minimum.region.axis + step) % 3] += hull<I>(-reach, reach);
+    minimum.widen(I(reach));
   }
 
   /// On a flat face the points follow digits of the direction that no computation has: 1e-49 off the face's normal they are a
-  /// 500th of the body apart (exponent 19). Nearly along a face's normal, it is that.
-  [[nodiscard]] StationaryPoint<S> aligned_with_body1(const StationaryPoint<S>& found) const {
+  /// 500th of the body apart (exponent 19). Nearly along a face's normal, it is that; nothing elsewhere.
+  [[nodiscard]] std::optional<StationaryPoint<S>> aligned_with_body1(const StationaryPoint<S>& found) const {
     using std::abs;
     using std::pow;
     const S rounding = pow(epsilon<S>(), S(0.9));
     Vec3<S> own = fine_.body1.to_body_direction(found.normal);
-    for (S& component : own)
-      if (abs(component) < rounding) component = S(0);
+    bool is_near = false;
+    for (S& component : own) {
+      if (component == S(0) || !(abs(component) < rounding)) continue;
+      component = S(0);
+      is_near = true;
+    }
+    if (!is_near) return {};
     StationaryPoint<S> out = found;
     out.normal = fine_.body1.to_pair_direction(own).normalized();
     return out;
@@ -221,11 +233,7 @@ class Certifier {
     const ChartPoint<I> at = chart_point<I, S>(frame_.frame, found.normal);
     const ProvedRegion<I> proved = proved_region(at);
     Min out{proved.region, proved.proof, at.v, found, proved.proof.located};
-    if (out.exists)
-      for (const int step : {1, 2}) {
-        I& x = out.box[(at.face.axis + step) % 3];
-        x += hull<I>(I(-out.proof.radius), out.proof.radius);
-      }
+    if (out.exists) out.widen(out.proof.radius);
     return out;
   }
 
@@ -245,7 +253,7 @@ class Certifier {
     if (is_sphere(pair_.body1.shape) && is_sphere(pair_.body2.shape)) return bound_spheres();
     const auto axis = common_axis(rough_);
     if (!axis) return false;
-    using C = std::conditional_t<std::is_same_v<I, DoubleInterval>, DoubleInterval, Interval18>;
+    using C = std::conditional_t<in_doubles, DoubleInterval, Interval18>;
     const Mat3<double> frame = frame_about(*axis);
     const FramedPair<C> framed(enclose<C>(pair_), frame);
     const double slack = high(asymmetry<C>(pair_, framed));

@@ -290,8 +290,7 @@ I overlap_at(const FramedPair<I>& framed, const IVec3<I>& chart) {
 // The Hessian of |F v| is positive, so that the highest o of the region may stand for that of any point in it.
 template <class I>
 I curvature_on(const FramedPair<I>& framed, const Cell& region) {
-  IVec3<I> box = enclosed<I>(region.at(0, 0));
-  for (const int step : {1, 2}) box[(region.axis + step) % 3] += hull<I>(-region.half, region.half);
+  const IVec3<I> box = box_of<I>(region, region.half);
   return least_curvature<I>(framed, box, region.axis, highest_overlap<I>(framed, region, box));
 }
 
