@@ -88,8 +88,7 @@ class MeridianSearch {
     ++out_.cells;
     const Vec3<double> chart = chart_at(middle), direction = (frame_ * chart).normalized();
     learn(direction, high(overlap_at<I>(framed_, enclosed<I>(chart))));
-    const IVec3<I> apart = points_apart(direction);
-    const double bound = std::min(bound_at(apart, arc.first), bound_at(apart, arc.last));
+    const double bound = bound_on(arc, witness_along(pair_, direction));
     if (bound > level_) return true;
     if (!(bound > level_ - gap_) && arc.last - arc.first > shortest_arc) return false;
     kept_.push_back({arc, bound});
@@ -102,14 +101,12 @@ class MeridianSearch {
     out_.lower = direction;
   }
 
-  /// p1 - p2 for a point of each body near its support point: o(n) >= n.(p1 - p2) for every n. No enclosure of the support
-  /// points themselves: on a flat they move with the last digit of the direction.
-  [[nodiscard]] IVec3<I> points_apart(const Vec3<double>& n) const {
-    const Witness w = witness_along(pair_, n);
-    if (!is_inside<I>(framed_.pair.body1, w.point1) || !is_inside<I>(framed_.pair.body2, w.point2))
-      return IVec3<I>::Constant(I(-std::numeric_limits<double>::infinity()));
-    return framed_.pair.body1.rotation * enclosed<I>(w.point1) - framed_.pair.body2.rotation * enclosed<I>(w.point2) -
-           framed_.pair.centre;
+  /// Two points near the support points of the middle, not an enclosure of those: on a flat they move with the last digit of the
+  /// direction.
+  [[nodiscard]] double bound_on(const Arc& arc, const Witness& witness) const {
+    const auto apart = points_apart<I>(framed_.pair, witness);
+    if (!apart) return -std::numeric_limits<double>::infinity();
+    return std::min(bound_at(*apart, arc.first), bound_at(*apart, arc.last));
   }
 
   /// The tangent line is below |F v| o on the whole arc, and over |F v| least at one of the ends.

@@ -340,12 +340,16 @@ RegionProof<I> verify_region(const FramedPair<I>& framed, const Cell& region, co
 }
 
 template <class I>
+std::optional<IVec3<I>> points_apart(const EnclosedPair<I>& pair, const Witness& witness) {
+  if (!is_inside<I>(pair.body1, witness.point1) || !is_inside<I>(pair.body2, witness.point2)) return {};
+  return IVec3<I>(pair.body1.rotation * enclosed<I>(witness.point1) - pair.centre -
+                  pair.body2.rotation * enclosed<I>(witness.point2));
+}
+
+template <class I>
 double least_overlap_apart(const EnclosedPair<I>& pair, const Witness& witness) {
-  if (!is_inside<I>(pair.body1, witness.point1) || !is_inside<I>(pair.body2, witness.point2))
-    return -std::numeric_limits<double>::infinity();
-  const IVec3<I> apart = pair.body1.rotation * enclosed<I>(witness.point1) - pair.centre -
-                         pair.body2.rotation * enclosed<I>(witness.point2);
-  return -high(length_of<I>(apart));
+  const auto apart = points_apart<I>(pair, witness);
+  return apart ? -high(length_of<I>(*apart)) : -std::numeric_limits<double>::infinity();
 }
 
 template <class I>
@@ -366,6 +370,7 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
   template Slope<I> slope_at(const FramedPair<I>&, int, const IVec3<I>&);                               \
   template RegionProof<I> proof_on(const Cell&, const I&, const IVec3<I>&, const Slope<I>&, const I&);  \
   template RegionProof<I> verify_region(const FramedPair<I>&, const Cell&, const IVec3<I>&);            \
+  template std::optional<IVec3<I>> points_apart(const EnclosedPair<I>&, const Witness&);                \
   template double least_overlap_apart(const EnclosedPair<I>&, const Witness&);                          \
   template DirectionEnclosure<I> enclose_direction(const FramedPair<I>&, const IVec3<I>&);
 

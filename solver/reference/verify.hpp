@@ -2,6 +2,8 @@
 // to be believed, with the intervals (of a stored proof: MPFI).
 #pragma once
 
+#include <optional>
+
 #include "solver/reference/cover.hpp"
 #include "solver/reference/enclosure.hpp"
 
@@ -79,6 +81,10 @@ template <class I>
 /// o and the proof of convexity on `region` for the solution at `chart` (a chart point of the region's face).
 template <class I>
 [[nodiscard]] RegionProof<I> verify_region(const FramedPair<I>& pair, const Cell& region, const IVec3<I>& chart);
+
+/// p1 - p2 (pair frame): o(n) >= n.(p1 - p2) for every n. Nothing when a witness is not proved to lie in its body.
+template <class I>
+[[nodiscard]] std::optional<IVec3<I>> points_apart(const EnclosedPair<I>& pair, const Witness& witness);
 
 /// Bodies apart: o is minus the distance, which no two points of the bodies undercut. Minus infinity when a witness is not
 /// proved to lie in its body.
