@@ -79,8 +79,8 @@ Json condition_json(const Condition& condition) {
 }
 
 /// A ball without bounds is absent.
-Json solution_set_json(const reference::SolutionSet& set, double epsilons) {
-  Json out{{"epsilons", epsilons}};
+Json solution_set_json(const reference::SolutionSet& set) {
+  Json out{{"epsilons", reference::rounding_epsilons}};
   if (std::isfinite(set.delta)) out["overlap_change"] = set.delta;
   if (std::isfinite(set.normal_radius)) {
     out["normal"] = vector_json(set.normal);
@@ -177,14 +177,13 @@ void put_overlap(Json& out, const Bounds& overlap, int digits) {
 
 void put_condition_claims(Json& out, const Pair& pair, const Solution& found) {
   using namespace reference;
-  constexpr double epsilons = 8;  // what the laws allow an answer (properties/allowance.hpp)
   ConditionProof proof = certify_condition(pair, found);
   const auto is_infinite = [](ConditionClaim claim) { return claim == ConditionClaim::infinite; };
   if (is_infinite(proof.normal) || is_infinite(proof.points)) {
-    const SolutionSet set = enclose_solutions(pair, found.normal, epsilons);
+    const SolutionSet set = enclose_solutions(pair, found.normal, rounding_epsilons);
     if (proof.overlap == ConditionClaim::open)
       proof.overlap = certify_overlap_condition(pair, set, found.condition.overlap);
-    out["solutions_within"] = solution_set_json(set, epsilons);
+    out["solutions_within"] = solution_set_json(set);
   }
   out["condition_claims"] = {
       {"overlap", name(proof.overlap)}, {"normal", name(proof.normal)}, {"points", name(proof.points)}};

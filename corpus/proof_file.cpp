@@ -29,6 +29,12 @@ Json witness_json(const Witness& witness) {
   return {vector_json(witness.point1), vector_json(witness.point2)};
 }
 
+Json meridian_json(const Meridian& meridian) {
+  Json out{{"places", meridian.places}, {"witnesses", Json::array()}};
+  for (const Witness& witness : meridian.witnesses) out["witnesses"].push_back(witness_json(witness));
+  return out;
+}
+
 std::string tree_text(const std::vector<Leaf>& tree) {
   std::string out;
   for (const Leaf leaf : tree) out += leaf_letters[static_cast<std::size_t>(leaf)];
@@ -50,10 +56,12 @@ void put_proof(Json& out, const Proof& proof) {
   out["regions"] = Json::array();
   for (std::size_t i = 0; i < proof.cover.regions.size(); ++i)
     out["regions"].push_back(region_json(proof.cover.regions[i], proof.solutions[i]));
-  if (proof.apart)
-    out["apart"] = witness_json(*proof.apart);
-  else
-    put_cover(out, proof);
+  switch (proof.kind) {
+    case ProofKind::cover: return put_cover(out, proof);
+    case ProofKind::meridian: out["meridian"] = meridian_json(proof.meridian); return;
+    case ProofKind::spheres: out["spheres"] = true; return;
+    case ProofKind::apart: out["apart"] = witness_json(proof.apart); return;
+  }
 }
 
 SplitVector read_split(const Field& field) {
@@ -93,16 +101,38 @@ void read_cover(const Field& root, Proof& out) {
     out.cover.regions_of.push_back(index.whole_number(0, std::numeric_limits<int>::max()));
 }
 
+Meridian read_meridian(const Field& field) {
+  field.require_object({"places", "witnesses"});
+  Meridian out;
+  for (const Field& place : field.member("places").elements()) out.places.push_back(place.number());
+  for (const Field& witness : field.member("witnesses").elements()) out.witnesses.push_back(read_witness(witness));
+  return out;
+}
+
+/// The kind by the field that only it has.
+ProofKind read_kind(const Field& root) {
+  if (root.has("apart")) return ProofKind::apart;
+  if (root.has("meridian")) return ProofKind::meridian;
+  return root.has("spheres") ? ProofKind::spheres : ProofKind::cover;
+}
+
+void read_lower_bound(const Field& root, Proof& out) {
+  switch (out.kind) {
+    case ProofKind::cover: return read_cover(root, out);
+    case ProofKind::meridian: out.meridian = read_meridian(root.member("meridian")); return;
+    case ProofKind::spheres: return;
+    case ProofKind::apart: out.apart = read_witness(root.member("apart")); return;
+  }
+}
+
 Proof read_proof(const Field& root) {
   Proof out;
   const Field frame = root.member("frame");
   for (int i = 0; i < 3; ++i) out.cover.frame.row(i) = frame.element(static_cast<std::size_t>(i), 3, "rows").vector();
   out.direction = read_split(root.member("direction"));
   for (const Field& region : root.member("regions").elements()) read_region(region, out);
-  if (const auto apart = root.find("apart"))
-    out.apart = read_witness(*apart);
-  else
-    read_cover(root, out);
+  out.kind = read_kind(root);
+  read_lower_bound(root, out);
   return out;
 }
 
@@ -120,11 +150,15 @@ Bounds read_claimed(const Field& claim) {
 }
 
 StoredProof read_stored(const Field& root) {
-  if (root.has("apart"))
-    root.require_object({"format", "name", "bodies", "claim", "frame", "direction", "regions", "apart"});
-  else
-    root.require_object({"format", "name", "bodies", "claim", "frame", "direction", "regions", "level", "tree",
-                         "witnesses", "regions_of"});
+  const auto require = [&](auto... own) {
+    root.require_object({"format", "name", "bodies", "claim", "frame", "direction", "regions", own...});
+  };
+  switch (read_kind(root)) {
+    case ProofKind::cover: require("level", "tree", "witnesses", "regions_of"); break;
+    case ProofKind::meridian: require("meridian"); break;
+    case ProofKind::spheres: require("spheres"); break;
+    case ProofKind::apart: require("apart"); break;
+  }
   root.member("format").require_text(proof_format);
   const auto name = root.find("name");
   return {name ? name->text() : "", read_pair(root), read_claimed(root.member("claim")), read_proof(root)};

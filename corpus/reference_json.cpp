@@ -149,7 +149,7 @@ Json ring_json(const Ring& ring) {
 
 Json reference_json(const Reference& reference) {
   [[maybe_unused]] const auto& [effort, verdict, overlap, common_normal, tied, close, global, unique, reason, open,
-                                rings, direction, cover, nearest, cells] = reference;
+                                rings, direction, cover, meridian, nearest, cells] = reference;
   return {{"effort", name(effort)},
           {"verdict", name(verdict)},
           {"overlap", bounds_json(overlap)},

@@ -127,6 +127,7 @@ Reference ReferenceStore::compute(const Pair& pair, Effort effort) const {
   ++misses_;
   Reference found = find_reference(pair, effort);
   found.cover = {};
+  found.meridian = {};
   found.nearest.reset();
   return found;
 }

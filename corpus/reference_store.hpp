@@ -32,7 +32,7 @@ class ReferenceStore {
   /// Makes the folder. Throws InputFailure, which names the option --cache.
   void prepare() const;
 
-  /// find_reference(pair, effort) without its cover and nearest points: these are not stored, and a hit is to be no different
+  /// find_reference(pair, effort) without its cover, meridian and nearest points: these are not stored, and a hit is to be no different
   /// from a miss.
   [[nodiscard]] Reference find(const Pair& pair, Effort effort = Effort::digits) const;
 

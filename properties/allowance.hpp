@@ -9,7 +9,7 @@
 
 namespace plumb::law {
 
-inline constexpr double allowed_multiple = 8;
+inline constexpr double allowed_multiple = reference::rounding_epsilons;
 inline constexpr double machine_epsilon = std::numeric_limits<double>::epsilon();
 inline constexpr double few = allowed_multiple * machine_epsilon;
 

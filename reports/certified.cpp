@@ -147,6 +147,7 @@ Json to_json(const Result& result, const Options& options) {
            {"seed", options.seed},
            {"cases", result.cases},
            {"seconds", result.seconds}};
+  if (result.cases < options.cases) out["incomplete"] = true;
   out["groups"] = Json::array();
   for (std::size_t k = 0; k < groups().size(); ++k)
     if (result.tallies[k].cases > 0) out["groups"].push_back(to_json(result.tallies[k], groups()[k]));
@@ -174,8 +175,9 @@ void print_reasons(const std::string& title, const Reasons& reasons, const char*
 constexpr std::string_view row = "  {:<10}{:>7}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>8}{:>10}{:>10}{:>9}";
 
 void print_table(const Result& result, const Options& options) {
-  print_line(fmt::format("{}: {} cases, seed {}, effort {}, {:.0f} s", result.family, result.cases, options.seed,
-                         options.effort, result.seconds));
+  print_line(fmt::format("{}: {} cases, seed {}, effort {}, {:.0f} s{}", result.family, result.cases, options.seed,
+                         options.effort, result.seconds,
+                         result.cases < options.cases ? " (interrupted: incomplete)" : ""));
   print_line(fmt::format(row, "exponents", "cases", "global%", "unique%", "both%", "verdict%", "gap p50", "p99", "max",
                          "method", "disturbed", "elsewhere", "unsolved"));
   for (std::size_t k = 0; k < groups().size(); ++k) {

@@ -95,8 +95,13 @@ Times run(const Row& row, const Options& options) {
   return times;
 }
 
+bool is_cut_short(const Times& times, const Options& options) {
+  return times.method.size() < static_cast<std::size_t>(options.cases);
+}
+
 Json to_json(const Row& row, const Times& times, const Options& options) {
   Json out{{"family", row.family}, {"cases", times.method.size()}, {"of", row.cases}, {"seed", options.seed}};
+  if (is_cut_short(times, options)) out["incomplete"] = true;
   out["new_cn_ms"] = median(times.method);
   for (std::size_t k = 0; k < efforts.size(); ++k) {
     Json entry{{"median_ms", median(times.effort[k])}, {"median_ratio_to_new_cn", median(times.ratio[k])}};
@@ -106,9 +111,9 @@ Json to_json(const Row& row, const Times& times, const Options& options) {
   return out;
 }
 
-void print_row(const Row& row, const Times& times) {
-  print_line(fmt::format("{}, {}: {} cases, new_cn {:.4f} ms", row.family, row.cases, times.method.size(),
-                         median(times.method)));
+void print_row(const Row& row, const Times& times, const Options& options) {
+  print_line(fmt::format("{}, {}: {} cases{}, new_cn {:.4f} ms", row.family, row.cases, times.method.size(),
+                         is_cut_short(times, options) ? " (interrupted: incomplete)" : "", median(times.method)));
   for (std::size_t k = 0; k < efforts.size(); ++k) {
     const double ms = median(times.effort[k]);
     std::string budget;
@@ -129,7 +134,7 @@ int report(const Options& options) {
     if (options.json)
       print_line(line);
     else
-      print_row(row, times);
+      print_row(row, times, options);
     flush_output();
   }
   if (!options.out.empty()) write_file(options.out, lines);

@@ -4,116 +4,24 @@
 #include <numbers>
 #include <optional>
 
-#include "solver/reference/chart_interval.hpp"
 #include "solver/reference/condition.hpp"
 #include "solver/reference/cover_search.hpp"
-#include "solver/reference/frame.hpp"
-#include "solver/reference/interval_double.hpp"
+#include "solver/reference/minimum.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/reference/revolution.hpp"
-#include "solver/reference/stationary_point.hpp"
-#include "solver/reference/verify.hpp"
 
 namespace plumb::reference {
 namespace {
-
-constexpr double widest_region = 1.0 / 8, narrowest_region = 1e-15;
-constexpr double gap = 1e-12;  // of the bounds, relative to the size
 
 /// Cells that a search may look at: where the cheaper efforts need many, the digits of the next need few.
 template <class I>
 constexpr int most_cells = std::is_same_v<I, Interval80> ? 60'000 : 4'000;
 
-/// The chart point v with F v parallel to n, to the digits of n, and its face; the half-width is not set.
-template <class I>
-struct ChartPoint {
-  Cell face;
-  IVec3<I> v;
-};
-
-template <class I, class S>
-ChartPoint<I> chart_point(const Mat3<double>& frame, const Vec3<S>& n) {
-  Vec3<S> v = in_frame<S>(frame, n);
-  int axis = 0;
-  v.template cast<double>().cwiseAbs().maxCoeff(&axis);
-  const double sign = v[axis] < S(0) ? -1 : 1;
-  using std::abs;
-  v /= abs(v[axis]);
-  ChartPoint<I> out{{axis, sign, static_cast<double>(v[(axis + 1) % 3]), static_cast<double>(v[(axis + 2) % 3]), 0},
-                    {}};
-  for (int i = 0; i < 3; ++i) out.v[i] = i == axis ? I(sign) : enclosing<I>(v[i]);
-  return out;
-}
-
-/// Two intervals' enclosure of the same pair in the same frame. The cheap one proves what needs few digits and no power; of
-/// the rest it says where a proof will succeed.
-template <class I>
-struct Frames {
-  Mat3<double> frame;
-  FramedPair<DoubleInterval> rough;
-  FramedPair<I> fine;
-};
-
-/// A solution, and the region in which it is the only one.
-template <class I, class S>
-struct Minimum {
-  Cell region;  ///< of half-width 0 where none is proved
-  RegionProof<I> proof;
-  IVec3<I> box;  ///< directions (chart) among which the true one is, if `exists`
-  StationaryPoint<S> at;
-  bool exists;
-
-  [[nodiscard]] bool is_tight() const { return proof.located && high(proof.deficit) < gap / 2; }
-  [[nodiscard]] I least() const { return low_end<I>(I(proof.value - proof.deficit)); }
-
-  void widen(const I& reach) {
-    for (const int step : {1, 2}) box[(region.axis + step) % 3] += hull<I>(I(-reach), reach);
-  }
-};
-
-/// A region about a chart point with its proof.
-template <class I>
-struct ProvedRegion {
-  Cell region;
-  RegionProof<I> proof;
-};
-
-/// The widest of the tried regions on which the solution is located, or else the widest on which o is convex. C: the
-/// intervals of the curvature, which needs fewer digits than the slope.
-template <class C, class I>
-ProvedRegion<I> region_about(const FramedPair<C>& coarse, const FramedPair<I>& pair, const ChartPoint<I>& at,
-                             const Slope<I>& slope, double widest) {
-  ProvedRegion<I> best{at.face, {}};
-  Cell region = at.face;
-  region.half = widest;
-  while (region.half > narrowest_region && !best.proof.located) {
-    const I curvature(low(curvature_on<C>(coarse, region)));
-    const RegionProof<I> proof = proof_on<I>(region, curvature, at.v, slope, pair.shortest);
-    if (proof.located || (proof.convex && !best.proof.convex)) best = {region, proof};
-    region.half /= 2;
-  }
-  return best;
-}
-
-/// A solution located in a region is so in a small part about it too, where the curvature bounds its place better.
-template <class C, class I>
-ProvedRegion<I> sharpened(const ProvedRegion<I>& found, const FramedPair<C>& coarse, const FramedPair<I>& pair,
-                          const ChartPoint<I>& at, const Slope<I>& slope) {
-  if (!found.proof.located) return found;
-  Cell part = found.region;
-  part.half = std::clamp(4 * high(found.proof.radius), narrowest_region, found.region.half);
-  const I curvature(low(curvature_on<C>(coarse, part)));
-  const RegionProof<I> proof = proof_on<I>(part, curvature, at.v, slope, pair.shortest);
-  return {found.region, proof.located ? proof : found.proof};
-}
-
 template <class I, class S>
 class Certifier {
  public:
   explicit Certifier(const Pair& pair)
-      : pair_(pair), rough_(place<double>(pair)), fine_(place<S>(pair)), enclosed_(enclose<I>(pair)),
-        best_(point_from<S>(rough_, fine_, start_direction<double>(rough_, rough_.body2.centre))),
-        frame_(frames_about(best_.normal.template cast<double>())) {}
+      : pair_(pair), on_(pair), minimum_at_(on_), best_(on_.first) {}
 
   Reference run() {
     know(best_);
@@ -127,23 +35,13 @@ class Certifier {
  private:
   using Min = Minimum<I, S>;
 
-  [[nodiscard]] Frames<I> frames_about(const Vec3<double>& n) const {
-    const Mat3<double> f = frame_about(n);
-    return {f, {enclose<DoubleInterval>(pair_), f}, {enclosed_, f}};
-  }
-
-  static constexpr bool in_doubles = std::is_same_v<I, DoubleInterval>;
-
-  /// A proof may trust the machine's + - * / and square root, not its pow: ellipsoids need none.
-  [[nodiscard]] bool needs_no_power() const { return enclosed_.body1.is_ellipsoid() && enclosed_.body2.is_ellipsoid(); }
-
   [[nodiscard]] bool is_separated() const { return high(value_) < 0; }
   /// A separating common normal is the only one.
   [[nodiscard]] bool is_done() const { return is_separated() && best_.solved; }
 
   /// Whether a direction becomes the best: o is lower there.
   bool look_at(const StationaryPoint<S>& found) {
-    const I value = overlap_at<I>(frame_.fine, chart_point<I, S>(frame_.frame, found.normal).v);
+    const I value = overlap_at<I>(on_.framed, chart_point<I, S>(on_.frame, found.normal).v);
     if (!(high(value) < high(value_))) return false;
     value_ = value;
     best_ = found;
@@ -154,87 +52,14 @@ class Certifier {
   std::optional<KnownMinimum> know(const StationaryPoint<S>& found) {
     const bool is_lowest = look_at(found);
     if (!found.solved || is_known(found)) return {};
-    const Min minimum = minimum_at(found);
+    Min minimum = minimum_at_.locate(found);
     if (!is_lowest && !minimum.proof.convex) return {};
-    minima_.push_back(minimum);
-    return known(minimum);
+    minima_.push_back(std::move(minimum));
+    return known(minima_.back());
   }
 
   [[nodiscard]] KnownMinimum known(const Min& minimum) const {
     return {minimum.region, minimum.is_tight(), witness(minimum.at)};
-  }
-
-  [[nodiscard]] ProvedRegion<I> proved_region(const ChartPoint<I>& at) const {
-    const Slope<I> slope = slope_at<I>(frame_.fine, at.face.axis, at.v);
-    const auto rough = region_about<DoubleInterval, I>(frame_.rough, frame_.fine, at, slope, widest_region);
-    const bool is_located = rough.proof.located;
-    if (in_doubles || (needs_no_power() && is_located)) return sharpened(rough, frame_.rough, frame_.fine, at, slope);
-    const double widest = is_located ? rough.region.half : widest_region;
-    const auto fine = region_about<I, I>(frame_.fine, frame_.fine, at, slope, widest);
-    return sharpened(fine, frame_.fine, frame_.fine, at, slope);
-  }
-
-  [[nodiscard]] Min minimum_at(const StationaryPoint<S>& found) const {
-    const Min own = minimum_about(found);
-    if (own.is_tight() || !own.proof.convex) return own;
-    Min out = own;
-    if (const auto aligned = aligned_with_body1(found)) {
-      Min there = minimum_about(*aligned);
-      if (there.exists) out = std::move(there);
-    }
-    if constexpr (std::is_same_v<S, Real50>) locate_on_charts(out);
-    return out;
-  }
-
-  /// Krawczyk's test on the charts: a common normal exists, its points and its overlap. Nothing where the region might not
-  /// hold it: chart points v, v0 of one face are |v x v0| / (|v| |v0|) >= |v - v0| / 4 apart in the sine of their angle, and
-  /// the region's middle is the solution.
-  [[nodiscard]] std::optional<ProvedBox> proved_on_charts(const Min& minimum) const {
-    ProvedBox box = prove_solution(enclosed_, square_form(fine_, minimum.at.at), minimum.at.at);
-    if (!box.proof.exists) return {};
-    const double off = farthest(box.jet.body1.normal, minimum.at.normal);
-    return off < minimum.region.half / 16 ? std::optional(std::move(box)) : std::nullopt;
-  }
-
-  /// Where the direction form is singular or nearly so, its gradient says little of where in the region the minimum is.
-  void locate_on_charts(Min& minimum) const {
-    if (minimum.is_tight() || !minimum.proof.convex) return;
-    const auto box = proved_on_charts(minimum);
-    if (!box) return;
-    const IVec3<I> apart = box->jet.body1.point - box->jet.body2.point - enclosed_.centre;
-    const I overlap = dot<I>(box->jet.body1.normal, apart);
-    const double reach = 8 * farthest(box->jet.body1.normal, minimum.at.normal);
-    minimum.exists = minimum.proof.located = true;
-    minimum.proof.deficit = high_end<I>(I(minimum.proof.value - low_end<I>(overlap)));
-    minimum.box = chart_point<I, S>(frame_.frame, minimum.at.normal).v;
-    minimum.widen(I(reach));
-  }
-
-  /// On a flat face the points follow digits of the direction that no computation has: 1e-49 off the face's normal they are a
-  /// 500th of the body apart (exponent 19). Nearly along a face's normal, it is that; nothing elsewhere.
-  [[nodiscard]] std::optional<StationaryPoint<S>> aligned_with_body1(const StationaryPoint<S>& found) const {
-    using std::abs;
-    using std::pow;
-    const S rounding = pow(epsilon<S>(), S(0.9));
-    Vec3<S> own = fine_.body1.to_body_direction(found.normal);
-    bool is_near = false;
-    for (S& component : own) {
-      if (component == S(0) || !(abs(component) < rounding)) continue;
-      component = S(0);
-      is_near = true;
-    }
-    if (!is_near) return {};
-    StationaryPoint<S> out = found;
-    out.normal = fine_.body1.to_pair_direction(own).normalized();
-    return out;
-  }
-
-  [[nodiscard]] Min minimum_about(const StationaryPoint<S>& found) const {
-    const ChartPoint<I> at = chart_point<I, S>(frame_.frame, found.normal);
-    const ProvedRegion<I> proved = proved_region(at);
-    Min out{proved.region, proved.proof, at.v, found, proved.proof.located};
-    if (out.exists) out.widen(out.proof.radius);
-    return out;
   }
 
   [[nodiscard]] bool is_known(const StationaryPoint<S>& found) const {
@@ -245,38 +70,47 @@ class Certifier {
   }
 
   [[nodiscard]] Witness witness(const StationaryPoint<S>& at) const {
-    return witness_of(rough_, at.point1.template cast<double>(), at.point2.template cast<double>());
+    return witness_of(on_.rough, at.point1.template cast<double>(), at.point2.template cast<double>());
   }
 
   /// Bodies of revolution about one line whose lowest directions are not on it: whether the bounds are settled by that.
   bool bound_by_revolution() {
     if (is_sphere(pair_.body1.shape) && is_sphere(pair_.body2.shape)) return bound_spheres();
-    const auto axis = common_axis(rough_);
+    const auto axis = common_axis(on_.rough);
     if (!axis) return false;
-    using C = std::conditional_t<in_doubles, DoubleInterval, Interval18>;
+    using C = std::conditional_t<Setting<I, S>::in_doubles, DoubleInterval, Interval18>;
     const Mat3<double> frame = frame_about(*axis);
     const FramedPair<C> framed(enclose<C>(pair_), frame);
     const double slack = high(asymmetry<C>(pair_, framed));
-    MeridianBound found;
-    do found = bound_meridian<C>(rough_, framed, frame, OneStepOutward::up(high(value_) + slack), gap / 4);
-    while (found.lower && look_at(point_from<S>(rough_, fine_, *found.lower)) && !is_separated());
+    MeridianSearchResult found;
+    do
+      found = search_meridian<C>(on_.rough, framed, frame, OneStepOutward::up(high(value_) + slack), bounds_gap / 4);
+    while (found.lower && look_at(point_from<S>(on_.rough, on_.fine, *found.lower)) && !is_separated());
     out_.cells = found.cells;
     if (is_separated()) return is_done();
-    if (!found.complete || found.lower || found.arcs.empty()) return false;
-    if (found.arcs.front().first == 0 || found.arcs.back().last == 4) return false;
-    bound(lower_of(value_, I(found.least)) - I(slack));
-    const double rounding = 1e-15;
-    for (const Arc& arc : found.arcs)
-      out_.rings.push_back({*axis, angle_at(arc.first) - rounding, angle_at(arc.last) + rounding});
+    if (!found.complete || found.lower || found.lowest.empty()) return false;
+    if (found.lowest.front().first == 0 || found.lowest.back().last == 4) return false;
+    const MeridianProof proof = verify_meridian<C>(pair_, framed, found.meridian);
+    if (!proof.well_formed) return false;
+    bound(lower_of(value_, I(proof.least)));
+    for (const Arc& arc : found.lowest) out_.rings.push_back(ring(*axis, arc));
+    out_.meridian = std::move(found.meridian);
+    out_.cover.frame = frame;
     out_.reason = "bodies of revolution about one line: a ring of common normals";
     if (slack == 0) out_.unique = Claim::disproved;
     return true;
   }
 
+  /// Widened for the axis, which is rounded.
+  [[nodiscard]] static Ring ring(const Vec3<double>& axis, const Arc& arc) {
+    const double rounding = 1e-15;
+    return {axis, low(angle_at(arc.first)) - rounding, high(angle_at(arc.last)) + rounding};
+  }
+
   /// o(n) = r1 + r2 - n.c: lowest along the line of centres, the same everywhere where they coincide.
   bool bound_spheres() {
     if (!minima_.empty() && minima_.front().exists) return false;
-    bound(enclosed_.body1.semi_axes[0] + enclosed_.body2.semi_axes[0] - length_of<I>(enclosed_.centre));
+    bound(lowest_overlap_of_spheres<I>(on_.enclosed));
     out_.unique = pair_.body1.position == pair_.body2.position ? Claim::disproved : Claim::proved;
     if (out_.unique == Claim::proved) return true;
     out_.rings.push_back({Vec3<double>::UnitZ(), 0, std::numbers::pi});
@@ -288,10 +122,10 @@ class Certifier {
     std::vector<KnownMinimum> start;
     for (const Min& m : minima_) start.push_back(known(m));
     const Settle settle = [&](const Vec3<double>& direction) -> Settled {
-      auto minimum = know(point_from<S>(rough_, fine_, direction));
+      auto minimum = know(point_from<S>(on_.rough, on_.fine, direction));
       return {is_done(), high(value_), std::move(minimum)};
     };
-    CoverResult found = search_cover(rough_, frame_.frame, high(value_), start, {gap, most_cells<I>}, settle);
+    CoverResult found = search_cover(on_.rough, on_.frame, high(value_), start, {bounds_gap, most_cells<I>}, settle);
     out_.cells = found.cells;
     if (is_separated()) return;
     conclude(found, verified(found.cover));
@@ -300,14 +134,14 @@ class Certifier {
   /// In doubles except for powers, and in Interval18 where that takes more digits.
   [[nodiscard]] CoverProof verified(const Cover& cover) const {
     const double level = high(value_);
-    if (in_doubles || needs_no_power()) {
-      CoverProof proof = verify_cover<DoubleInterval>(frame_.rough, cover, level);
-      if (in_doubles || is_sound(proof)) return proof;
+    if (on_.in_doubles || on_.needs_no_power()) {
+      CoverProof proof = verify_cover<DoubleInterval>(on_.rough_framed, cover, level);
+      if (on_.in_doubles || is_sound(proof)) return proof;
     }
     const auto bodies = enclose<Interval18>(pair_);
-    CoverProof proof = verify_cover<DoubleInterval, Interval18>(frame_.rough, bodies, cover, level);
+    CoverProof proof = verify_cover<DoubleInterval, Interval18>(on_.rough_framed, bodies, cover, level);
     if (is_sound(proof)) return proof;
-    return verify_cover<Interval18>({bodies, frame_.frame}, cover, level);
+    return verify_cover<Interval18>({bodies, on_.frame}, cover, level);
   }
 
   [[nodiscard]] static bool is_sound(const CoverProof& proof) { return proof.well_formed && proof.excluded; }
@@ -353,7 +187,7 @@ class Certifier {
                                   [&](const Min& m) { return m.exists && high(I(m.proof.value)) < 0; });
     minima_ = own == minima_.end() ? std::vector<Min>{} : std::vector<Min>{Min(*own)};
     out_.nearest = witness(best_);
-    I least = I(least_overlap_apart<I>(enclosed_, *out_.nearest));
+    I least = I(least_overlap_apart<I>(on_.enclosed, *out_.nearest));
     if (!minima_.empty() && high(least) < low(minima_.front().least())) least = minima_.front().least();
     bound(least);
     if (minima_.empty()) out_.reason = "the points are not located";
@@ -368,14 +202,13 @@ class Certifier {
   }
 
   [[nodiscard]] Bounds to_world(const I& least, const I& highest) const {
-    return {low_as<Real50>(times_power_of_two<I>(least, enclosed_.exponent)),
-            high_as<Real50>(times_power_of_two<I>(highest, enclosed_.exponent))};
+    return {low_as<Real50>(times_power_of_two<I>(least, on_.enclosed.exponent)),
+            high_as<Real50>(times_power_of_two<I>(highest, on_.enclosed.exponent))};
   }
 
   void bound(const I& least) {
     out_.overlap = to_world(least, value_);
-    const double scale = rough_.size() + std::abs(high(value_));
-    if (high(I(high_end<I>(value_) - low_end<I>(least))) <= gap * scale) out_.global = Claim::proved;
+    if (high(I(high_end<I>(value_) - low_end<I>(least))) <= bounds_gap * on_.rough.size()) out_.global = Claim::proved;
   }
 
   /// The lowest minimum is the answer; others whose bounds meet its own tie with it.
@@ -392,6 +225,7 @@ class Certifier {
       out_.common_normal = solution(minima_.front());
     else if (!is_separated())
       out_.common_normal = solution(best_);
+    if (!out_.rings.empty()) out_.common_normal.condition = {out_.common_normal.condition.overlap};
     report_others(is_best_proved ? 1 : 0);
     if (out_.tied.empty()) return;
     out_.unique = Claim::open;
@@ -423,20 +257,21 @@ class Certifier {
     Solution out;
     out.solved = found.solved;
     if (!found.solved) out.reason = "no local solve converged";
-    out.overlap = Real50(fine_.to_world_length(found.overlap));
+    out.overlap = Real50(on_.fine.to_world_length(found.overlap));
     out.normal = found.normal.template cast<Real50>();
-    out.point1 = fine_.to_world_point(found.point1, pair_).template cast<Real50>();
-    out.point2 = fine_.to_world_point(found.point2, pair_).template cast<Real50>();
+    out.point1 = on_.fine.to_world_point(found.point1, pair_).template cast<Real50>();
+    out.point2 = on_.fine.to_world_point(found.point2, pair_).template cast<Real50>();
     out.residual = Real50(found.residual);
-    if (found.solved) out.condition = condition_of<S>(fine_, {}, found.at);
+    if (found.solved) out.condition = condition_of<S>(on_.fine, {}, found.at);
     return out;
   }
 
   /// Normal and points over the box of directions that holds the true one.
   [[nodiscard]] Solution solution(const Min& minimum) const {
     Solution out = solution(minimum.at);
-    const DirectionEnclosure<I> at = enclose_direction<I>(frame_.fine, minimum.box);
+    const DirectionEnclosure<I> at = enclose_direction<I>(on_.framed, minimum.box);
     out.proved = true;
+    out.normal = minimum.normal.template cast<Real50>();
     out.bounds = to_world(minimum.least(), minimum.proof.value);
     out.normal_radius = angle_of_chord(farthest(at.normal, out.normal));
     out.points_radius = reach_of_points(out, at.point1, at.point2);
@@ -446,28 +281,26 @@ class Certifier {
 
   /// How far the boxes (pair frame) reach from the solution's points (world frame).
   [[nodiscard]] double reach_of_points(const Solution& from, const IVec3<I>& point1, const IVec3<I>& point2) const {
-    return std::max(farthest(enclosed_.to_world_point(point1, pair_), from.point1),
-                    farthest(enclosed_.to_world_point(point2, pair_), from.point2));
+    return std::max(farthest(on_.enclosed.to_world_point(point1, pair_), from.point1),
+                    farthest(on_.enclosed.to_world_point(point2, pair_), from.point2));
   }
 
   /// On flat faces a direction says little about the points, and the charts all.
   void sharpen(Solution& out, const Min& minimum) const {
     const double sharp = 1e-30;  // relative to the size; what a regular direction gives
     if (out.points_radius < sharp * size_of(pair_) && out.normal_radius < sharp) return;
-    const auto box = proved_on_charts(minimum);
+    const auto box = minimum_at_.proved_on_charts(minimum);
     if (!box) return;
     const auto &body1 = box->jet.body1, &body2 = box->jet.body2;
     out.normal_radius = std::min(out.normal_radius, angle_of_chord(farthest(body1.normal, out.normal)));
-    const IVec3<I> point2 = body2.point + enclosed_.centre;
+    const IVec3<I> point2 = body2.point + on_.enclosed.centre;
     out.points_radius = std::min(out.points_radius, reach_of_points(out, body1.point, point2));
   }
 
   const Pair& pair_;
-  const PlacedPair<double> rough_;
-  const PlacedPair<S> fine_;
-  const EnclosedPair<I> enclosed_;
+  const Setting<I, S> on_;
+  const MinimumLocator<I, S> minimum_at_;
   StationaryPoint<S> best_;                               ///< the lowest direction known
-  const Frames<I> frame_;                                 ///< about the first
   I value_ = I(std::numeric_limits<double>::infinity());  ///< o there
   std::vector<Min> minima_;
   Reference out_;

@@ -38,6 +38,12 @@ SurfaceJet<S> surface_jet(const PlacedBody<S>& body, const CubePoint<S>& at) {
   return jet.turned(body.rotation);
 }
 
+/// From 1 / epsilon on a change that no double shows may move the answer anywhere: as good as infinite.
+template <class S>
+double factor(const S& x) {
+  return x < S(1 / machine_epsilon) ? static_cast<double>(x) : std::numeric_limits<double>::infinity();
+}
+
 /// Of less than full rank: flat on flat lets the points slide and keeps the normal, a continuum of common normals (bodies
 /// of revolution) turns it too.
 template <class S>
@@ -62,13 +68,13 @@ Condition condition_of(const PlacedPair<S>& pair, const Goal<S>& goal, const Cha
   const LeastSquares<S> response = shortest_least_squares<S>(by.jacobian, by.change);
   const Magnitudes<S> found = magnitudes<S>(jet, by, ByDisturbance<S, 4>(response.x));
   Condition out;
-  out.overlap = static_cast<double>(found.overlap);
+  out.overlap = factor<S>(found.overlap);
   if (response.rank == 4) {
-    out.normal = static_cast<double>(found.normal1);
-    out.points = static_cast<double>(found.point1 > found.point2 ? found.point1 : found.point2);
+    out.normal = factor<S>(found.normal1);
+    out.points = factor<S>(found.point1 > found.point2 ? found.point1 : found.point2);
   } else if (!normal_is_free<S>(jet, by.jacobian)) {
     // Where flats meet the normal lies between the two faces' own: it follows one or the other.
-    out.normal = static_cast<double>(found.normal1 > found.normal2 ? found.normal1 : found.normal2);
+    out.normal = factor<S>(found.normal1 > found.normal2 ? found.normal1 : found.normal2);
   }
   return out;
 }

@@ -61,8 +61,9 @@ std::string_view name(ConditionClaim claim) {
 }
 
 ConditionClaim judge(double reported, double lower, double upper) {
-  const double factor = 2, infinite = std::numeric_limits<double>::infinity();
-  if (reported == infinite) return upper < infinite ? ConditionClaim::refuted : ConditionClaim::infinite;
+  const double factor = 2;
+  if (reported == std::numeric_limits<double>::infinity())
+    return upper * factor < 1 / machine_epsilon ? ConditionClaim::refuted : ConditionClaim::infinite;
   if (upper <= factor * reported && reported <= factor * lower) return ConditionClaim::certified;
   return lower > factor * reported || reported > factor * upper ? ConditionClaim::refuted : ConditionClaim::open;
 }

@@ -11,7 +11,7 @@ enum class ConditionClaim {
   open,       ///< neither proved nor refuted
   certified,  ///< the true number is within a factor of two of the reported one
   refuted,    ///< it is not
-  infinite    ///< reported as infinite, and no finite bound is proved: a SolutionSet takes its place
+  infinite    ///< reported as infinite, and not refuted: a SolutionSet takes its place
 };
 [[nodiscard]] std::string_view name(ConditionClaim claim);
 

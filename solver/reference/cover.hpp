@@ -54,6 +54,12 @@ struct Cover {
   std::vector<Cell> regions;       ///< the first is that of the solution
 };
 
+/// A half circle of directions in the place of a cover (meridian.hpp): a pair of points for each arc between two places.
+struct Meridian {
+  std::vector<double> places;
+  std::vector<Witness> witnesses;
+};
+
 /// The six faces in the order of Cover::tree.
 [[nodiscard]] inline Cell face_of_cube(int index) {
   return {index / 2, index % 2 == 0 ? -1.0 : 1.0, 0, 0, 1};

@@ -201,6 +201,14 @@ template <class I>
   return high(x) <= 0 ? I(-size) : hull<I>(I(-high_end<I>(size)), high_end<I>(size));
 }
 
+/// Angle (rad) between a vector and an axis, from its parts across and along it.
+template <class I>
+[[nodiscard]] I angle_of(const I& across, const I& along) {
+  I out;
+  mpfi_atan2(out.data(), across.data(), along.data());
+  return out;
+}
+
 /// x 2^e, exactly.
 template <class I>
 [[nodiscard]] I times_power_of_two(const I& x, int e) {

@@ -4,7 +4,7 @@
 
 #include "solver/pose.hpp"
 #include "solver/reference/frame.hpp"
-#include "solver/reference/verify.hpp"
+#include "solver/reference/meridian.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -88,8 +88,25 @@ Proof proof_of_distance(const Pair& pair, const Reference& reference) {
   Proof out;
   out.cover.frame = frame_about(reference.direction.cast<double>());
   out.direction = split(in_frame(out.cover.frame, reference.direction));
-  out.apart = reference.nearest;
+  out.kind = ProofKind::apart;
+  out.apart = reference.nearest.value_or(Witness{Vec3<double>::Zero(), Vec3<double>::Zero()});
   add_region(pair, out);
+  return out;
+}
+
+Proof proof_by_meridian(const Reference& reference) {
+  Proof out;
+  out.kind = ProofKind::meridian;
+  out.cover.frame = reference.cover.frame;
+  out.meridian = reference.meridian;
+  out.direction = split(in_frame(out.cover.frame, reference.direction));
+  return out;
+}
+
+Proof proof_of_spheres(const Reference& reference) {
+  Proof out;
+  out.kind = ProofKind::spheres;
+  out.direction = split(reference.direction);
   return out;
 }
 
@@ -97,8 +114,10 @@ Proof proof_of_distance(const Pair& pair, const Reference& reference) {
 
 std::optional<Proof> make_proof(const Pair& pair, const Reference& reference) {
   if (reference.overlap.upper < 0) return proof_of_distance(pair, reference);
-  if (reference.cover.tree.empty()) return {};
-  return proof_by_cover(pair, reference);
+  if (!reference.cover.tree.empty()) return proof_by_cover(pair, reference);
+  if (!reference.meridian.witnesses.empty()) return proof_by_meridian(reference);
+  if (is_sphere(pair.body1.shape) && is_sphere(pair.body2.shape)) return proof_of_spheres(reference);
+  return {};
 }
 
 }  // namespace plumb::reference

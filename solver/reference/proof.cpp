@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/reference/verify.hpp"
+#include "solver/reference/meridian.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -86,7 +86,7 @@ class ProofVerifier {
     } else if (!std::all_of(proof_.cover.regions.begin(), proof_.cover.regions.end(), is_cell_of_a_face)) {
       fail("a region is on no face of the cube");
     } else if (bound_from_above()) {
-      proof_.apart ? check_apart(*proof_.apart) : check_cover();
+      check_least();
     }
     if (out_.failure.empty()) {
       out_.overlap.lower = low_as<Real50>(times_power_of_two<Fine>(least_, enclosed_.exponent));
@@ -106,6 +106,15 @@ class ProofVerifier {
     const bool is_direction = mpfi_bounded_p(highest_.data()) != 0;
     if (!is_direction) fail("the direction is none");
     return is_direction;
+  }
+
+  void check_least() {
+    switch (proof_.kind) {
+      case ProofKind::cover: return check_cover();
+      case ProofKind::meridian: return check_meridian();
+      case ProofKind::spheres: return check_spheres();
+      case ProofKind::apart: return check_apart(proof_.apart);
+    }
   }
 
   void check_cover() {
@@ -151,6 +160,18 @@ class ProofVerifier {
       return {};
     }
     return RegionBound{found.located, found.value, low_end<Fine>(Fine(found.value - found.deficit))};
+  }
+
+  void check_meridian() {
+    const MeridianProof found = verify_meridian<Fine>(pair_, framed_, proof_.meridian);
+    if (!found.well_formed) return fail("the arcs are no half circle, or a witness does not lie in its body");
+    if (!std::isfinite(found.least)) return fail("the bodies are not of revolution about one line, or an arc is not bounded");
+    least_ = found.least;
+  }
+
+  void check_spheres() {
+    if (!is_sphere(pair_.body1.shape) || !is_sphere(pair_.body2.shape)) return fail("the bodies are no spheres");
+    least_ = low_end<Fine>(lowest_overlap_of_spheres<Fine>(enclosed_));
   }
 
   // -|p1 - p2| is a lower bound of o for any two points. A region holds the stationary direction of bodies apart when it

@@ -1,10 +1,12 @@
 // A stored proof, and the verifier that takes a case and the proof and confirms the bounds without searching.
 //
-// To be believed: this header with proof.cpp, verify.hpp, enclosure.hpp, vector_interval.hpp, interval.hpp and cover.hpp,
-// and MPFI. Nothing is taken from the search, from a solution, or on trust from the proof itself.
+// To be believed: this header with proof.cpp, verify.hpp, meridian.hpp, enclosure.hpp, vector_interval.hpp, interval.hpp and
+// cover.hpp, and MPFI. Nothing is taken from the search, from a solution, or on trust from the proof itself.
 //
 //   Bodies that overlap   the cover: each part of all directions has o > level, or a lower bound of its own, or lies in a
 //                         region where o has one minimum at most and the region's solution bounds it from below
+//   Of revolution         the meridian: o depends on the angle to one line alone, and is bounded on a half circle of
+//                         directions; of two spheres a closed form
 //   Bodies apart          o(direction) < 0; no two points of the bodies are nearer than the distance, and a stationary
 //                         direction with o < 0 is the only one there is
 // Either way o(direction) is the upper bound.
@@ -29,12 +31,17 @@ struct SplitVector {
   }
 };
 
+/// What bounds the overlap from below.
+enum class ProofKind { cover, meridian, spheres, apart };
+
 struct Proof {
-  Cover cover;                         ///< bodies apart: the tree is empty, and there is one region or none
+  ProofKind kind = ProofKind::cover;
+  Cover cover;  ///< of any kind its frame; bodies apart: there may be one region, and the tree is empty
+  Meridian meridian;
   std::vector<SplitVector> solutions;  ///< of each region: a chart point of its face, o being lowest near there
-  double level = 0;              ///< over 2^exponent: what the cover excludes is above it; unused for bodies apart
-  SplitVector direction;         ///< F times it is the direction whose o is the upper bound, any length
-  std::optional<Witness> apart;  ///< bodies apart: two points of theirs, their distance being the least
+  double level = 0;                    ///< over 2^exponent: what the cover excludes is above it
+  SplitVector direction;               ///< F times it is the direction whose o is the upper bound, any length
+  Witness apart;                       ///< bodies apart: two points of theirs, their distance being the least
 };
 
 /// What a proof proves of a pair, or the first thing in it that does not hold.

@@ -17,7 +17,7 @@
 namespace plumb {
 
 /// Factors by which a relative change of the input (translation / size, rotation in radians) can grow in the answer.
-/// Infinite where the answer jumps or moves with infinite slope (flat on flat).
+/// Infinite where the answer jumps or moves with infinite slope (flat on flat), or by more than 1 / epsilon of double.
 struct Condition {
   double overlap = 1;  ///< the depth is 1-Lipschitz in the displacement of the bodies
   double normal = std::numeric_limits<double>::infinity();
@@ -79,6 +79,7 @@ struct Reference {
   std::vector<Ring> rings;               ///< every direction of lowest overlap lies in one, where there are any
   Vec3<Real50> direction = not_valid<Real50>();  ///< unit, world: the upper bound is its overlap
   reference::Cover cover;                        ///< empty for bodies apart: one direction and two points prove it all
+  reference::Meridian meridian;                  ///< in its place for bodies of revolution, in its frame
   std::optional<reference::Witness> nearest;  ///< bodies apart: two points whose distance bounds the overlap from below
   int cells = 0;                              ///< cells of directions that the search looked at
 };

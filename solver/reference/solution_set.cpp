@@ -270,7 +270,9 @@ class Sublevel {
           chord = std::max(chord, high(length_of(IVec3<Coarse>(d / length_of(d) - unit))));
         }
     const double right_angle = std::numbers::sqrt2 * (1 - 4 * machine_epsilon);
-    return chord < right_angle ? 2 * std::asin(chord / 2) * (1 + 8 * machine_epsilon) : half_turn;
+    if (!(chord < right_angle)) return half_turn;
+    const Coarse sine = Coarse(chord) / Coarse(2.0);
+    return high(Coarse(Coarse(2.0) * angle_of<Coarse>(sine, root<Coarse>(Coarse(1.0) - square<Coarse>(sine)))));
   }
 
   /// Both points in the world for every changed input whose lowest direction is in the cell.

@@ -33,6 +33,9 @@ struct SolutionSet {
   int cells = 0;
 };
 
+/// The k of a solver that rounds: what an answer in double is held to, and what a certificate prints.
+inline constexpr double rounding_epsilons = 8;
+
 struct SolutionSetLimits {
   int cells = 12'000;
 };

@@ -40,6 +40,19 @@ std::string apart() {
   return sample_with("[1.5, 0, 0]", "[3.5, 0.25, 0]");
 }
 
+std::string at_the_origin(std::string text) {
+  return text.replace(text.rfind("[1.5, 0, 0]"), 11, "[0, 0, 0]");
+}
+
+/// A sphere in a spheroid: every direction across the axis is as low.
+std::string coaxial() {
+  return at_the_origin(sample_with("[1, 1, 1]", "[1, 1, 2]"));
+}
+
+std::string concentric() {
+  return at_the_origin(sample_case());
+}
+
 /// Whether the decimals of lower and upper hold the value between them.
 bool encloses(const Json& overlap, const char* value) {
   const Real50 x(value);
@@ -117,9 +130,7 @@ TEST_F(Certifying, EveryEffortBoundsTheSameOverlap) {
 }
 
 TEST_F(Certifying, WhatIsInfiniteIsAWordAndWhatIsOpenIsAbsent) {
-  std::string concentric = sample_with("[1, 1, 1]", "[1, 1, 2]");  // every direction across the axis is as low
-  concentric.replace(concentric.rfind("[1.5, 0, 0]"), 11, "[0, 0, 0]");
-  (void)file("a.json", concentric);
+  (void)file("a.json", coaxial());
   const Json found = certificate("a.json --effort bounds");
   EXPECT_TRUE(encloses(found["overlap"], "2")) << found["overlap"];
   EXPECT_NE(found["unique"], "proved");
@@ -130,9 +141,7 @@ TEST_F(Certifying, WhatIsInfiniteIsAWordAndWhatIsOpenIsAbsent) {
 }
 
 TEST_F(Certifying, RingsAndSolutionSetsTakeThePlaceOfWhatIsInfinite) {
-  std::string coaxial = sample_with("[1, 1, 1]", "[1, 1, 2]");
-  coaxial.replace(coaxial.rfind("[1.5, 0, 0]"), 11, "[0, 0, 0]");
-  (void)file("a.json", coaxial);
+  (void)file("a.json", coaxial());
   const Json found = certificate("a.json");
   EXPECT_EQ(found["global"], "proved");
   EXPECT_NE(found["unique"], "proved");
@@ -322,6 +331,51 @@ TEST_F(Certifying, AChangedProofOfADistanceIsNone) {
   expect_broken([](Json& p) { p["regions"].push_back(p["regions"][0]); }, "bodies apart need no cover");
   store_changed("a.json", [](Json& p) { p["apart"] = {{0, 0, 0}, {0, 0, 0}}, p["regions"] = Json::array(); });
   EXPECT_EQ(plumb("certify a.json --verify changed.proof").code, 1);  // true points, but they bound too little
+}
+
+TEST_F(Certifying, ProofsOfRingsHold) {
+  (void)file("a.jsonl", coaxial() + "\n" + concentric() + "\n");
+  for (const char* effort : {"bounds", "proof", "digits"}) {
+    const auto found = lines_of(plumb(std::string("certify a.jsonl --json --proof p --effort ") + effort).out);
+    const Ran ran = plumb("certify a.jsonl --verify p --json");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    const auto verified = lines_of(ran.out);
+    ASSERT_EQ(verified.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(found[i]["proof"], "stored");
+      EXPECT_EQ(verified[i]["verdict"], "overlapping");
+    }
+    for (const Json& one : verified) EXPECT_TRUE(encloses(one["overlap"], "2"));
+  }
+}
+
+TEST_F(Certifying, AChangedMeridianIsNoProof) {
+  (void)file("a.json", coaxial());
+  const auto expect_broken = [&](const std::function<void(Json&)>& change, const std::string& reason) {
+    store_changed("a.json", change);
+    expect_no_proof("a.json", reason);
+  };
+  const std::string misshapen = "the arcs are no half circle, or a witness does not lie in its body";
+  expect_broken([](Json& p) { p["meridian"]["witnesses"][3][0] = {2, 0, 0}; }, misshapen);
+  expect_broken([](Json& p) { p["meridian"]["witnesses"].erase(3); }, misshapen);
+  expect_broken([](Json& p) { p["meridian"]["places"].erase(0), p["meridian"]["witnesses"].erase(0); }, misshapen);
+  expect_broken([](Json& p) { std::swap(p["meridian"]["places"][1], p["meridian"]["places"][2]); }, misshapen);
+  expect_broken([](Json& p) { p["meridian"]["places"] = {0, 4}, p["meridian"]["witnesses"] = {{{0, 0, 0}, {0, 0, 0}}}; },
+                misshapen);
+  const std::string unbounded = "the bodies are not of revolution about one line, or an arc is not bounded";
+  expect_broken([](Json& p) { p["meridian"]["witnesses"][0] = {{0, 0, -0.2}, {0, 0, 0.2}}; }, unbounded);
+  // True points and a true turn's bound, but they bound too little.
+  store_changed("a.json", [](Json& p) { p["meridian"]["witnesses"][3] = {{0, 0, 0}, {0, 0, 0}}; });
+  EXPECT_EQ(plumb("certify a.json --verify changed.proof").code, 1);
+  store_changed("a.json", [](Json& p) { p["frame"] = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}; });
+  EXPECT_EQ(plumb("certify a.json --verify changed.proof").code, 1);
+}
+
+TEST_F(Certifying, OnlySpheresHaveTheProofOfSpheres) {
+  (void)file("a.json", concentric());
+  store_changed("a.json", [](Json& p) { p["bodies"] = Json::parse(coaxial())["bodies"]; });
+  (void)file("a.json", coaxial());
+  expect_no_proof("a.json", "the bodies are no spheres");
 }
 
 TEST_F(Certifying, EachCaseNeedsItsOwnProof) {
