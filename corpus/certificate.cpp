@@ -115,6 +115,10 @@ void add_vector(std::string& out, std::string_view label, const Json& vector) {
 }
 
 void add_geometry(std::string& out, const Json& object) {
+  if (object.contains("distance")) {
+    add_text(out, "distance >=", object["distance"], "lower");
+    add_text(out, "distance <=", object["distance"], "upper");
+  }
   if (object.contains("overlap")) {
     add_text(out, "overlap >=", object["overlap"], "lower");
     add_text(out, "overlap <=", object["overlap"], "upper");
@@ -202,6 +206,22 @@ void put_reference(Json& out, const Reference& found, int digits) {
   if (found.common_normal.solved) out["condition"] = condition_json(found.common_normal.condition);
 }
 
+void put_potential(Json& out, const Solution& found, int digits) {
+  out["unique"] = name(found.proved ? Claim::proved : Claim::open);
+  if (!found.reason.empty()) out["reason"] = found.reason;
+  if (!found.proved) return;
+  put_overlap(out, found.bounds, digits);
+  put_solution(out, found, digits);
+  out["condition"] = condition_json(found.condition);
+}
+
+void put_first_touch(Json& out, const FirstTouchProof& found, int digits) {
+  out["global"] = name(found.proved ? Claim::proved : Claim::open);
+  if (!found.reason.empty()) out["reason"] = found.reason;
+  out["distance"] = bounds_json(found.distance, digits);
+  put_normal(out, found.normal, found.normal_radius, digits);
+}
+
 void put_stationary(Json& out, const StationarySet& found, int digits) {
   out["stationary"] = Json::array();
   for (const StationaryPair& pair : found.pairs) {
@@ -216,6 +236,7 @@ void put_stationary(Json& out, const StationarySet& found, int digits) {
 
 std::string certificate_table(const Json& certificate) {
   std::string out = certificate["name"].get<std::string>() + "\n";
+  add_text(out, "problem", certificate, "problem");
   add_text(out, "verdict", certificate, "verdict");
   add_geometry(out, certificate);
   for (const char* claim : {"unique", "global", "reason"}) add_text(out, claim, certificate, claim);

@@ -6,6 +6,7 @@
 #include "corpus/json_text.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/reference/stationary.hpp"
+#include "solver/reference/touch.hpp"
 
 namespace plumb {
 
@@ -21,6 +22,12 @@ void put_condition_claims(Json& out, const Pair& pair, const Solution& found);
 
 /// "stationary": every common normal that is proved, and "complete": whether these are proved to be all.
 void put_stationary(Json& out, const StationarySet& found, int digits);
+
+/// A geometric potential's answer: a reference's fields where it is proved, or the reason.
+void put_potential(Json& out, const Solution& found, int digits);
+
+/// "distance": bounds of the centres' distance, and the touching normal where it is proved.
+void put_first_touch(Json& out, const FirstTouchProof& found, int digits);
 
 /// For people: what the fields above say, at most 80 columns but for reasons.
 [[nodiscard]] std::string certificate_table(const Json& certificate);

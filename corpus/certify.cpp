@@ -6,16 +6,27 @@
 #include "corpus/interrupt.hpp"
 #include "corpus/proof_file.hpp"
 #include "solver/reference/make_proof.hpp"
+#include "solver/reference/touch.hpp"
 
 namespace plumb {
 namespace {
 
+constexpr const char* first_touch_word = "first_touch";
+
 struct Options {
   std::string cases, effort, proof, verify;
+  std::string problem = "common_normal";
   int digits = 50;
   bool all = false;
   bool json = false;
 };
+
+std::vector<std::string> problem_words() {
+  std::vector<std::string> out{first_touch_word};
+  for (const Problem problem : {Problem::common_normal, Problem::deepest_points, Problem::midway})
+    out.emplace_back(name(problem));
+  return out;
+}
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
@@ -28,10 +39,18 @@ void declare(CLI::App& app, Options& options) {
       app.add_option("--effort", options.effort, "bounds (trusts the machine's pow), proof (19 digits), digits (50)")
           ->check(CLI::IsMember({"bounds", "proof", "digits"}));
   CLI::Option* proof = app.add_option("--proof", options.proof, "write the proofs to this file, one a line");
-  app.add_option("--verify", options.verify, "confirm the proofs in this file, one for each case, without searching")
+  CLI::Option* verify = app.add_option("--verify", options.verify, "confirm the proofs in this file, one for each case, without searching")
       ->excludes(all)
       ->excludes(effort)
       ->excludes(proof);
+  app.add_option("--problem", options.problem,
+                 "another problem than the common normal's: a geometric potential's (deepest_points, midway) or the "
+                 "centre distance at first touch along the line of centres (first_touch)")
+      ->check(CLI::IsMember(problem_words()))
+      ->excludes(all)
+      ->excludes(effort)
+      ->excludes(proof)
+      ->excludes(verify);
 }
 
 class Stopwatch {
@@ -109,6 +128,23 @@ class CertifyRun {
   int code_ = exit_done;
 };
 
+Problem potential_of(const Options& options) {
+  return options.problem == name(Problem::midway) ? Problem::midway : Problem::deepest_points;
+}
+
+/// The answer to another problem than the common normal's, with its proof.
+void certify_problem(const Case& c, const Options& options) {
+  const Stopwatch watch;
+  Json out{{"name", c.name}, {"problem", options.problem}};
+  if (options.problem == first_touch_word)
+    put_first_touch(out, prove_first_touch(c.pair, c.pair.body2.position - c.pair.body1.position), options.digits);
+  else
+    put_potential(out, find_potential_reference(c.pair, potential_of(options)), options.digits);
+  out["digits"] = options.digits;
+  out["timing"]["ms"] = watch.milliseconds();
+  print(out, options.json);
+}
+
 /// Each case with its proof, in the order of the two files.
 class VerifyRun {
  public:
@@ -151,6 +187,10 @@ class VerifyRun {
 };
 
 int certify(const Options& options) {
+  if (options.problem != name(Problem::common_normal)) {
+    each_case(options.cases, [&](const Case& c) { certify_problem(c, options); });
+    return exit_done;
+  }
   if (!options.verify.empty()) {
     VerifyRun run(options);
     each_case(options.cases, [&](const Case& c) { run.certify(c); });

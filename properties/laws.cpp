@@ -41,10 +41,16 @@ bool stands_alone(const Law& law) {
   return law.name == "finite" || law.name == "converges" || law.name == "verdict";
 }
 
+/// Whether the method's own problem has an answer that is known to be the one: where a geometric potential's is not proved
+/// there may be another, and as good.
+bool is_judgeable(const Evidence& e) {
+  return e.own.solved && (e.problem == Problem::common_normal || e.own.proved);
+}
+
 /// The first law that is broken for sure, or, with a doubt, the first that may be.
 Finding first_broken(const Evidence& e) {
   for (const Law& law : all_laws) {
-    if (!e.own.solved && !stands_alone(law)) break;
+    if (!is_judgeable(e) && !stands_alone(law)) break;
     Finding finding = law.check(e);
     if (e.reference.effort == Effort::digits) finding.doubt = 0;
     if (!(finding.severity + finding.doubt > 1)) continue;
@@ -86,13 +92,13 @@ Judgement judge(const Evidence& e) {
   out.finding = first_broken(e);
   out.decided = is_decided(out.finding, e.reference);
   if (out.decided && !(out.finding.severity > 1)) out.finding = {};
-  out.judged = e.own.solved;
+  out.judged = is_judgeable(e);
   const Evidence cn{e.pair, Problem::common_normal, e.answer, e.reference, e.reference.common_normal, {}, false};
   const Solution& common_normal = law::nearest(cn);
   if (common_normal.solved && law::has_definite_normal(common_normal) && e.answer.normal.allFinite())
     out.angle_error_deg =
         law::angle_between(e.answer.normal.cast<Real50>(), common_normal.normal) * (180 / std::acos(-1.0));
-  if (!e.own.solved) return out;
+  if (!out.judged) return out;
   const Solution& truth = law::nearest(e);
   const double size = size_of(e.pair);
   out.overlap_error = std::abs(static_cast<double>(Real50(e.answer.overlap) - truth.overlap)) / size;

@@ -70,7 +70,7 @@ struct Law {
 struct Judgement {
   Finding finding;
   bool decided = true;  ///< the reference's digits are enough to say so
-  bool judged = false;  ///< the reference has an answer to the method's own problem
+  bool judged = false;  ///< the reference has an answer to the method's own problem (a proved one to a potential's)
   double angle_error_deg = std::numeric_limits<
       double>::quiet_NaN();  ///< to the certified common normal, whatever the method's problem; NaN when unknown
   double overlap_error =

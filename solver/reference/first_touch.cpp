@@ -119,6 +119,10 @@ I bounds_by_duality(const EnclosedPair<I>& pair, const Candidate& at, const IVec
 
 FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& direction) {
   FirstTouchProof out;
+  if (direction.isZero(0)) {
+    out.reason = "coincident centres: no direction";
+    return out;
+  }
   const PlacedPair<Real50> placed = place<Real50>(pair);
   const Goal<Real50> goal{GoalKind::first_touch, unit<Real50>(direction.cast<Real50>())};
   const LocalSolution<Real50> found = solve_touch<Real50>(placed, goal.line);

@@ -15,7 +15,6 @@ using R = Real50;
 
 const R accepted("1e-40");
 const char* const coincident = "coincident centres";
-const char* const other_problem = "not a geometric-potential problem";
 
 /// The pair's doubles in its own frame, in both precisions.
 struct Both {
@@ -282,34 +281,6 @@ EnclosedAnswer answer_in_world(const Found& found, const Pair& pair) {
   return out;
 }
 
-bool is_near(const I& x, const R& given, double slack) {
-  return low(magnitude<I>(I(x - enclosing<I>(given)))) <= slack;
-}
-
-bool is_near(const IVec3<I>& x, const Vec3<R>& given, double slack) {
-  return is_near(x[0], given[0], slack) && is_near(x[1], given[1], slack) && is_near(x[2], given[2], slack);
-}
-
-/// How far the given answer is from the true one.
-TouchProof judged(const EnclosedAnswer& truth, double size, const Solution& given) {
-  TouchProof out;
-  out.reason = truth.reason;
-  if (!truth.reason.empty()) return out;
-  const double slack = 1e-25;
-  out.normal_radius = angle_of_chord(farthest(truth.normal, given.normal));
-  out.points_radius = std::max(farthest(truth.point1, given.point1), farthest(truth.point2, given.point2));
-  out.proved = is_near(truth.overlap, given.overlap, slack * size) && is_near(truth.normal, given.normal, slack) &&
-               is_near(truth.point1, given.point1, slack * size) && is_near(truth.point2, given.point2, slack * size);
-  out.overlap = ends_of(out.proved ? hull<I>(truth.overlap, enclosing<I>(given.overlap)) : truth.overlap);
-  if (!out.proved) {
-    out.reason = "the given solution is not the proved one";
-  } else if (!(out.overlap.upper - out.overlap.lower <= widest_gap * size)) {
-    out.proved = false;
-    out.reason = "the bounds are wider than 1e-12 of the size";
-  }
-  return out;
-}
-
 /// The middle of the proved answer: where the charts are nearly singular, many digits more than the local solve has.
 void round_to(Solution& out, const EnclosedAnswer& truth) {
   out.overlap = middle<R>(truth.overlap);
@@ -322,50 +293,29 @@ void round_to(Solution& out, const EnclosedAnswer& truth) {
 
 /// Where the proof succeeds its digits take the place of the local solve's.
 template <class Found>
-ProvedSolution proved_solution(const Found& found, const Both& placed, const Pair& pair) {
+Solution proved_solution(const Found& found, const Both& placed, const Pair& pair) {
+  Solution out = solution_of(found, placed, pair);
+  if (!out.solved) return out;
   const EnclosedAnswer truth = answer_in_world(found, pair);
-  Solution solution = solution_of(found, placed, pair);
-  if (solution.solved && truth.reason.empty()) round_to(solution, truth);
-  const TouchProof proof = judged(truth, size_of(pair), solution);
-  return {std::move(solution), proof};
-}
-
-template <class Found>
-TouchProof judged_by(const Found& found, const Pair& pair, const Solution& given) {
-  return judged(answer_in_world(found, pair), size_of(pair), given);
-}
-
-TouchProof unproved(const char* reason) {
-  TouchProof out;
-  out.reason = reason;
+  out.reason = truth.reason;
+  if (!truth.reason.empty()) return out;
+  round_to(out, truth);
+  out.bounds = ends_of(hull<I>(truth.overlap, enclosing<I>(out.overlap)));
+  out.normal_radius = angle_of_chord(farthest(truth.normal, out.normal));
+  out.points_radius = std::max(farthest(truth.point1, out.point1), farthest(truth.point2, out.point2));
+  out.proved = out.bounds.upper - out.bounds.lower <= widest_gap * size_of(pair);
+  if (!out.proved) out.reason = "the bounds are wider than 1e-12 of the size";
   return out;
 }
 
 }  // namespace
 
-ProvedSolution find_proved_potential(const Pair& pair, Problem problem) {
-  if (problem == Problem::common_normal) return {find_reference(pair).common_normal, unproved(other_problem)};
+Solution find_potential_reference(const Pair& pair, Problem problem) {
+  if (problem == Problem::common_normal) return find_reference(pair).common_normal;
   const Both placed{place<double>(pair), place<R>(pair)};
-  if (placed.fine.body2.centre.isZero(R(0))) return {unsolved(coincident), unproved(coincident)};
+  if (placed.fine.body2.centre.isZero(R(0))) return unsolved(coincident);
   return problem == Problem::midway ? proved_solution(find_midway(placed), placed, pair)
                                     : proved_solution(find_deepest_pair(placed), placed, pair);
-}
-
-Solution find_potential_reference(const Pair& pair, Problem problem) {
-  auto [solution, proof] = find_proved_potential(pair, problem);
-  solution.proved = proof.proved;
-  solution.bounds = proof.overlap;
-  solution.normal_radius = proof.normal_radius;
-  solution.points_radius = proof.points_radius;
-  return solution;
-}
-
-TouchProof prove_potential(const Pair& pair, Problem problem, const Solution& solution) {
-  if (problem == Problem::common_normal) return unproved(other_problem);
-  const Both placed{place<double>(pair), place<R>(pair)};
-  if (placed.fine.body2.centre.isZero(R(0))) return unproved(coincident);
-  return problem == Problem::midway ? judged_by(find_midway(placed), pair, solution)
-                                    : judged_by(find_deepest_pair(placed), pair, solution);
 }
 
 }  // namespace plumb

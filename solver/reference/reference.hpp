@@ -34,7 +34,7 @@ struct Bounds {
 struct Solution {
   bool solved = false;  ///< the defining equations hold to rounding
   bool proved = false;  ///< a solution exists, alone in its neighbourhood, within the bounds and radii below
-  std::string reason;   ///< why not solved, in words
+  std::string reason;   ///< why not solved, or not proved, in words
   Real50 overlap = std::numeric_limits<Real50>::quiet_NaN();
   Vec3<Real50> normal = not_valid<Real50>();
   Vec3<Real50> point1 = not_valid<Real50>();
@@ -87,7 +87,8 @@ struct Reference {
 /// Deterministic; takes any legal pair.
 [[nodiscard]] Reference find_reference(const Pair& pair, Effort effort = Effort::digits);
 
-/// The 50-digit answer to a geometric-potential problem (Problem::deepest_points or midway).
+/// The 50-digit answer to a geometric-potential problem (Problem::deepest_points or midway), with its proof (touch.hpp): the
+/// problem has one answer, within the bounds and radii. Any other problem's: find_reference's common normal.
 [[nodiscard]] Solution find_potential_reference(const Pair& pair, Problem problem);
 
 /// Centre distance at first touch along a unit direction (world frame), body 2 moving towards body 1: h_max of the test

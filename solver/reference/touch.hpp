@@ -22,27 +22,6 @@ namespace plumb {
 /// The widest bounds that count as a proof, relative to the pair's size.
 inline constexpr double widest_gap = 1e-12;
 
-/// What is proved about a solution. Where nothing is, the bounds are infinite.
-struct TouchProof {
-  bool proved = false;  ///< the problem has one answer, within the bounds and radii, and the bounds are narrow
-  std::string reason;   ///< why not, in words
-  Bounds overlap;       ///< world length; the given answer's own overlap lies within too
-  double normal_radius = std::numeric_limits<double>::infinity();  ///< rad, about the given normal
-  double points_radius = std::numeric_limits<double>::infinity();  ///< world length, about the given points
-};
-
-/// Judges a solution of Problem::deepest_points or midway by one that is found afresh and proved; a solution further than
-/// 1e-25 of the pair's size from it is refused, and the bounds and radii then say where the true one lies. Takes any legal
-/// pair.
-[[nodiscard]] TouchProof prove_potential(const Pair& pair, Problem problem, const Solution& solution);
-
-/// find_potential_reference with its proof, for the price of one search.
-struct ProvedSolution {
-  Solution solution;
-  TouchProof proof;
-};
-[[nodiscard]] ProvedSolution find_proved_potential(const Pair& pair, Problem problem);
-
 struct FirstTouchProof {
   bool proved = false;  ///< the bounds are rigorous and closer than 1e-12 of the size
   std::string reason;

@@ -378,6 +378,29 @@ TEST_F(Certifying, OnlySpheresHaveTheProofOfSpheres) {
   expect_no_proof("a.json", "the bodies are no spheres");
 }
 
+TEST_F(Certifying, OtherProblemsHaveTheirOwnAnswers) {
+  (void)file("a.json", sample_case());
+  for (const char* problem : {"deepest_points", "midway"}) {
+    const Json found = certificate(std::string("a.json --problem ") + problem);
+    EXPECT_EQ(found["problem"], problem);
+    EXPECT_EQ(found["unique"], "proved");
+    EXPECT_TRUE(encloses(found["overlap"], "0.5"));
+    EXPECT_TRUE(found.contains("points"));
+  }
+  const Json touch = certificate("a.json --problem first_touch");
+  EXPECT_EQ(touch["global"], "proved");
+  EXPECT_TRUE(encloses(touch["distance"], "2"));
+  EXPECT_TRUE(touch.contains("normal"));
+  (void)file("b.json", coaxial());
+  for (const char* problem : {"deepest_points", "first_touch"}) {
+    const Json found = certificate(std::string("b.json --problem ") + problem);
+    EXPECT_TRUE(found["reason"].get<std::string>().starts_with("coincident centres"));
+    EXPECT_FALSE(found.contains("overlap"));
+  }
+  EXPECT_EQ(plumb("certify a.json --problem nearest 2>/dev/null").code, 2);
+  EXPECT_EQ(plumb("certify a.json --problem midway --all 2>/dev/null").code, 2);
+}
+
 TEST_F(Certifying, EachCaseNeedsItsOwnProof) {
   (void)file("a.json", ellipsoids());
   (void)file("two.jsonl", ellipsoids() + "\n" + ellipsoids() + "\n");
