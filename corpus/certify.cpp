@@ -39,10 +39,11 @@ void declare(CLI::App& app, Options& options) {
       app.add_option("--effort", options.effort, "bounds (trusts the machine's pow), proof (19 digits), digits (50)")
           ->check(CLI::IsMember({"bounds", "proof", "digits"}));
   CLI::Option* proof = app.add_option("--proof", options.proof, "write the proofs to this file, one a line");
-  CLI::Option* verify = app.add_option("--verify", options.verify, "confirm the proofs in this file, one for each case, without searching")
-      ->excludes(all)
-      ->excludes(effort)
-      ->excludes(proof);
+  CLI::Option* verify = app.add_option("--verify", options.verify,
+                                       "confirm the proofs in this file, one for each case, without searching")
+                            ->excludes(all)
+                            ->excludes(effort)
+                            ->excludes(proof);
   app.add_option("--problem", options.problem,
                  "another problem than the common normal's: a geometric potential's (deepest_points, midway) or the "
                  "centre distance at first touch along the line of centres (first_touch)")

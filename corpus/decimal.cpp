@@ -14,8 +14,9 @@ mpfr_rnd_t mode_of(Rounding rounding) {
 }  // namespace
 
 std::string decimal(const Real50& x, int digits, Rounding rounding) {
+  const Real50 value = x == 0 ? Real50(0) : x;  // zero has no sign here
   std::array<char, 160> text{};
-  (void)mpfr_snprintf(text.data(), text.size(), "%.*R*e", digits - 1, mode_of(rounding), x.backend().data());
+  (void)mpfr_snprintf(text.data(), text.size(), "%.*R*e", digits - 1, mode_of(rounding), value.backend().data());
   return text.data();
 }
 

@@ -38,22 +38,6 @@ Json bounds_json(const Bounds& bounds) {
   return {number_json(lower), number_json(upper)};
 }
 
-Json solution_json(const Solution& solution) {
-  const auto& [solved, proved, reason, overlap, normal, point1, point2, residual, condition, bounds, normal_radius,
-               points_radius] = solution;
-  return {{"solved", solved},
-          {"proved", proved},
-          {"reason", reason},
-          {"overlap", number_json(overlap)},
-          {"normal", numbers_json(normal)},
-          {"points", {numbers_json(point1), numbers_json(point2)}},
-          {"residual", number_json(residual)},
-          {"condition", condition_json(condition)},
-          {"bounds", bounds_json(bounds)},
-          {"normal_radius", number_json(normal_radius)},
-          {"points_radius", number_json(points_radius)}};
-}
-
 template <class Item, class ToJson>
 Json list_json(const std::vector<Item>& items, ToJson to_json) {
   Json out = Json::array();
@@ -116,6 +100,31 @@ Ring read_ring(const Field& field) {
           field.member("greatest_angle").number()};
 }
 
+template <class Read>
+auto read_list(const Field& field, Read read) {
+  std::vector<decltype(read(field))> out;
+  for (const Field& element : field.elements()) out.push_back(read(element));
+  return out;
+}
+
+}  // namespace
+
+Json solution_json(const Solution& solution) {
+  const auto& [solved, proved, reason, overlap, normal, point1, point2, residual, condition, bounds, normal_radius,
+               points_radius] = solution;
+  return {{"solved", solved},
+          {"proved", proved},
+          {"reason", reason},
+          {"overlap", number_json(overlap)},
+          {"normal", numbers_json(normal)},
+          {"points", {numbers_json(point1), numbers_json(point2)}},
+          {"residual", number_json(residual)},
+          {"condition", condition_json(condition)},
+          {"bounds", bounds_json(bounds)},
+          {"normal_radius", number_json(normal_radius)},
+          {"points_radius", number_json(points_radius)}};
+}
+
 Solution read_solution(const Field& field) {
   Solution out;
   out.solved = read_flag(field.member("solved"));
@@ -132,15 +141,6 @@ Solution read_solution(const Field& field) {
   out.points_radius = read_double(field.member("points_radius"));
   return out;
 }
-
-template <class Read>
-auto read_list(const Field& field, Read read) {
-  std::vector<decltype(read(field))> out;
-  for (const Field& element : field.elements()) out.push_back(read(element));
-  return out;
-}
-
-}  // namespace
 
 Json ring_json(const Ring& ring) {
   const auto& [axis, least_angle, greatest_angle] = ring;

@@ -13,6 +13,10 @@ namespace plumb {
 /// The same bits again, without these. Throws FieldError.
 [[nodiscard]] Reference read_reference(const Field& field);
 
+/// The same of one answer.
+[[nodiscard]] Json solution_json(const Solution& solution);
+[[nodiscard]] Solution read_solution(const Field& field);
+
 [[nodiscard]] Json ring_json(const Ring& ring);
 
 }  // namespace plumb

@@ -35,9 +35,36 @@ std::string fingerprint(const std::string& text) {
 }
 
 /// What a file says was asked. The decimals are one-to-one with the doubles' bits, so that equal texts are equal pairs.
-Json question_json(const Pair& pair, Effort effort) {
-  return {{"format", "plumb/reference-1"}, {"effort", name(effort)}, {"bodies", bodies_json(pair)}};
+Json question_json(const Pair& pair, const char* field, std::string_view asked) {
+  return {{"format", "plumb/reference-1"}, {field, asked}, {"bodies", bodies_json(pair)}};
 }
+
+/// A reference without its proof.
+struct KeptReference {
+  using Answer = Reference;
+  Effort effort;
+
+  [[nodiscard]] Json question(const Pair& pair) const { return question_json(pair, "effort", name(effort)); }
+  [[nodiscard]] Reference compute(const Pair& pair) const {
+    Reference found = find_reference(pair, effort);
+    found.cover = {};
+    found.meridian = {};
+    found.nearest.reset();
+    return found;
+  }
+  static Json to_json(const Reference& answer) { return reference_json(answer); }
+  static Reference read(const Field& field) { return read_reference(field); }
+};
+
+struct KeptPotential {
+  using Answer = Solution;
+  Problem problem;
+
+  [[nodiscard]] Json question(const Pair& pair) const { return question_json(pair, "problem", name(problem)); }
+  [[nodiscard]] Solution compute(const Pair& pair) const { return find_potential_reference(pair, problem); }
+  static Json to_json(const Solution& answer) { return solution_json(answer); }
+  static Solution read(const Field& field) { return read_solution(field); }
+};
 
 /// An object's text with its checksum as a last member.
 std::string sealed(std::string object) {
@@ -55,27 +82,29 @@ std::optional<std::string> unsealed(const std::string& text) {
   return object;
 }
 
-std::string entry_text(Json question, const Reference& reference) {
-  question["reference"] = reference_json(reference);
+std::string entry_text(Json question, Json answer) {
+  question["reference"] = std::move(answer);
   return sealed(write_json(question));
 }
 
 /// Throws whatever the text is not.
-std::optional<Reference> parse_entry(const std::string& text, const std::string& question) {
+template <class Kept>
+std::optional<typename Kept::Answer> parse_entry(const std::string& text, const std::string& question) {
   const std::optional<std::string> object = unsealed(text);
   if (!object) return std::nullopt;
   Json entry = read_json(*object);
-  const Json reference = entry.at("reference");
+  const Json answer = entry.at("reference");
   entry.erase("reference");
   if (write_json(entry) != question) return std::nullopt;
-  return read_reference(Field(reference));
+  return Kept::read(Field(answer));
 }
 
-std::optional<Reference> read_entry(const fs::path& file, const std::string& question) {
+template <class Kept>
+std::optional<typename Kept::Answer> read_entry(const fs::path& file, const std::string& question) {
   try {
     if (!fs::is_regular_file(file)) return std::nullopt;
     std::ifstream in(file, std::ios::binary);
-    return parse_entry({std::istreambuf_iterator<char>(in), {}}, question);
+    return parse_entry<Kept>({std::istreambuf_iterator<char>(in), {}}, question);
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -104,32 +133,35 @@ void ReferenceStore::prepare() const {
   if (error) throw InputFailure("--cache", 0, folder_.parent_path().string(), error.message());
 }
 
-Reference ReferenceStore::find(const Pair& pair, Effort effort) const {
-  // JSON holds no number that is not finite.
-  if (!is_valid(pair)) return compute(pair, effort);
-  const Json question = question_json(pair, effort);
+template <class Kept>
+typename Kept::Answer ReferenceStore::find_kept(const Pair& pair, const Kept& kept) const {
+  if (!is_valid(pair)) {  // JSON holds no number that is not finite
+    ++misses_;
+    return kept.compute(pair);
+  }
+  const Json question = kept.question(pair);
   const std::string asked = write_json(question);
   const fs::path file = path_under(folder_, asked);
-  if (std::optional<Reference> stored = read_entry(file, asked)) {
+  if (auto stored = read_entry<Kept>(file, asked)) {
     ++hits_;
     return std::move(*stored);
   }
-  Reference found = compute(pair, effort);
-  if (!write(file, entry_text(question, found))) ++unstored_;
+  ++misses_;
+  typename Kept::Answer found = kept.compute(pair);
+  if (!write(file, entry_text(question, Kept::to_json(found)))) ++unstored_;
   return found;
+}
+
+Reference ReferenceStore::find(const Pair& pair, Effort effort) const {
+  return find_kept(pair, KeptReference{effort});
+}
+
+Solution ReferenceStore::find_potential(const Pair& pair, Problem problem) const {
+  return find_kept(pair, KeptPotential{problem});
 }
 
 fs::path ReferenceStore::file_of(const Pair& pair, Effort effort) const {
-  return path_under(folder_, write_json(question_json(pair, effort)));
-}
-
-Reference ReferenceStore::compute(const Pair& pair, Effort effort) const {
-  ++misses_;
-  Reference found = find_reference(pair, effort);
-  found.cover = {};
-  found.meridian = {};
-  found.nearest.reset();
-  return found;
+  return path_under(folder_, write_json(KeptReference{effort}.question(pair)));
 }
 
 /// By way of a file of its own name in the same folder: whoever reads sees all of an entry or none.
@@ -152,9 +184,10 @@ std::shared_ptr<const ReferenceStore> open_store(const std::string& dir) {
   return store;
 }
 
-std::function<Reference(const Pair&, Effort)> references_of(std::shared_ptr<const ReferenceStore> store) {
-  if (!store) return find_reference;
-  return [store = std::move(store)](const Pair& pair, Effort effort) { return store->find(pair, effort); };
+ReferenceSource references_of(std::shared_ptr<const ReferenceStore> store) {
+  if (!store) return {};
+  return {[store](const Pair& pair, Effort effort) { return store->find(pair, effort); },
+          [store](const Pair& pair, Problem problem) { return store->find_potential(pair, problem); }};
 }
 
 std::string in_words(const StoreCounts& counts) {

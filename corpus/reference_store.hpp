@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,7 +19,7 @@ struct StoreCounts {
   std::uint64_t unstored = 0;  ///< those of the misses that could not be written
 };
 
-/// DIR/CODE/ab/cdef...json: one file a pair and effort, named by a hash of them; CODE is a hash of the sources and the compiler
+/// DIR/CODE/ab/cdef...json: one file a pair and effort (or problem), named by a hash of them; CODE is a hash of the sources and the compiler
 /// that the reference was built from, so that no entry outlives them. Any number of threads and processes may use one DIR.
 /// A file holds what was asked, which is compared bit for bit, and a checksum: what is damaged, foreign or about another pair is
 /// a miss. An answer that cannot be stored is given all the same.
@@ -32,16 +31,21 @@ class ReferenceStore {
   /// Makes the folder. Throws InputFailure, which names the option --cache.
   void prepare() const;
 
-  /// find_reference(pair, effort) without its cover, meridian and nearest points: these are not stored, and a hit is to be no different
-  /// from a miss.
+  /// find_reference(pair, effort) without its cover, meridian and nearest points: these are not stored, and a hit is to be no
+  /// different from a miss.
   [[nodiscard]] Reference find(const Pair& pair, Effort effort = Effort::digits) const;
+
+  /// find_potential_reference(pair, problem).
+  [[nodiscard]] Solution find_potential(const Pair& pair, Problem problem) const;
 
   /// Where the answer is, or would be.
   [[nodiscard]] std::filesystem::path file_of(const Pair& pair, Effort effort) const;
   [[nodiscard]] StoreCounts counts() const { return {hits_, misses_, unstored_}; }
 
  private:
-  [[nodiscard]] Reference compute(const Pair& pair, Effort effort) const;
+  /// What is stored as the answer, or else computed and stored. `Kept`: how an answer is asked for, computed, written and read.
+  template <class Kept>
+  [[nodiscard]] typename Kept::Answer find_kept(const Pair& pair, const Kept& kept) const;
   [[nodiscard]] bool write(const std::filesystem::path& file, const std::string& text) const;
 
   std::filesystem::path folder_;
@@ -51,8 +55,8 @@ class ReferenceStore {
 /// What --cache DIR asks for: the prepared store, none for an empty DIR. Throws InputFailure.
 [[nodiscard]] std::shared_ptr<const ReferenceStore> open_store(const std::string& dir);
 
-/// Answers from the store, or by find_reference where there is none.
-[[nodiscard]] std::function<Reference(const Pair&, Effort)> references_of(std::shared_ptr<const ReferenceStore> store);
+/// Answers from the store, or computed ones where there is none.
+[[nodiscard]] ReferenceSource references_of(std::shared_ptr<const ReferenceStore> store);
 
 /// "references: 40 from the cache, 2 computed".
 [[nodiscard]] std::string in_words(const StoreCounts& counts);

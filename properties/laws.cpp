@@ -109,18 +109,19 @@ Judgement judge(const Evidence& e) {
 }
 
 Judge::Judge(const Pair& pair, ReferenceSource source)
-    : pair_(pair), source_(std::move(source)), references_{source_(pair, Effort::bounds)} {}
+    : pair_(pair), source_(std::move(source)), references_{source_.common_normal(pair, Effort::bounds)} {}
 
 const Reference& Judge::reference(Effort effort) {
   const auto index = static_cast<std::size_t>(effort);
-  while (references_.size() <= index) references_.push_back(source_(pair_, static_cast<Effort>(references_.size())));
+  while (references_.size() <= index)
+    references_.push_back(source_.common_normal(pair_, static_cast<Effort>(references_.size())));
   return references_[index];
 }
 
 const Solution& Judge::solution(Problem problem, const Reference& reference) {
   if (problem == Problem::common_normal) return reference.common_normal;
   std::optional<Solution>& slot = problem == Problem::midway ? midway_ : deepest_;
-  if (!slot) slot = find_potential_reference(pair_, problem);
+  if (!slot) slot = source_.potential(pair_, problem);
   return *slot;
 }
 

@@ -80,14 +80,11 @@ struct Judgement {
 };
 [[nodiscard]] Judgement judge(const Evidence& evidence);
 
-/// Where references come from: find_reference, or a store that has kept its answers.
-using ReferenceSource = std::function<Reference(const Pair&, Effort)>;
-
 /// The evidence gathered and judged: what campaign, fuzzers, replay and check call. Bounds first, then a proof, then digits:
 /// each is computed when the one before leaves an answer's severity open, once for a case, and shared by all methods.
 class Judge {
  public:
-  explicit Judge(const Pair& pair, ReferenceSource source = find_reference);
+  explicit Judge(const Pair& pair, ReferenceSource source = {});
   /// The dearest that was needed so far.
   [[nodiscard]] const Reference& reference() const { return references_.back(); }
   [[nodiscard]] const Solution& solution(Problem problem) { return solution(problem, reference()); }

@@ -32,8 +32,7 @@ enum class Outcome { as_expected, differs, not_judged };
 /// to its numbers only when it answers the same problem. The references come from `source`. Throws InputFailure when there is
 /// no such method.
 [[nodiscard]] Replayed replay_case(const Case& c, const std::string& file, int line,
-                                   const std::optional<Solver>& instead,
-                                   const ReferenceSource& source = find_reference);
+                                   const std::optional<Solver>& instead, const ReferenceSource& source = {});
 
 /// "FILE" or "FILE:LINE".
 [[nodiscard]] std::string place_of(const Replayed& replayed);

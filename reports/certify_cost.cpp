@@ -72,7 +72,7 @@ double median(std::vector<double> x) {
 
 struct Times {
   std::vector<double> method;
-  std::array<std::vector<double>, efforts.size()> effort, ratio;
+  std::array<std::vector<double>, efforts.size()> effort, ratio, cells;
 };
 
 void measure(const Pair& pair, Times& times) {
@@ -80,7 +80,9 @@ void measure(const Pair& pair, Times& times) {
   const double method = least_time([&] { return new_cn(pair, {}, nullptr).iterations > 0; });
   times.method.push_back(method);
   for (std::size_t k = 0; k < efforts.size(); ++k) {
-    const double time = least_time([&] { return find_reference(pair, efforts[k]).cells > 0; });
+    int cells = 0;
+    const double time = least_time([&] { return (cells = find_reference(pair, efforts[k]).cells) > 0; });
+    times.cells[k].push_back(cells);
     times.effort[k].push_back(time);
     times.ratio[k].push_back(time / method);
   }
@@ -104,7 +106,9 @@ Json to_json(const Row& row, const Times& times, const Options& options) {
   if (is_cut_short(times, options)) out["incomplete"] = true;
   out["new_cn_ms"] = median(times.method);
   for (std::size_t k = 0; k < efforts.size(); ++k) {
-    Json entry{{"median_ms", median(times.effort[k])}, {"median_ratio_to_new_cn", median(times.ratio[k])}};
+    Json entry{{"median_ms", median(times.effort[k])},
+               {"median_ratio_to_new_cn", median(times.ratio[k])},
+               {"median_cells", median(times.cells[k])}};
     if (k < row.budget.size()) entry["budget_ms"] = row.budget[k];
     out[std::string(name(efforts[k]))] = std::move(entry);
   }
@@ -119,8 +123,8 @@ void print_row(const Row& row, const Times& times, const Options& options) {
     std::string budget;
     if (k < row.budget.size())
       budget = fmt::format("   budget {:>4} ms: {}", row.budget[k], ms <= row.budget[k] ? "met" : "NOT MET");
-    print_line(
-        fmt::format("  {:<8}{:>9.3f} ms{:>9.0f} x new_cn{}", name(efforts[k]), ms, median(times.ratio[k]), budget));
+    print_line(fmt::format("  {:<8}{:>9.3f} ms{:>9.0f} x new_cn{:>7} cells{}", name(efforts[k]), ms,
+                           median(times.ratio[k]), median(times.cells[k]), budget));
   }
 }
 

@@ -20,8 +20,7 @@ constexpr int most_cells = std::is_same_v<I, Interval80> ? 60'000 : 4'000;
 template <class I, class S>
 class Certifier {
  public:
-  explicit Certifier(const Pair& pair)
-      : pair_(pair), on_(pair), minimum_at_(on_), best_(on_.first) {}
+  explicit Certifier(const Pair& pair) : pair_(pair), on_(pair), minimum_at_(on_), best_(on_.first) {}
 
   Reference run() {
     know(best_);
@@ -83,8 +82,7 @@ class Certifier {
     const FramedPair<C> framed(enclose<C>(pair_), frame);
     const double slack = high(asymmetry<C>(pair_, framed));
     MeridianSearchResult found;
-    do
-      found = search_meridian<C>(on_.rough, framed, frame, OneStepOutward::up(high(value_) + slack), bounds_gap / 4);
+    do found = search_meridian<C>(on_.rough, framed, frame, OneStepOutward::up(high(value_) + slack), bounds_gap / 4);
     while (found.lower && look_at(point_from<S>(on_.rough, on_.fine, *found.lower)) && !is_separated());
     out_.cells = found.cells;
     if (is_separated()) return is_done();

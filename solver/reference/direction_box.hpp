@@ -15,9 +15,8 @@
 
 namespace plumb::reference {
 
-/// Intervals of doubles rounded to nearest, for looking where a proof can be had: what they say proves nothing. With
-/// DoubleInterval in their place find_stationary leaves 12 of 50 random pairs (superquadric, hard) incomplete that it
-/// completes with these.
+/// Intervals of doubles rounded to nearest, for looking where a proof can be had: what they say proves nothing. The outward
+/// steps of DoubleInterval would leave many pairs incomplete (superquadric, hard) that are completed with these.
 struct RoughInterval {
   double lower = 0, upper = 0;
 

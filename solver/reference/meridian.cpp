@@ -94,9 +94,9 @@ MeridianProof verify_meridian(const Pair& pair, const FramedPair<I>& framed, con
   return out;
 }
 
-#define PLUMB_INSTANTIATE_MERIDIAN(I)                                       \
-  template I lowest_overlap_of_spheres(const EnclosedPair<I>&);             \
-  template I asymmetry(const Pair&, const FramedPair<I>&);                  \
+#define PLUMB_INSTANTIATE_MERIDIAN(I)                                          \
+  template I lowest_overlap_of_spheres(const EnclosedPair<I>&);                \
+  template I asymmetry(const Pair&, const FramedPair<I>&);                     \
   template double least_on(const FramedPair<I>&, const Arc&, const IVec3<I>&); \
   template MeridianProof verify_meridian(const Pair&, const FramedPair<I>&, const Meridian&);
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,6 +91,12 @@ struct Reference {
 /// The 50-digit answer to a geometric-potential problem (Problem::deepest_points or midway), with its proof (touch.hpp): the
 /// problem has one answer, within the bounds and radii. Any other problem's: find_reference's common normal.
 [[nodiscard]] Solution find_potential_reference(const Pair& pair, Problem problem);
+
+/// Where references come from: computed, or kept from before. Called from several threads at once.
+struct ReferenceSource {
+  std::function<Reference(const Pair&, Effort)> common_normal = find_reference;
+  std::function<Solution(const Pair&, Problem)> potential = find_potential_reference;
+};
 
 /// Centre distance at first touch along a unit direction (world frame), body 2 moving towards body 1: h_max of the test
 /// bed, and the solver's own residual. S: long double or Real50. The positions of the pair are ignored.

@@ -268,7 +268,7 @@ FramedPair<I>::FramedPair(const EnclosedPair<I>& enclosed_pair, const Mat3<doubl
   for (int i = 0; i < 3; ++i) {
     I sum(0.0);
     for (int j = 0; j < 3; ++j) sum += magnitude<I>(I(gram(i, j) - I(i == j ? 1.0 : 0.0)));
-    worst = std::max(worst, high(sum));
+    if (!(high(sum) <= worst)) worst = high(sum) < 1 ? high(sum) : std::numeric_limits<double>::infinity();
   }
   longest = high_end<I>(root<I>(I(I(1.0) + I(worst))));
   shortest = worst < 1 ? low_end<I>(root<I>(I(I(1.0) - I(worst)))) : I(0.0);

@@ -360,8 +360,9 @@ TEST_F(Certifying, AChangedMeridianIsNoProof) {
   expect_broken([](Json& p) { p["meridian"]["witnesses"].erase(3); }, misshapen);
   expect_broken([](Json& p) { p["meridian"]["places"].erase(0), p["meridian"]["witnesses"].erase(0); }, misshapen);
   expect_broken([](Json& p) { std::swap(p["meridian"]["places"][1], p["meridian"]["places"][2]); }, misshapen);
-  expect_broken([](Json& p) { p["meridian"]["places"] = {0, 4}, p["meridian"]["witnesses"] = {{{0, 0, 0}, {0, 0, 0}}}; },
-                misshapen);
+  expect_broken(
+      [](Json& p) { p["meridian"]["places"] = {0, 4}, p["meridian"]["witnesses"] = {{{0, 0, 0}, {0, 0, 0}}}; },
+      misshapen);
   const std::string unbounded = "the bodies are not of revolution about one line, or an arc is not bounded";
   expect_broken([](Json& p) { p["meridian"]["witnesses"][0] = {{0, 0, -0.2}, {0, 0, 0.2}}; }, unbounded);
   // True points and a true turn's bound, but they bound too little.

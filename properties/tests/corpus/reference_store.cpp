@@ -112,6 +112,18 @@ TEST_F(Store, EveryFieldComesBackBitForBit) {
   EXPECT_EQ(files(), families().size() * 15 * efforts.size());
 }
 
+TEST_F(Store, PotentialsComeBackBitForBit) {
+  for (const Problem problem : {Problem::deepest_points, Problem::midway}) {
+    const ReferenceStore first(dir_), second(dir_);
+    const Solution computed = find_potential_reference(pair_, problem);
+    ASSERT_TRUE(same(first.find_potential(pair_, problem), computed)) << name(problem);
+    ASSERT_TRUE(same(second.find_potential(pair_, problem), computed)) << name(problem);
+    EXPECT_EQ(first.counts().misses, 1U);
+    EXPECT_EQ(second.counts().hits, 1U);
+  }
+  EXPECT_EQ(files(), 2U);
+}
+
 TEST_F(Store, NumbersThatNoCaseGives) {
   Reference odd = found_;
   odd.common_normal.overlap = ldexp(Real50(1) / 3, -1000000);
@@ -224,7 +236,7 @@ TEST_F(Store, ThreadsMayAskForTheSameAtOnce) {
       threads.emplace_back([&] {
         start.arrive_and_wait();
         mine = true;
-        for (int i = 0; i < 20; ++i) mine = mine && same(references(pair_, Effort::bounds), found_);
+        for (int i = 0; i < 20; ++i) mine = mine && same(references.common_normal(pair_, Effort::bounds), found_);
       });
   }
   EXPECT_EQ(right, (std::array{true, true, true, true}));
@@ -235,7 +247,7 @@ TEST_F(Store, ThreadsMayAskForTheSameAtOnce) {
 
 TEST_F(Store, WithoutAFolderReferencesAreComputed) {
   EXPECT_EQ(open_store(""), nullptr);
-  EXPECT_TRUE(same(references_of(nullptr)(pair_, Effort::bounds), found_));
+  EXPECT_TRUE(same(references_of(nullptr).common_normal(pair_, Effort::bounds), found_));
   EXPECT_FALSE(fs::exists(dir_));
 }
 
