@@ -34,7 +34,7 @@ struct CampaignOptions {
   unsigned threads = 1;
   Shard shard;
   std::map<std::string, std::string> libraries = {};  ///< foreign solver -> absolute path, for the commands that replay
-  ReferenceSource references;
+  ReferenceSource references = {};
 };
 
 /// `options`: what to append to the command that repeats this source's campaign, with a blank before each option.

@@ -185,7 +185,8 @@ class Certifier {
                                   [&](const Min& m) { return m.exists && high(I(m.proof.value)) < 0; });
     minima_ = own == minima_.end() ? std::vector<Min>{} : std::vector<Min>{Min(*own)};
     out_.nearest = witness(best_);
-    I least = I(least_overlap_apart<I>(on_.enclosed, *out_.nearest));
+    const I infinite(std::numeric_limits<double>::infinity());
+    I least = least_overlap_apart<I>(on_.enclosed, *out_.nearest).value_or(-infinite);
     if (!minima_.empty() && high(least) < low(minima_.front().least())) least = minima_.front().least();
     bound(least);
     if (minima_.empty()) out_.reason = "the points are not located";
@@ -216,8 +217,11 @@ class Certifier {
     if (out_.overlap.upper < 0) out_.verdict = Verdict::separated;
     const auto lower = [](const Min& a, const Min& b) { return a.at.overlap < b.at.overlap; };
     std::stable_sort(minima_.begin(), minima_.end(), lower);
-    minima_.erase(std::remove_if(minima_.begin(), minima_.end(), [](const Min& m) { return !m.exists; }),
-                  minima_.end());
+    const auto is_unlocated = [](const Min& m) { return !m.exists; };
+    for (const Min& m : minima_)
+      if (is_unlocated(m) && m.proof.convex && !(low(m.least()) > high(value_)))
+        out_.open.push_back(m.normal.template cast<double>());
+    minima_.erase(std::remove_if(minima_.begin(), minima_.end(), is_unlocated), minima_.end());
     const bool is_best_proved = !minima_.empty() && !(high(value_) < low(minima_.front().proof.value));
     if (is_best_proved)
       out_.common_normal = solution(minima_.front());
@@ -228,6 +232,7 @@ class Certifier {
     if (out_.tied.empty()) return;
     out_.unique = Claim::open;
     out_.reason = is_best_proved ? "other common normals tie with it" : "it is not located, and others tie with it";
+    if (!out_.open.empty()) out_.reason += "; more may";
   }
 
   /// Nothing is left open without a reason.
@@ -239,6 +244,8 @@ class Certifier {
       out_.reason = "a region has one minimum at most, which is not located";
     else if (!out_.common_normal.proved)
       out_.reason = "the common normal is not located";
+    else if (out_.verdict == Verdict::undecided)
+      out_.reason = "zero lies within the bounds";
   }
 
   void report_others(std::size_t first) {

@@ -180,9 +180,9 @@ class ProofVerifier {
   void check_apart(const Witness& points) {
     if (!(high(highest_) < 0)) return fail("the direction does not separate the bodies");
     if (!proof_.cover.tree.empty() || proof_.cover.regions.size() > 1) return fail("bodies apart need no cover");
-    const double by_points = least_overlap_apart<Fine>(enclosed_, points);
-    if (!std::isfinite(by_points)) return fail("a point does not lie in its body");
-    least_ = by_points;
+    const auto by_points = least_overlap_apart<Fine>(enclosed_, points);
+    if (!by_points) return fail("a point does not lie in its body");
+    least_ = *by_points;
     if (proof_.cover.regions.empty()) return;
     const auto found = check_region(0);
     if (!found) return;

@@ -347,9 +347,9 @@ std::optional<IVec3<I>> points_apart(const EnclosedPair<I>& pair, const Witness&
 }
 
 template <class I>
-double least_overlap_apart(const EnclosedPair<I>& pair, const Witness& witness) {
+std::optional<I> least_overlap_apart(const EnclosedPair<I>& pair, const Witness& witness) {
   const auto apart = points_apart<I>(pair, witness);
-  return apart ? -high(length_of<I>(*apart)) : -std::numeric_limits<double>::infinity();
+  return apart ? std::optional<I>(-high_end<I>(length_of<I>(*apart))) : std::nullopt;
 }
 
 template <class I>
@@ -371,7 +371,7 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
   template RegionProof<I> proof_on(const Cell&, const I&, const IVec3<I>&, const Slope<I>&, const I&);  \
   template RegionProof<I> verify_region(const FramedPair<I>&, const Cell&, const IVec3<I>&);            \
   template std::optional<IVec3<I>> points_apart(const EnclosedPair<I>&, const Witness&);                \
-  template double least_overlap_apart(const EnclosedPair<I>&, const Witness&);                          \
+  template std::optional<I> least_overlap_apart(const EnclosedPair<I>&, const Witness&);                \
   template DirectionEnclosure<I> enclose_direction(const FramedPair<I>&, const IVec3<I>&);
 
 PLUMB_INSTANTIATE_VERIFY(DoubleInterval)

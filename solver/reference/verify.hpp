@@ -86,10 +86,10 @@ template <class I>
 template <class I>
 [[nodiscard]] std::optional<IVec3<I>> points_apart(const EnclosedPair<I>& pair, const Witness& witness);
 
-/// Bodies apart: o is minus the distance, which no two points of the bodies undercut. Minus infinity when a witness is not
-/// proved to lie in its body.
+/// Bodies apart: o is minus the distance, which no two points of the bodies undercut. Nothing when a witness is not proved to
+/// lie in its body.
 template <class I>
-[[nodiscard]] double least_overlap_apart(const EnclosedPair<I>& pair, const Witness& witness);
+[[nodiscard]] std::optional<I> least_overlap_apart(const EnclosedPair<I>& pair, const Witness& witness);
 
 /// Unit normal and support points (pair frame) of every direction F v, v in a box of chart points.
 template <class I>
