@@ -32,6 +32,9 @@ Json witness_json(const Witness& witness) {
 Json meridian_json(const Meridian& meridian) {
   Json out{{"places", meridian.places}, {"witnesses", Json::array()}};
   for (const Witness& witness : meridian.witnesses) out["witnesses"].push_back(witness_json(witness));
+  out["valleys"] = Json::array();
+  for (const auto& [first, last, high, low] : meridian.valleys)
+    out["valleys"].push_back({{"first", first}, {"last", last}, {"high", high}, {"low", low}});
   return out;
 }
 
@@ -101,11 +104,18 @@ void read_cover(const Field& root, Proof& out) {
     out.cover.regions_of.push_back(index.whole_number(0, std::numeric_limits<int>::max()));
 }
 
+Valley read_valley(const Field& field) {
+  field.require_object({"first", "last", "high", "low"});
+  return {field.member("first").number(), field.member("last").number(), field.member("high").number(),
+          field.member("low").number()};
+}
+
 Meridian read_meridian(const Field& field) {
-  field.require_object({"places", "witnesses"});
+  field.require_object({"places", "witnesses", "valleys"});
   Meridian out;
   for (const Field& place : field.member("places").elements()) out.places.push_back(place.number());
   for (const Field& witness : field.member("witnesses").elements()) out.witnesses.push_back(read_witness(witness));
+  for (const Field& valley : field.member("valleys").elements()) out.valleys.push_back(read_valley(valley));
   return out;
 }
 

@@ -17,6 +17,15 @@ namespace {
 template <class I>
 constexpr int most_cells = std::is_same_v<I, Interval80> ? 60'000 : 4'000;
 
+/// Of a direction in the frame of a meridian.
+template <class S>
+S place_of(const Vec3<S>& v) {
+  using std::sqrt;
+  const S across = sqrt(S(v[0] * v[0] + v[1] * v[1]));
+  if (v[2] >= across) return across / v[2];
+  return v[2] <= -across ? S(4) + across / v[2] : S(2) - v[2] / across;
+}
+
 template <class I, class S>
 class Certifier {
  public:
@@ -88,15 +97,27 @@ class Certifier {
     if (is_separated()) return is_done();
     if (!found.complete || found.lower || found.lowest.empty()) return false;
     if (found.lowest.front().first == 0 || found.lowest.back().last == 4) return false;
-    const MeridianProof proof = verify_meridian<C>(pair_, framed, found.meridian);
+    for (const Arc& arc : found.lowest) add_valley(found.meridian, frame, arc);
+    const MeridianProof<I> proof = verify_meridian<I>(pair_, {on_.enclosed, frame}, found.meridian);
     if (!proof.well_formed) return false;
-    bound(lower_of(value_, I(proof.least)));
+    bound(lower_of(value_, proof.least));
     for (const Arc& arc : found.lowest) out_.rings.push_back(ring(*axis, arc));
     out_.meridian = std::move(found.meridian);
     out_.cover.frame = frame;
     out_.reason = "bodies of revolution about one line: a ring of common normals";
     if (slack == 0) out_.unique = Claim::disproved;
     return true;
+  }
+
+  /// Where the best direction, or its mirror image, is the lowest place of the arc.
+  void add_valley(Meridian& meridian, const Mat3<double>& frame, const Arc& arc) const {
+    const S place = place_of<S>(in_frame<S>(frame, best_.normal));
+    for (const S& lowest : {place, S(S(4) - place)}) {
+      const auto high_part = static_cast<double>(lowest);
+      if (!(arc.first < high_part && high_part < arc.last)) continue;
+      meridian.valleys.push_back({arc.first, arc.last, high_part, static_cast<double>(S(lowest - S(high_part)))});
+      return;
+    }
   }
 
   /// Widened for the axis, which is rounded.

@@ -54,10 +54,16 @@ struct Cover {
   std::vector<Cell> regions;       ///< the first is that of the solution
 };
 
+/// Part of a meridian where o has one minimum at most: near the place high + low.
+struct Valley {
+  double first, last, high, low;
+};
+
 /// A half circle of directions in the place of a cover (meridian.hpp): a pair of points for each arc between two places.
 struct Meridian {
   std::vector<double> places;
   std::vector<Witness> witnesses;
+  std::vector<Valley> valleys;  ///< the arcs inside one are bounded by its lowest place as well
 };
 
 /// The six faces in the order of Cover::tree.

@@ -1,6 +1,7 @@
 #include "solver/reference/meridian.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/reference/interval_double.hpp"
 
@@ -30,6 +31,41 @@ double least_at(const FramedPair<I>& framed, double place, const IVec3<I>& apart
   const IVec3<I> direction = framed.frame * chart_at<I>(place);
   const I above = dot<I>(direction, apart);
   return low(above) >= 0 ? low(I(above / length_of<I>(direction))) : -std::numeric_limits<double>::infinity();
+}
+
+/// Lower bound of a body's support Hessian along one chart coordinate.
+template <class I>
+I support_curvature(const EnclosedBody<I>& body, const IVec3<I>& q, const IVec3<I>& column) {
+  ChartMap<I> map;
+  map << column, IVec3<I>::Constant(I(0.0));
+  I best(0.0);
+  for (const HessianTerms<I>& terms : {hessian_terms<I>(body, q, map), hessian_floor<I>(body, q, map)}) {
+    I sum(0.0);
+    for (const RankOne<I>& term : terms)
+      if (is_positive(term.weight)) sum += term.weight * square<I>(term.vector[0]);
+    if (low(sum) > low(best)) best = low_end<I>(sum);
+  }
+  return best;
+}
+
+/// Lower bound of the second derivative of s - c |F v| along one chart coordinate, c >= 0 exact: see LengthHessian.
+template <class I>
+I curvature_along(const FramedPair<I>& framed, const IVec3<I>& box, int along, const I& c) {
+  const I length = length_of<I>(box), least = framed.shortest * low_end<I>(length),
+          greatest = framed.longest * high_end<I>(length);
+  const I inwards = dot<I>(framed.gram.col(along), box);
+  return low_end<I>(support_curvature<I>(framed.pair.body1, framed.to_q1 * box, framed.to_q1.col(along)) +
+                    support_curvature<I>(framed.pair.body2, framed.to_q2 * box, framed.to_q2.col(along)) +
+                    c * square<I>(inwards) / (greatest * square<I>(greatest)) - c * square<I>(framed.longest) / least);
+}
+
+template <class I>
+bool is_lower(const I& a, const I& b) {
+  return low(I(b - a)) > 0;
+}
+
+bool lies_in(const Arc& arc, const Valley& valley) {
+  return valley.first <= arc.first && arc.last <= valley.last;
 }
 
 /// From 0 to 4 with the corners among the places, so that every arc is a straight line of chart points.
@@ -78,19 +114,49 @@ double least_on(const FramedPair<I>& framed, const Arc& arc, const IVec3<I>& apa
   return std::min(least_at<I>(framed, arc.first, apart), least_at<I>(framed, arc.last, apart));
 }
 
+// On the arc s - o0 |F v| (o0 = o at the place) is zero at the place, convex with second derivative mu at least, and so above
+// -slope^2 / (2 mu).
 template <class I>
-MeridianProof verify_meridian(const Pair& pair, const FramedPair<I>& framed, const Meridian& meridian) {
-  const auto& [places, witnesses] = meridian;
-  MeridianProof out;
+std::optional<I> least_in(const FramedPair<I>& framed, const Valley& valley) {
+  const auto& [first, last, high_part, low_part] = valley;
+  for (const double corner : {1.0, 3.0})
+    if (first < corner && corner < last) return {};
+  const I place = I(high_part) + I(low_part);
+  if (!(low(I(place - I(first))) >= 0 && low(I(I(last) - place)) >= 0)) return {};
+  const double middle = (first + last) / 2;
+  const int along = middle > 1 && middle < 3 ? 2 : 0;
+  const OverlapAt<I> at = support_at<I>(framed, chart_at<I>(place, middle));
+  if (!(low(at.value) >= 0)) return {};
+  const IVec3<I> one = chart_at<I>(I(first), middle), other = chart_at<I>(I(last), middle);
+  const IVec3<I> box{hull<I>(one[0], other[0]), hull<I>(one[1], other[1]), hull<I>(one[2], other[2])};
+  const I curvature = curvature_along<I>(framed, box, along, high_end<I>(at.value));
+  if (!is_positive(curvature)) return {};
+  const I slope = at.slope(framed.frame.col(along));
+  return low_end<I>(I(at.value - square<I>(slope) / (I(2.0) * curvature * framed.shortest)));
+}
+
+template <class I>
+MeridianProof<I> verify_meridian(const Pair& pair, const FramedPair<I>& framed, const Meridian& meridian) {
+  const auto& [places, witnesses, valleys] = meridian;
+  MeridianProof<I> out;
   if (places.size() != witnesses.size() + 1 || !is_half_circle(places)) return out;
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<std::optional<I>> depths;
+  for (const Valley& valley : valleys) depths.push_back(least_in<I>(framed, valley));
+  std::vector<std::optional<I>> bounds;
   for (std::size_t i = 0; i < witnesses.size(); ++i) {
     const auto apart = points_apart<I>(framed.pair, witnesses[i]);
     if (!apart) return out;
-    least = std::min(least, least_on<I>(framed, {places[i], places[i + 1]}, *apart));
+    const Arc arc{places[i], places[i + 1]};
+    const double by_points = least_on<I>(framed, arc, *apart);
+    std::optional<I>& bound = bounds.emplace_back();
+    if (std::isfinite(by_points)) bound = I(by_points);
+    for (std::size_t k = 0; k < valleys.size(); ++k)
+      if (depths[k] && lies_in(arc, valleys[k]) && (!bound || is_lower<I>(*bound, *depths[k]))) bound = depths[k];
   }
   out.well_formed = true;
-  out.least = low(I(I(least) - high_end<I>(asymmetry<I>(pair, framed))));
+  const auto is_less = [](const auto& a, const auto& b) { return a && b ? is_lower<I>(*a, *b) : !a && b; };
+  const std::optional<I>& least = *std::min_element(bounds.begin(), bounds.end(), is_less);
+  if (least) out.least = low_end<I>(I(*least - asymmetry<I>(pair, framed)));
   return out;
 }
 
@@ -98,7 +164,8 @@ MeridianProof verify_meridian(const Pair& pair, const FramedPair<I>& framed, con
   template I lowest_overlap_of_spheres(const EnclosedPair<I>&);                \
   template I asymmetry(const Pair&, const FramedPair<I>&);                     \
   template double least_on(const FramedPair<I>&, const Arc&, const IVec3<I>&); \
-  template MeridianProof verify_meridian(const Pair&, const FramedPair<I>&, const Meridian&);
+  template std::optional<I> least_in(const FramedPair<I>&, const Valley&);     \
+  template MeridianProof<I> verify_meridian(const Pair&, const FramedPair<I>&, const Meridian&);
 
 PLUMB_INSTANTIATE_MERIDIAN(DoubleInterval)
 PLUMB_INSTANTIATE_MERIDIAN(Interval18)

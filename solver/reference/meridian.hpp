@@ -30,12 +30,16 @@ struct Arc {
   double first, last;
 };
 
-/// The chart point at a place.
+/// The chart point at a place on the same side of the corners as `near`.
+template <class T>
+[[nodiscard]] Vec3<T> chart_at(const T& place, double near) {
+  if (near <= 1) return {place, T(0.0), T(1.0)};
+  if (near <= 3) return {T(1.0), T(0.0), T(T(2.0) - place)};
+  return {T(T(4.0) - place), T(0.0), T(-1.0)};
+}
 template <class T>
 [[nodiscard]] Vec3<T> chart_at(double place) {
-  if (place <= 1) return {T(place), T(0.0), T(1.0)};
-  if (place <= 3) return {T(1.0), T(0.0), T(T(2.0) - T(place))};
-  return {T(T(4.0) - T(place)), T(0.0), T(-1.0)};
+  return chart_at<T>(T(place), place);
 }
 
 /// Lower bound of o on an arc without a corner inside, from the difference of two points of the bodies (points_apart); minus
@@ -43,14 +47,20 @@ template <class T>
 template <class I>
 [[nodiscard]] double least_on(const FramedPair<I>& framed, const Arc& arc, const IVec3<I>& apart);
 
+/// Lower bound of o on the arc that a valley is, from o and its slope at the valley's place; nothing where o is not proved to
+/// have one minimum at most there.
+template <class I>
+[[nodiscard]] std::optional<I> least_in(const FramedPair<I>& framed, const Valley& valley);
+
 /// What a meridian proves.
+template <class I>
 struct MeridianProof {
   bool well_formed = false;  ///< the arcs make the half circle, and every witness lies in its body
-  double least = -std::numeric_limits<double>::infinity();  ///< lower bound of o over all directions
+  I least = I(-std::numeric_limits<double>::infinity());  ///< lower bound of o over all directions
 };
 
 /// `framed` encloses `pair` and the frame.
 template <class I>
-[[nodiscard]] MeridianProof verify_meridian(const Pair& pair, const FramedPair<I>& framed, const Meridian& meridian);
+[[nodiscard]] MeridianProof<I> verify_meridian(const Pair& pair, const FramedPair<I>& framed, const Meridian& meridian);
 
 }  // namespace plumb::reference

@@ -163,9 +163,9 @@ class ProofVerifier {
   }
 
   void check_meridian() {
-    const MeridianProof found = verify_meridian<Fine>(pair_, framed_, proof_.meridian);
+    const MeridianProof<Fine> found = verify_meridian<Fine>(pair_, framed_, proof_.meridian);
     if (!found.well_formed) return fail("the arcs are no half circle, or a witness does not lie in its body");
-    if (!std::isfinite(found.least))
+    if (mpfi_bounded_p(found.least.data()) == 0)
       return fail("the bodies are not of revolution about one line, or an arc is not bounded");
     least_ = found.least;
   }

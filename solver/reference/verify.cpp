@@ -294,22 +294,24 @@ I curvature_on(const FramedPair<I>& framed, const Cell& region) {
   return least_curvature<I>(framed, box, region.axis, highest_overlap<I>(framed, region, box));
 }
 
+// d s = (p1 + p2' - c).F dv, p2' the point of body 2 at +n.
 template <class I>
-Slope<I> slope_at(const FramedPair<I>& framed, int axis, const IVec3<I>& chart) {
+OverlapAt<I> support_at(const FramedPair<I>& framed, const IVec3<I>& chart) {
   const EnclosedPair<I>& pair = framed.pair;
   const SupportEnclosure<I> h1 = support<I>(pair.body1, IVec3<I>(framed.to_q1 * chart)),
                             h2 = support<I>(pair.body2, IVec3<I>(framed.to_q2 * chart));
   const IVec3<I> direction = framed.frame * chart;
   const I length = length_of<I>(direction);
-  const I value = (h1.value + h2.value - dot<I>(pair.centre, direction)) / length;
-  // Support points by the direction, then down to the chart: d s = (p1 + p2' - c).F dv, p2' the point of body 2 at +n.
-  const IVec3<I> reach = pair.body1.rotation * h1.point + pair.body2.rotation * h2.point - pair.centre;
+  return {(h1.value + h2.value - dot<I>(pair.centre, direction)) / length, direction, length,
+          pair.body1.rotation * h1.point + pair.body2.rotation * h2.point - pair.centre};
+}
+
+template <class I>
+Slope<I> slope_at(const FramedPair<I>& framed, int axis, const IVec3<I>& chart) {
+  const OverlapAt<I> at = support_at<I>(framed, chart);
   I gradient2(0.0);
-  for (const int step : {1, 2}) {
-    const IVec3<I> column = framed.frame.col((axis + step) % 3);
-    gradient2 += square<I>(I(dot<I>(reach, column) - value * dot<I>(direction, column) / length));
-  }
-  return {value, high_end<I>(root<I>(gradient2))};
+  for (const int step : {1, 2}) gradient2 += square<I>(at.slope(framed.frame.col((axis + step) % 3)));
+  return {at.value, high_end<I>(root<I>(gradient2))};
 }
 
 // On the region s - o0 |F v| (o0 = o at the solution) is zero at the solution and, where its Hessian is at least
@@ -367,6 +369,7 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
   template CoverProof verify_cover(const FramedPair<I>&, const EnclosedPair<I>&, const Cover&, double); \
   template I overlap_at(const FramedPair<I>&, const IVec3<I>&);                                         \
   template I curvature_on(const FramedPair<I>&, const Cell&);                                           \
+  template OverlapAt<I> support_at(const FramedPair<I>&, const IVec3<I>&);                              \
   template Slope<I> slope_at(const FramedPair<I>&, int, const IVec3<I>&);                               \
   template RegionProof<I> proof_on(const Cell&, const I&, const IVec3<I>&, const Slope<I>&, const I&);  \
   template RegionProof<I> verify_region(const FramedPair<I>&, const Cell&, const IVec3<I>&);            \

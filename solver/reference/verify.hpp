@@ -65,6 +65,22 @@ template <class I>
 template <class I>
 [[nodiscard]] I curvature_on(const FramedPair<I>& pair, const Cell& region);
 
+/// o at a chart point, and what its slopes there take.
+template <class I>
+struct OverlapAt {
+  I value;
+  IVec3<I> direction;  ///< F v
+  I length;            ///< |F v|
+  IVec3<I> reach;      ///< p1 - p2 of the support points: the derivative of s by the direction
+
+  /// Of s - value |F v|, along a column of the frame.
+  [[nodiscard]] I slope(const IVec3<I>& column) const {
+    return dot<I>(reach, column) - value * dot<I>(direction, column) / length;
+  }
+};
+template <class I>
+[[nodiscard]] OverlapAt<I> support_at(const FramedPair<I>& pair, const IVec3<I>& chart);
+
 /// o at a chart point of a face, and the length of the gradient of s - value |F v| there, an upper bound.
 template <class I>
 struct Slope {

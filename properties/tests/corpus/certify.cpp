@@ -365,7 +365,11 @@ TEST_F(Certifying, AChangedMeridianIsNoProof) {
       misshapen);
   const std::string unbounded = "the bodies are not of revolution about one line, or an arc is not bounded";
   expect_broken([](Json& p) { p["meridian"]["witnesses"][0] = {{0, 0, -0.2}, {0, 0, 0.2}}; }, unbounded);
-  // True points and a true turn's bound, but they bound too little.
+  // A place that is not the lowest, an arc with a corner, true points and a true turn's bound: they bound too little.
+  store_changed("a.json", [](Json& p) { p["meridian"]["valleys"][0]["low"] = 1e-12; });
+  EXPECT_EQ(plumb("certify a.json --verify changed.proof").code, 1);
+  store_changed("a.json", [](Json& p) { p["meridian"]["valleys"][0]["last"] = 3.5; });
+  EXPECT_EQ(plumb("certify a.json --verify changed.proof").code, 1);
   store_changed("a.json", [](Json& p) { p["meridian"]["witnesses"][3] = {{0, 0, 0}, {0, 0, 0}}; });
   EXPECT_EQ(plumb("certify a.json --verify changed.proof").code, 1);
   store_changed("a.json", [](Json& p) { p["frame"] = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}; });

@@ -53,7 +53,8 @@ TEST_P(ContinuumAt, CoaxialSpheroidsHaveTheRingOfTheClosedForm) {
   EXPECT_EQ(found.global, Claim::proved);
   EXPECT_LE(found.overlap.lower, exact.overlap);
   EXPECT_GE(found.overlap.upper, exact.overlap);
-  EXPECT_LT(found.overlap.upper - found.overlap.lower, Real50(2e-12));
+  const std::array widest{1e-13, 1e-17, 1e-48};  // by effort
+  EXPECT_LT(found.overlap.upper - found.overlap.lower, Real50(widest[static_cast<std::size_t>(GetParam())]));
   ASSERT_EQ(found.rings.size(), 1u);
   EXPECT_TRUE(holds(found.rings, std::acos(static_cast<double>(exact.cosine))));
   EXPECT_LT(found.rings[0].greatest_angle - found.rings[0].least_angle, 1e-5);
