@@ -138,7 +138,7 @@ void certify_problem(const Case& c, const Options& options) {
   const Stopwatch watch;
   Json out{{"name", c.name}, {"problem", options.problem}};
   if (options.problem == first_touch_word)
-    put_first_touch(out, prove_first_touch(c.pair, c.pair.body2.position - c.pair.body1.position), options.digits);
+    put_first_touch(out, prove_first_touch(c.pair), options.digits);
   else
     put_potential(out, find_potential_reference(c.pair, potential_of(options)), options.digits);
   out["digits"] = options.digits;

@@ -184,7 +184,7 @@ std::shared_ptr<const ReferenceStore> open_store(const std::string& dir) {
   return store;
 }
 
-ReferenceSource references_of(std::shared_ptr<const ReferenceStore> store) {
+ReferenceSource references_of(const std::shared_ptr<const ReferenceStore>& store) {
   if (!store) return {};
   return {[store](const Pair& pair, Effort effort) { return store->find(pair, effort); },
           [store](const Pair& pair, Problem problem) { return store->find_potential(pair, problem); }};

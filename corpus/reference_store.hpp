@@ -56,7 +56,7 @@ class ReferenceStore {
 [[nodiscard]] std::shared_ptr<const ReferenceStore> open_store(const std::string& dir);
 
 /// Answers from the store, or computed ones where there is none.
-[[nodiscard]] ReferenceSource references_of(std::shared_ptr<const ReferenceStore> store);
+[[nodiscard]] ReferenceSource references_of(const std::shared_ptr<const ReferenceStore>& store);
 
 /// "references: 40 from the cache, 2 computed".
 [[nodiscard]] std::string in_words(const StoreCounts& counts);

@@ -75,10 +75,10 @@ bool has_infinity(const Vec3<double>& v) {
   return (v.array().abs() == HUGE_VAL).any();
 }
 
-/// Whether the certified set of solutions takes the place of a condition number.
+/// Whether the certified set of solutions takes the place of a condition number, or of a solution that may not be the only one.
 bool asks_for_all_solutions(const Evidence& e, double condition) {
-  return std::isinf(condition) && e.problem == Problem::common_normal && e.reference.effort == Effort::digits &&
-         e.all_solutions;
+  return (std::isinf(condition) || !names_all_lowest(e.reference)) && e.problem == Problem::common_normal &&
+         e.reference.effort == Effort::digits && e.all_solutions;
 }
 
 /// The set itself where a ball is a poor likeness of it: ties, rings.
@@ -90,21 +90,49 @@ double normal_severity_in_set(const Evidence& e) {
   return std::max(beyond_the_set, severity_of(angle, all.normal_radius + few));
 }
 
+/// In the balls, and no further apart than an overlap in the set says: the ball of a ring holds much else.
 double points_severity_in_set(const Evidence& e) {
   const reference::SolutionSet& all = e.all_solutions();
   const double off = std::max((e.answer.point1 - all.point1).stableNorm(), (e.answer.point2 - all.point2).stableNorm());
-  return severity_of(off, all.points_radius + point_rounding(e.pair));
+  const double apart = (e.answer.point1 - e.answer.point2).stableNorm();
+  const double uneven = std::abs(apart - std::abs(static_cast<double>(e.own.overlap)));
+  return std::max(severity_of(off, all.points_radius + point_rounding(e.pair)),
+                  severity_of(uneven, 2 * all.delta + width_of(e.reference.overlap) + 2 * point_rounding(e.pair)));
+}
+
+/// No overlap's condition number exceeds 2 + 2 sqrt(3) (2 + 1 + 2 log 2): reaches of sqrt(3) semi-axes, turned, stretched, with
+/// other exponents.
+constexpr double largest_overlap_condition = 18;
+
+/// How far an overlap is from the lowest, as far as that is known.
+double overlap_error(const Evidence& e, double overlap) {
+  const Real50 said(overlap);
+  if (e.problem != Problem::common_normal || names_all_lowest(e.reference))
+    return static_cast<double>(abs(Real50(said - nearest(e).overlap)));
+  const Bounds& lowest = e.reference.overlap;
+  if (said > lowest.upper) return static_cast<double>(Real50(said - lowest.upper));
+  return said < lowest.lower ? static_cast<double>(Real50(lowest.lower - said)) : 0;
+}
+
+/// Of the two points from an answer's.
+double distance_to(const Evidence& e, const Solution& other) {
+  return static_cast<double>((e.answer.point1.cast<Real50>() - other.point1).norm() +
+                             (e.answer.point2.cast<Real50>() - other.point2).norm());
 }
 
 }  // namespace
 
 const Solution& nearest(const Evidence& e) {
-  if (e.problem != Problem::common_normal || !e.answer.normal.allFinite()) return e.own;
+  const bool has_normal = e.answer.normal.allFinite();
+  if (e.problem != Problem::common_normal || (!has_normal && !has_points(e))) return e.own;
   const Vec3<Real50> n = e.answer.normal.cast<Real50>();
+  const auto is_nearer = [&](const Solution& a, const Solution& b) {
+    return has_normal ? n.dot(a.normal) > n.dot(b.normal) : distance_to(e, a) < distance_to(e, b);
+  };
   const Solution* best = &e.own;
   for (const auto* others : {&e.reference.tied, &e.reference.close})
     for (const Solution& other : *others)
-      if (ties(e, other) && n.dot(other.normal) > n.dot(best->normal)) best = &other;
+      if (ties(e, other) && is_nearer(other, *best)) best = &other;
   return *best;
 }
 
@@ -126,13 +154,16 @@ Finding converges(const Evidence& e) {
 }
 
 Finding verdict_is_right(const Evidence& e) {
-  if (!e.reference.common_normal.solved) return {};
-  const double truth = static_cast<double>(e.reference.common_normal.overlap);
+  const Solution& found = e.reference.common_normal;
+  const Real50 nearest_to_zero = e.reference.verdict == Verdict::separated     ? e.reference.overlap.upper
+                                 : e.reference.verdict == Verdict::overlapping ? e.reference.overlap.lower
+                                                                               : Real50(0);
+  const auto truth = static_cast<double>(found.solved ? found.overlap : nearest_to_zero);
   // A verdict may be left open within the floor that every method documents (undecided_floor epsilon of the size).
-  const double allowed = 2 * few_of(scale_of(e, e.reference.common_normal));
+  const double allowed = 2 * few_of(size_of(e.pair) + std::abs(truth));
   const Verdict said = e.answer.verdict;
   if (said == Verdict::undecided && std::isnan(e.answer.overlap)) return {};
-  const double doubt = severity_of(width_of(e.reference.common_normal.bounds), allowed);
+  const double doubt = found.solved ? severity_of(width_of(found.bounds), allowed) : 0;
   const auto detail = [&] { return fmt::format("says {}, overlap is {:.17g}", name(said), truth); };
   if (truth < 0 && said == Verdict::overlapping)
     return {FindingKind::false_contact, severity_of(-truth, allowed), {}, detail(), doubt};
@@ -178,11 +209,13 @@ Finding points_lie_on_the_normal(const Evidence& e) {
 
 Finding agrees_with_itself(const Evidence& e) {
   const Contact<double>& a = e.answer;
-  if (!has_points(e) || !a.normal.allFinite() || std::isnan(a.overlap)) return {};
+  if (!has_points(e) || std::isnan(a.overlap)) return {};
   const Vec3<Wide> d = a.point1.cast<Wide>() - a.point2.cast<Wide>();
   const double allowed = 2 * (point_rounding(e.pair) + few_of(std::abs(a.overlap)));
   const double length = std::abs(static_cast<double>(d.stableNorm()) - std::abs(a.overlap));
-  const double across = static_cast<double>((d - Wide(a.overlap) * a.normal.cast<Wide>()).stableNorm());
+  const bool has_normal = a.normal.allFinite();
+  const double across =
+      has_normal ? static_cast<double>((d - Wide(a.overlap) * a.normal.cast<Wide>()).stableNorm()) : length;
   return {length > allowed ? FindingKind::overlap_error : FindingKind::misaligned,
           severity_of(across, allowed),
           {},
@@ -224,11 +257,13 @@ Finding potentials_balance_midway(const Evidence& e) {
 Finding normal_agrees(const Evidence& e) {
   if (!e.answer.normal.allFinite()) return {};
   const Solution& truth = nearest(e);
+  const double of_length = severity_of(std::abs(e.answer.normal.stableNorm() - 1), few);
+  if (of_length > 1) return {FindingKind::misaligned, of_length, {}, "the normal is no unit vector"};
   if (asks_for_all_solutions(e, truth.condition.normal))
     return {FindingKind::misaligned, normal_severity_in_set(e), {}, "the normal of no input within rounding"};
   const double angle = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
-  const double length_error = std::abs(e.answer.normal.norm() - 1), allowed = few * (1 + truth.condition.normal);
-  const double severity = std::max(severity_of(angle, allowed), severity_of(length_error, few));
+  const double allowed = few * (1 + truth.condition.normal);
+  const double severity = severity_of(angle, allowed);
   return {FindingKind::misaligned,
           severity,
           {},
@@ -248,14 +283,17 @@ Finding points_are_on_surfaces(const Evidence& e) {
 
 Finding overlap_agrees(const Evidence& e) {
   if (std::isnan(e.answer.overlap)) return {};
+  if (e.problem != Problem::common_normal && !e.own.proved) return {};
   const Solution& truth = nearest(e);
-  const double error = static_cast<double>(abs(Real50(e.answer.overlap) - truth.overlap));
-  const double allowed = few_of(truth.condition.overlap * scale_of(e, truth));
+  const double error = overlap_error(e, e.answer.overlap);
+  const double allowed = e.own.solved
+                             ? few_of(truth.condition.overlap * scale_of(e, truth))
+                             : few_of(largest_overlap_condition * (size_of(e.pair) + std::abs(e.answer.overlap)));
   return {FindingKind::overlap_error,
           severity_of(error, allowed),
           {},
           fmt::format("overlap off by {:.3g}", error),
-          doubt_of(e, width_of(truth.bounds), allowed)};
+          e.own.solved ? doubt_of(e, width_of(truth.bounds), allowed) : 0};
 }
 
 Finding points_agree(const Evidence& e) {

@@ -187,13 +187,6 @@ void check_solution(const Pair& pair, const SixEquations& six, const Reference& 
     out.contradictions.push_back(fmt::format("points {:.3g} outside the radius", excess.points));
 }
 
-bool is_unique_or_tied(const Reference& reference) {
-  if (!reference.common_normal.proved) return false;
-  const auto proved = [](const Solution& s) { return s.proved; };
-  return reference.unique == Claim::proved || (!reference.tied.empty() && reference.open.empty() &&
-                                               std::all_of(reference.tied.begin(), reference.tied.end(), proved));
-}
-
 /// Why not everything is proved; never empty.
 std::string reason_of(const Reference& reference) {
   for (const std::string& reason : {reference.reason, reference.common_normal.reason})
@@ -204,7 +197,7 @@ std::string reason_of(const Reference& reference) {
 void take_claims(const Pair& pair, const Reference& reference, Compared& out) {
   const double size = size_of(pair);
   out.global = reference.global == Claim::proved;
-  out.unique_or_tied = is_unique_or_tied(reference);
+  out.unique_or_tied = names_all_ties(reference);
   out.verdict = reference.verdict != Verdict::undecided;
   if (!out.global || !out.unique_or_tied || !out.verdict) out.reason = reason_of(reference);
   out.gap = static_cast<double>((reference.overlap.upper - reference.overlap.lower) / Real50(size));

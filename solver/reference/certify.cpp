@@ -186,7 +186,7 @@ class Certifier {
     if (out_.open.empty() && std::all_of(minima_.begin(), minima_.end(), is_settled)) out_.unique = Claim::proved;
   }
 
-  [[nodiscard]] static I lower_of(const I& a, const I& b) { return low_end<I>(high(a) < high(b) ? a : b); }
+  [[nodiscard]] static I lower_of(const I& a, const I& b) { return low_end<I>(is_lower<I>(a, b) ? a : b); }
 
   /// The one region holds every direction that is not excluded, and so the lowest: it lies among the bounded leaves.
   void find_among(const Reach& part, const I& least) {
@@ -205,9 +205,7 @@ class Certifier {
     const auto own = std::find_if(minima_.begin(), minima_.end(),
                                   [&](const Min& m) { return m.exists && high(I(m.proof.value)) < 0; });
     minima_ = own == minima_.end() ? std::vector<Min>{} : std::vector<Min>{Min(*own)};
-    out_.nearest = witness(best_);
-    const I infinite(std::numeric_limits<double>::infinity());
-    I least = least_overlap_apart<I>(on_.enclosed, *out_.nearest).value_or(-infinite);
+    I least = least_by_points();
     if (!minima_.empty() && high(least) < low(minima_.front().least())) least = minima_.front().least();
     bound(least);
     if (minima_.empty()) out_.reason = "the points are not located";
@@ -221,6 +219,19 @@ class Certifier {
     out_.common_normal.normal_radius = angle_of_chord(high(root<I>(magnitude<I>(I(I(2.0) - I(2.0) * cosine)))));
   }
 
+  /// Points that are not proved to lie in their bodies are drawn in, to the centres where need be.
+  I least_by_points() {
+    const auto [point1, point2] = witness(best_);
+    const Witness centres{Vec3<double>::Zero(), Vec3<double>::Zero()};
+    const double little = 1 - 0x1p-40, much = 1 - 0x1p-20;
+    for (const Witness& points : {Witness{point1, point2}, Witness{little * point1, little * point2},
+                                  Witness{much * point1, much * point2}, centres}) {
+      out_.nearest = points;
+      if (const auto least = least_overlap_apart<I>(on_.enclosed, points)) return *least;
+    }
+    return I(-std::numeric_limits<double>::infinity());
+  }
+
   [[nodiscard]] Bounds to_world(const I& least, const I& highest) const {
     return {low_as<Real50>(times_power_of_two<I>(least, on_.enclosed.exponent)),
             high_as<Real50>(times_power_of_two<I>(highest, on_.enclosed.exponent))};
@@ -228,7 +239,8 @@ class Certifier {
 
   void bound(const I& least) {
     out_.overlap = to_world(least, value_);
-    if (high(I(high_end<I>(value_) - low_end<I>(least))) <= bounds_gap * on_.rough.size()) out_.global = Claim::proved;
+    const bool is_close = high(I(high_end<I>(value_) - low_end<I>(least))) <= bounds_gap * on_.rough.size();
+    if (is_close && isfinite(out_.overlap.lower) && isfinite(out_.overlap.upper)) out_.global = Claim::proved;
   }
 
   /// The lowest minimum is the answer; others whose bounds meet its own tie with it.
@@ -240,10 +252,10 @@ class Certifier {
     std::stable_sort(minima_.begin(), minima_.end(), lower);
     const auto is_unlocated = [](const Min& m) { return !m.exists; };
     for (const Min& m : minima_)
-      if (is_unlocated(m) && m.proof.convex && !(low(m.least()) > high(value_)))
+      if (is_unlocated(m) && m.proof.convex && !is_below<I>(value_, m.least()))
         out_.open.push_back(m.normal.template cast<double>());
     minima_.erase(std::remove_if(minima_.begin(), minima_.end(), is_unlocated), minima_.end());
-    const bool is_best_proved = !minima_.empty() && !(high(value_) < low(minima_.front().proof.value));
+    const bool is_best_proved = !minima_.empty() && !is_below<I>(value_, minima_.front().proof.value);
     if (is_best_proved)
       out_.common_normal = solution(minima_.front());
     else if (!is_separated())
@@ -273,7 +285,7 @@ class Certifier {
     const Real50 close = Real50(size_of(pair_)) * Real50(1e-7);
     for (std::size_t k = first; k < minima_.size(); ++k) {
       Solution other = solution(minima_[k]);
-      if (other.bounds.lower > out_.overlap.upper + close) break;
+      if (other.bounds.lower > out_.overlap.upper + close) continue;
       const bool is_tied = other.bounds.lower <= out_.overlap.upper;
       (is_tied ? out_.tied : out_.close).push_back(std::move(other));
     }

@@ -71,10 +71,11 @@ namespace {
 
 using I = TouchScalar;
 
-IVec3<I> enclosed_unit(const Vec3<double>& direction) {
-  const IVec3<I> v = enclosed<I>(direction);
-  return v / length_of(v);
-}
+/// A line through the centres, in the numbers of the local solve and enclosed; both unit.
+struct Line {
+  Vec3<Real50> near;
+  IVec3<I> exact;
+};
 
 /// A touching normal and the touching points about each body's own centre, 50 digits.
 struct Candidate {
@@ -115,16 +116,10 @@ I bounds_by_duality(const EnclosedPair<I>& pair, const Candidate& at, const IVec
   return hull<I>(lower_distance(pair, at, line), upper_distance(pair, enclosed<I>(at.normal), line));
 }
 
-}  // namespace
-
-FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& direction) {
+FirstTouchProof prove_touch(const Pair& pair, const Line& along) {
   FirstTouchProof out;
-  if (direction.isZero(0)) {
-    out.reason = "coincident centres: no direction";
-    return out;
-  }
   const PlacedPair<Real50> placed = place<Real50>(pair);
-  const Goal<Real50> goal{GoalKind::first_touch, unit<Real50>(direction.cast<Real50>())};
+  const Goal<Real50> goal{GoalKind::first_touch, along.near};
   const LocalSolution<Real50> found = solve_touch<Real50>(placed, goal.line);
   const Candidate at = candidate_of(placed, goal, found.at);
   const Real50 distance = at.normal.dot(at.point1 - at.point2) / at.normal.dot(goal.line);
@@ -132,7 +127,7 @@ FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& directio
     out.reason = "no touch was found along the line";
     return out;
   }
-  const TouchFamily family{TouchKind::along_line, enclose<I>(pair), enclosed_unit(direction)};
+  const TouchFamily family{TouchKind::along_line, enclose<I>(pair), along.exact};
   const EnclosedTouch touch = enclose_touch(family, found.at, distance);
   const I bounds = touch.proved ? touch.parameter : bounds_by_duality(family.pair, at, family.line);
   const I with_answer = hull<I>(bounds, enclosing<I>(distance));
@@ -146,6 +141,27 @@ FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& directio
   out.normal = at.normal;
   out.normal_radius = angle_of_chord(farthest(touch.normal, at.normal));
   return out;
+}
+
+FirstTouchProof without_direction() {
+  FirstTouchProof out;
+  out.reason = "coincident centres: no direction";
+  return out;
+}
+
+}  // namespace
+
+FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& direction) {
+  if (direction.isZero(0)) return without_direction();
+  const IVec3<I> v = enclosed<I>(direction);
+  return prove_touch(pair, {unit<Real50>(direction.cast<Real50>()), v / length_of(v)});
+}
+
+FirstTouchProof prove_first_touch(const Pair& pair) {
+  const Vec3<Real50> centre = place<Real50>(pair).body2.centre;
+  if (centre.isZero(Real50(0))) return without_direction();
+  const IVec3<I> v = enclose<I>(pair).centre;
+  return prove_touch(pair, {unit<Real50>(centre), v / length_of(v)});
 }
 
 template FirstTouch<long double> first_touch(const Pair&, const Vec3<long double>&);

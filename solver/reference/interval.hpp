@@ -92,6 +92,18 @@ template <class I>
   return mpfr_get_d(&x.data()->right, MPFR_RNDU);
 }
 
+/// Whether the low end of a is below that of b.
+template <class I>
+[[nodiscard]] bool is_lower(const I& a, const I& b) {
+  return mpfr_less_p(&a.data()->left, &b.data()->left) != 0;
+}
+
+/// Whether all of a is below all of b.
+template <class I>
+[[nodiscard]] bool is_below(const I& a, const I& b) {
+  return mpfr_less_p(&a.data()->right, &b.data()->left) != 0;
+}
+
 /// The interval that one end of x is, in full precision.
 template <class I>
 [[nodiscard]] I low_end(const I& x) {

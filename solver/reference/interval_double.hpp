@@ -86,6 +86,14 @@ template <>
   return x.ends.upper();
 }
 template <>
+[[nodiscard]] inline bool is_lower(const DoubleInterval& a, const DoubleInterval& b) {
+  return a.ends.lower() < b.ends.lower();
+}
+template <>
+[[nodiscard]] inline bool is_below(const DoubleInterval& a, const DoubleInterval& b) {
+  return a.ends.upper() < b.ends.lower();
+}
+template <>
 [[nodiscard]] inline DoubleInterval low_end(const DoubleInterval& x) {
   return {x.ends.lower()};
 }

@@ -59,11 +59,6 @@ I curvature_along(const FramedPair<I>& framed, const IVec3<I>& box, int along, c
                     c * square<I>(inwards) / (greatest * square<I>(greatest)) - c * square<I>(framed.longest) / least);
 }
 
-template <class I>
-bool is_lower(const I& a, const I& b) {
-  return low(I(b - a)) > 0;
-}
-
 bool lies_in(const Arc& arc, const Valley& valley) {
   return valley.first <= arc.first && arc.last <= valley.last;
 }
@@ -123,11 +118,11 @@ std::optional<I> least_in(const FramedPair<I>& framed, const Valley& valley) {
     if (first < corner && corner < last) return {};
   const I place = I(high_part) + I(low_part);
   if (!(low(I(place - I(first))) >= 0 && low(I(I(last) - place)) >= 0)) return {};
-  const double middle = (first + last) / 2;
-  const int along = middle > 1 && middle < 3 ? 2 : 0;
-  const OverlapAt<I> at = support_at<I>(framed, chart_at<I>(place, middle));
+  const double side = first < 1 ? 0 : (first < 3 ? 2 : 4);  // a place between the same corners
+  const int along = side == 2 ? 2 : 0;
+  const OverlapAt<I> at = support_at<I>(framed, chart_at<I>(place, side));
   if (!(low(at.value) >= 0)) return {};
-  const IVec3<I> one = chart_at<I>(I(first), middle), other = chart_at<I>(I(last), middle);
+  const IVec3<I> one = chart_at<I>(I(first), side), other = chart_at<I>(I(last), side);
   const IVec3<I> box{hull<I>(one[0], other[0]), hull<I>(one[1], other[1]), hull<I>(one[2], other[2])};
   const I curvature = curvature_along<I>(framed, box, along, high_end<I>(at.value));
   if (!is_positive(curvature)) return {};
@@ -140,23 +135,21 @@ MeridianProof<I> verify_meridian(const Pair& pair, const FramedPair<I>& framed, 
   const auto& [places, witnesses, valleys] = meridian;
   MeridianProof<I> out;
   if (places.size() != witnesses.size() + 1 || !is_half_circle(places)) return out;
-  std::vector<std::optional<I>> depths;
-  for (const Valley& valley : valleys) depths.push_back(least_in<I>(framed, valley));
-  std::vector<std::optional<I>> bounds;
+  const I infinite(std::numeric_limits<double>::infinity());
+  std::vector<I> depths;
+  for (const Valley& valley : valleys) depths.push_back(least_in<I>(framed, valley).value_or(-infinite));
+  I least = infinite;
   for (std::size_t i = 0; i < witnesses.size(); ++i) {
     const auto apart = points_apart<I>(framed.pair, witnesses[i]);
     if (!apart) return out;
     const Arc arc{places[i], places[i + 1]};
-    const double by_points = least_on<I>(framed, arc, *apart);
-    std::optional<I>& bound = bounds.emplace_back();
-    if (std::isfinite(by_points)) bound = I(by_points);
+    I bound(least_on<I>(framed, arc, *apart));
     for (std::size_t k = 0; k < valleys.size(); ++k)
-      if (depths[k] && lies_in(arc, valleys[k]) && (!bound || is_lower<I>(*bound, *depths[k]))) bound = depths[k];
+      if (lies_in(arc, valleys[k]) && is_lower<I>(bound, depths[k])) bound = depths[k];
+    if (is_lower<I>(bound, least)) least = bound;
   }
   out.well_formed = true;
-  const auto is_less = [](const auto& a, const auto& b) { return a && b ? is_lower<I>(*a, *b) : !a && b; };
-  const std::optional<I>& least = *std::min_element(bounds.begin(), bounds.end(), is_less);
-  if (least) out.least = low_end<I>(I(*least - asymmetry<I>(pair, framed)));
+  if (std::isfinite(low(least))) out.least = low_end<I>(I(least - asymmetry<I>(pair, framed)));
   return out;
 }
 

@@ -58,11 +58,6 @@ bool is_cell_of_a_face(const Cell& cell) {
   return cell.axis >= 0 && cell.axis < 3 && (cell.sign == 1 || cell.sign == -1);
 }
 
-/// Whether the low end of a is below that of b.
-bool is_lower(const Fine& a, const Fine& b) {
-  return mpfr_less_p(&a.data()->left, &b.data()->left) != 0;
-}
-
 /// On the region's face, and in the region.
 bool lies_in(const IVec3<Fine>& chart, const Cell& region) {
   const Vec3<double> centre = region.at(0, 0);

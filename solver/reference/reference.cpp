@@ -1,5 +1,6 @@
 #include "solver/reference/reference.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "solver/reference/certify.hpp"
@@ -15,6 +16,17 @@ std::string_view name(Claim claim) {
 std::string_view name(Effort effort) {
   constexpr std::array<std::string_view, 3> names{"bounds", "proof", "digits"};
   return names[static_cast<std::size_t>(effort)];
+}
+
+bool names_all_ties(const Reference& reference) {
+  if (!reference.common_normal.proved) return false;
+  if (reference.unique == Claim::proved) return true;
+  return !reference.tied.empty() && reference.open.empty() &&
+         std::all_of(reference.tied.begin(), reference.tied.end(), [](const Solution& s) { return s.proved; });
+}
+
+bool names_all_lowest(const Reference& reference) {
+  return reference.global == Claim::proved && names_all_ties(reference);
 }
 
 Reference find_reference(const Pair& pair, Effort effort) {

@@ -86,6 +86,11 @@ struct Reference {
   int cells = 0;                              ///< cells of directions that the search looked at
 };
 
+/// Whether it is proved that the common normal is unique, or else the tied ones with it are all there are.
+[[nodiscard]] bool names_all_ties(const Reference& reference);
+/// And that none has a lower overlap.
+[[nodiscard]] bool names_all_lowest(const Reference& reference);
+
 /// Deterministic; takes any legal pair.
 [[nodiscard]] Reference find_reference(const Pair& pair, Effort effort = Effort::digits);
 

@@ -34,6 +34,9 @@ struct FirstTouchProof {
 /// positions of the pair are ignored. The bounds hold the distance of first_touch<Real50> too.
 [[nodiscard]] FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& direction);
 
+/// The same along the line of centres, from body 1's to body 2's, to all digits of their positions.
+[[nodiscard]] FirstTouchProof prove_first_touch(const Pair& pair);
+
 namespace reference {
 
 using TouchScalar = Interval80;

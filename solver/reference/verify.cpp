@@ -373,13 +373,15 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
   template Slope<I> slope_at(const FramedPair<I>&, int, const IVec3<I>&);                               \
   template RegionProof<I> proof_on(const Cell&, const I&, const IVec3<I>&, const Slope<I>&, const I&);  \
   template RegionProof<I> verify_region(const FramedPair<I>&, const Cell&, const IVec3<I>&);            \
-  template std::optional<IVec3<I>> points_apart(const EnclosedPair<I>&, const Witness&);                \
   template std::optional<I> least_overlap_apart(const EnclosedPair<I>&, const Witness&);                \
   template DirectionEnclosure<I> enclose_direction(const FramedPair<I>&, const IVec3<I>&);
 
 PLUMB_INSTANTIATE_VERIFY(DoubleInterval)
 PLUMB_INSTANTIATE_VERIFY(Interval18)
 PLUMB_INSTANTIATE_VERIFY(Interval80)
+template std::optional<IVec3<DoubleInterval>> points_apart(const EnclosedPair<DoubleInterval>&, const Witness&);
+template std::optional<IVec3<Interval18>> points_apart(const EnclosedPair<Interval18>&, const Witness&);
+template std::optional<IVec3<Interval80>> points_apart(const EnclosedPair<Interval80>&, const Witness&);
 template CoverProof verify_cover(const FramedPair<DoubleInterval>&, const EnclosedPair<Interval18>&, const Cover&,
                                  double);
 

@@ -216,6 +216,16 @@ TEST(Certified, OfTwoThatNearlyTieTheLowerOne) {
   for (std::uint64_t i = 0; i < 8; ++i) expect_lowest(generate_hard("nearly_tie", 3, i));
 }
 
+/// Two minima that no double tells apart: the lower one bounds the overlap, in any number of digits.
+TEST(Certified, BoundsDoNotCross) {
+  const Case c = regression("nearly-concentric-bounds-crossed.json");
+  for (const Effort effort : efforts) {
+    const Reference found = find_reference(c.pair, effort);
+    EXPECT_LE(found.overlap.lower, found.overlap.upper) << name(effort);
+    EXPECT_EQ(found.global, Claim::proved) << name(effort);
+  }
+}
+
 /// Exponents of 50, edge across edge, an overlap of 1e-14: directions alone leave the verdict open.
 TEST(Certified, CrossedEdgesThatHardlyOverlapAreDecided) {
   const Reference found = find_reference(regression("crossed-edges-undecided.json").pair);

@@ -63,6 +63,29 @@ TEST(Touch, AlignedEllipsoids) {
   EXPECT_TRUE(holds(prove_first_touch(pair, {0, 0, 2}).distance, Real80(3.5)));
 }
 
+/// The difference of these positions is no double: the line of centres is not that of the rounded one.
+TEST(Touch, TheLineOfCentresIsExact) {
+  Pair pair;
+  pair.body1.shape.semi_axes << 1, 2, 3;
+  pair.body2.shape = pair.body1.shape;
+  pair.body1.position << 0.1, 0.2, 0.3;
+  pair.body2.position << 1.7, 2.3, 3.1;
+  Real80 squares = 0, length2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Real80 apart = Real80(pair.body2.position[i]) - Real80(pair.body1.position[i]);
+    squares += apart * apart / (Real80(pair.body1.shape.semi_axes[i]) * Real80(pair.body1.shape.semi_axes[i]));
+    length2 += apart * apart;
+  }
+  const FirstTouchProof exact = prove_first_touch(pair);
+  ASSERT_TRUE(exact.proved) << exact.reason;
+  EXPECT_TRUE(holds(exact.distance, 2 * sqrt(length2 / squares)));
+  EXPECT_LT(gap_of(exact.distance), 1e-45);
+  const Vec3<double> rounded = pair.body2.position - pair.body1.position;
+  EXPECT_FALSE(holds(prove_first_touch(pair, rounded).distance, 2 * sqrt(length2 / squares)));
+  pair.body2.position = pair.body1.position;
+  EXPECT_FALSE(prove_first_touch(pair).proved);
+}
+
 TEST(Touch, TheLengthOfTheDirectionDoesNotCount) {
   const Pair pair = generate("superquadric", 3, 1).pair;
   const Vec3<double> direction(0.3, -1.1, 0.7);
