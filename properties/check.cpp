@@ -103,7 +103,7 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
   if (!angles.is_null()) out["angles_deg"] = angles;
   put(out, "overlap_error", judgement.overlap_error);
   put(out, "point_error", judgement.point_error);
-  if (!judgement.judged) out["detail"] = "not judged: the reference has no answer to this method's problem";
+  if (!judgement.judged) out["detail"] = "not judged: the reference has no proved answer to this method's problem";
   if (!judgement.finding.detail.empty()) out["detail"] = judgement.finding.detail;
   return out;
 }

@@ -92,18 +92,18 @@ Judgement judge(const Evidence& e) {
   out.finding = first_broken(e);
   out.decided = is_decided(out.finding, e.reference);
   if (out.decided && !(out.finding.severity > 1)) out.finding = {};
-  out.judged = is_judgeable(e);
+  // Where it is not proved what is lowest a right answer breaks no law, but not every wrong one does.
+  out.judged = is_judgeable(e) && (e.problem != Problem::common_normal || e.reference.global == Claim::proved);
   const Evidence cn{e.pair, Problem::common_normal, e.answer, e.reference, e.reference.common_normal, {}, false};
   const Solution& common_normal = law::nearest(cn);
   const bool is_known = names_all_lowest(e.reference);
   if (is_known && law::has_definite_normal(common_normal) && e.answer.normal.allFinite())
     out.angle_error_deg =
         law::angle_between(e.answer.normal.cast<Real50>(), common_normal.normal) * (180 / std::acos(-1.0));
-  if (!out.judged) return out;
+  if (!out.judged || (e.problem == Problem::common_normal && !is_known)) return out;
   const Solution& truth = law::nearest(e);
   const double size = size_of(e.pair);
   out.overlap_error = std::abs(static_cast<double>(Real50(e.answer.overlap) - truth.overlap)) / size;
-  if (e.problem == Problem::common_normal && !is_known) return out;
   out.point_error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
                              static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm())) /
                     size;

@@ -81,7 +81,8 @@ bool asks_for_all_solutions(const Evidence& e, double condition) {
          e.reference.effort == Effort::digits && e.all_solutions;
 }
 
-/// The set itself where a ball is a poor likeness of it: ties, rings.
+/// The set itself where a ball is a poor likeness of it: ties, rings. It holds normals that are a root of epsilon off, which
+/// only an answer's points show.
 double normal_severity_in_set(const Evidence& e) {
   const reference::SolutionSet& all = e.all_solutions();
   if (reference::may_be_lowest(e.pair, all, e.answer.normal)) return 0;
@@ -90,9 +91,10 @@ double normal_severity_in_set(const Evidence& e) {
   return std::max(beyond_the_set, severity_of(angle, all.normal_radius + few));
 }
 
-/// In the balls, and no further apart than an overlap in the set says: the ball of a ring holds much else.
+/// Of points: in the balls, and no further apart than an overlap in the set says: the ball of a ring holds much else.
 double points_severity_in_set(const Evidence& e) {
   const reference::SolutionSet& all = e.all_solutions();
+  if (std::isinf(all.points_radius)) return 0;
   const double off = std::max((e.answer.point1 - all.point1).stableNorm(), (e.answer.point2 - all.point2).stableNorm());
   const double apart = (e.answer.point1 - e.answer.point2).stableNorm();
   const double uneven = std::abs(apart - std::abs(static_cast<double>(e.own.overlap)));
@@ -100,14 +102,14 @@ double points_severity_in_set(const Evidence& e) {
                   severity_of(uneven, 2 * all.delta + width_of(e.reference.overlap) + 2 * point_rounding(e.pair)));
 }
 
-/// No overlap's condition number exceeds 2 + 2 sqrt(3) (2 + 1 + 2 log 2): reaches of sqrt(3) semi-axes, turned, stretched, with
-/// other exponents.
-constexpr double largest_overlap_condition = 18;
+/// No overlap's condition number exceeds 2 sqrt(3) (1 + 2 + 1 + 2 log 2): both bodies shifted, turned, stretched, with other
+/// exponents, of reaches up to sqrt(3) semi-axes.
+constexpr double largest_overlap_condition = 19;
 
 /// How far an overlap is from the lowest, as far as that is known.
 double overlap_error(const Evidence& e, double overlap) {
   const Real50 said(overlap);
-  if (e.problem != Problem::common_normal || names_all_lowest(e.reference))
+  if (e.own.solved && (e.problem != Problem::common_normal || names_all_lowest(e.reference)))
     return static_cast<double>(abs(Real50(said - nearest(e).overlap)));
   const Bounds& lowest = e.reference.overlap;
   if (said > lowest.upper) return static_cast<double>(Real50(said - lowest.upper));
@@ -158,12 +160,13 @@ Finding verdict_is_right(const Evidence& e) {
   const Real50 nearest_to_zero = e.reference.verdict == Verdict::separated     ? e.reference.overlap.upper
                                  : e.reference.verdict == Verdict::overlapping ? e.reference.overlap.lower
                                                                                : Real50(0);
-  const auto truth = static_cast<double>(found.solved ? found.overlap : nearest_to_zero);
+  const bool is_lowest = found.solved && (names_all_lowest(e.reference) || e.reference.verdict != Verdict::undecided);
+  const auto truth = static_cast<double>(is_lowest ? found.overlap : nearest_to_zero);
   // A verdict may be left open within the floor that every method documents (undecided_floor epsilon of the size).
   const double allowed = 2 * few_of(size_of(e.pair) + std::abs(truth));
   const Verdict said = e.answer.verdict;
   if (said == Verdict::undecided && std::isnan(e.answer.overlap)) return {};
-  const double doubt = found.solved ? severity_of(width_of(found.bounds), allowed) : 0;
+  const double doubt = is_lowest ? severity_of(width_of(found.bounds), allowed) : 0;
   const auto detail = [&] { return fmt::format("says {}, overlap is {:.17g}", name(said), truth); };
   if (truth < 0 && said == Verdict::overlapping)
     return {FindingKind::false_contact, severity_of(-truth, allowed), {}, detail(), doubt};

@@ -80,7 +80,7 @@ void compare_geometry(std::vector<std::string>& differences, const Answered& ans
 }
 
 std::string why_unsolved(const Solution& solution) {
-  return solution.reason.empty() ? "the reference has no answer" : solution.reason;
+  return solution.reason.empty() ? "the reference has no proved answer" : solution.reason;
 }
 
 bool same_problem(const Case& c, const Solver& solver) {

@@ -50,7 +50,7 @@ class Certifier {
   /// Whether a direction becomes the best: o is lower there.
   bool look_at(const StationaryPoint<S>& found) {
     const I value = overlap_at<I>(on_.framed, chart_point<I, S>(on_.frame, found.normal).v);
-    if (!(high(value) < high(value_))) return false;
+    if (!is_lower<I>(high_end<I>(value), high_end<I>(value_))) return false;
     value_ = value;
     best_ = found;
     return true;
