@@ -251,11 +251,15 @@ class Certifier {
     const auto lower = [](const Min& a, const Min& b) { return a.at.overlap < b.at.overlap; };
     std::stable_sort(minima_.begin(), minima_.end(), lower);
     const auto is_unlocated = [](const Min& m) { return !m.exists; };
+    bool may_be_elsewhere = false;
     for (const Min& m : minima_)
-      if (is_unlocated(m) && m.proof.convex && !is_below<I>(value_, m.least()))
+      if (is_unlocated(m) && m.proof.convex && !is_below<I>(value_, m.least())) {
+        may_be_elsewhere = true;
         out_.open.push_back(m.normal.template cast<double>());
+      }
     minima_.erase(std::remove_if(minima_.begin(), minima_.end(), is_unlocated), minima_.end());
-    const bool is_best_proved = !minima_.empty() && !is_below<I>(value_, minima_.front().proof.value);
+    const bool is_best_proved = !minima_.empty() && !is_below<I>(value_, may_be_elsewhere ? minima_.front().proof.value
+                                                                                          : minima_.front().least());
     if (is_best_proved)
       out_.common_normal = solution(minima_.front());
     else if (!is_separated())
