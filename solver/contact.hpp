@@ -90,6 +90,9 @@ struct Contact {
   Vec3<S> point1 = not_valid<S>();                  ///< on body 1's surface, world frame
   Vec3<S> point2 = not_valid<S>();                  ///< on body 2's surface, world frame
   Vec3<S> contact_point = not_valid<S>();           ///< where a force would act
+  /// The points' chart directions in body axes (shape/chart.hpp), of `auto` only: what its warm start takes, for they stay
+  /// good whatever way the bodies move together.
+  Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
   std::array<PrincipalCurvature<S>, 2> curvature;
   int iterations = 0;   ///< steps of the outer loop
   int evaluations = 0;  ///< evaluations of the residual, those of the line search included
@@ -113,9 +116,8 @@ struct InputError {
   int body = 0;
 };
 [[nodiscard]] InputError find_input_error(const Pair& pair);
-[[nodiscard]] inline bool is_valid(const Pair& pair) {
-  return find_input_error(pair).reason.empty();
-}
+/// The same without words, in a few nanoseconds.
+[[nodiscard]] bool is_valid(const Pair& pair);
 
 /// The pair with its bodies exchanged.
 [[nodiscard]] inline Pair swapped(const Pair& pair) {

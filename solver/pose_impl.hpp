@@ -2,26 +2,66 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "solver/pose.hpp"
 
 namespace plumb {
 
+namespace detail {
+
+/// x = f 2^exponent with f in [1/2, 1), x >= 0. frexp is a call into the library; a normal double shows its exponent.
+[[nodiscard]] inline int exponent_above(double x) {
+  const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52U);
+  if (biased != 0 && biased != 0x7ff) return biased - 1022;
+  int exponent = 0;
+  (void)std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// 2^exponent, for normal doubles.
+[[nodiscard]] inline double normal_power(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52U);
+}
+
+/// Multiplies by a power of two, rounding once; by ldexp only where the factor itself is no normal double.
+template <class S>
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(int exponent)
+      : exponent_(exponent), is_normal_(std::abs(exponent) < 1000), factor_(is_normal_ ? normal_power(exponent) : 0) {}
+
+  [[nodiscard]] S operator()(const S& x) const {
+    using std::ldexp;
+    return is_normal_ ? S(x * factor_) : S(ldexp(x, exponent_));
+  }
+  [[nodiscard]] Vec3<S> operator()(const Vec3<S>& v) const {
+    if (is_normal_) return v * factor_;
+    return {(*this)(v[0]), (*this)(v[1]), (*this)(v[2])};
+  }
+
+ private:
+  int exponent_;
+  bool is_normal_;
+  S factor_;
+};
+
+}  // namespace detail
+
 template <class S>
 Mat3<S> rotation(const std::array<double, 4>& quaternion) {
   double largest = 0;
   for (const double component : quaternion) largest = std::max(largest, std::abs(component));
-  int exponent = 0;
-  (void)std::frexp(largest, &exponent);
-  const auto scaled = [&](int i) { return S(std::ldexp(quaternion[static_cast<std::size_t>(i)], -exponent)); };
-  const S w = scaled(0), x = scaled(1), y = scaled(2), z = scaled(3);
+  const detail::PowerOfTwo<double> unit(-detail::exponent_above(largest));
+  const S w(unit(quaternion[0])), x(unit(quaternion[1])), y(unit(quaternion[2])), z(unit(quaternion[3]));
   const S ww = w * w, xx = x * x, yy = y * y, zz = z * z;
   Mat3<S> m;
   m << ww + xx - yy - zz, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
       2 * (x * y + w * z), ww - xx + yy - zz, 2 * (y * z - w * x),   //
       2 * (x * z - w * y), 2 * (y * z + w * x), ww - xx - yy + zz;
-  return m / (ww + xx + yy + zz);
+  return m / (ww + xx + yy + zz);  // nine divisions: with a reciprocal a turn by 90 degrees would not be exact
 }
 
 template <class S>
@@ -45,35 +85,26 @@ Vec3<S> line_direction(const S& zenith, const S& azimuth) {
 namespace detail {
 
 template <class S>
-Vec3<S> scale_by_power_of_two(const Vec3<S>& v, int exponent) {
-  using std::ldexp;
-  return {ldexp(v[0], exponent), ldexp(v[1], exponent), ldexp(v[2], exponent)};
-}
-
-template <class S>
-PlacedBody<S> place_body(const Body& body, const Vec3<S>& placed_centre, int exponent) {
+PlacedBody<S> place_body(const Body& body, const Vec3<S>& placed_centre, const PowerOfTwo<S>& unit) {
   const Vec3<S> axes = body.shape.semi_axes.cast<S>();
-  return {{scale_by_power_of_two<S>(axes, -exponent), S(body.shape.n1), S(body.shape.n2)},
-          rotation<S>(body.quaternion),
-          placed_centre};
+  return {{unit(axes), S(body.shape.n1), S(body.shape.n2)}, rotation<S>(body.quaternion), placed_centre};
 }
 
 }  // namespace detail
 
 template <class S>
 S PlacedPair<S>::to_world_length(const S& length) const {
-  using std::ldexp;
-  return ldexp(length, exponent);
+  return detail::PowerOfTwo<S>(exponent)(length);
 }
 
 template <class S>
 Vec3<S> PlacedPair<S>::to_world_point(const Vec3<S>& x, const Pair& pair) const {
-  return detail::scale_by_power_of_two<S>(x, exponent) + pair.body1.position.cast<S>();
+  return detail::PowerOfTwo<S>(exponent)(x) + pair.body1.position.cast<S>();
 }
 
 template <class S>
 Vec3<S> PlacedPair<S>::to_pair_point(const Vec3<S>& world, const Pair& pair) const {
-  return detail::scale_by_power_of_two<S>(world - pair.body1.position.cast<S>(), -exponent);
+  return detail::PowerOfTwo<S>(-exponent)(world - pair.body1.position.cast<S>());
 }
 
 template <class S>
@@ -85,16 +116,15 @@ S PlacedPair<S>::size() const {
 template <class S>
 PlacedPair<S> place(const Pair& pair) {
   PlacedPair<S> placed;
-  (void)std::frexp(size_of(pair), &placed.exponent);
-  --placed.exponent;
+  placed.exponent = detail::exponent_above(size_of(pair)) - 1;
   // Large units are divided out before the subtraction, small ones after it: huge positions of opposite signs have no
   // difference before, and small ones lose no bit.
   const int before = std::max(placed.exponent, 0), after = placed.exponent - before;
-  const Vec3<S> position1 = detail::scale_by_power_of_two<S>(pair.body1.position.cast<S>(), -before);
-  const Vec3<S> position2 = detail::scale_by_power_of_two<S>(pair.body2.position.cast<S>(), -before);
-  placed.body1 = detail::place_body<S>(pair.body1, Vec3<S>::Zero(), placed.exponent);
-  placed.body2 = detail::place_body<S>(pair.body2, detail::scale_by_power_of_two<S>(position2 - position1, -after),
-                                       placed.exponent);
+  const detail::PowerOfTwo<S> unit(-placed.exponent), large(-before), small(-after);
+  const Vec3<S> position1 = large(Vec3<S>(pair.body1.position.cast<S>()));
+  const Vec3<S> position2 = large(Vec3<S>(pair.body2.position.cast<S>()));
+  placed.body1 = detail::place_body<S>(pair.body1, Vec3<S>::Zero(), unit);
+  placed.body2 = detail::place_body<S>(pair.body2, small(Vec3<S>(position2 - position1)), unit);
   return placed;
 }
 

@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <array>
 
+#include "solver/method/automatic.hpp"
 #include "solver/method/common_normal.hpp"
 #include "solver/method/geometric_potential.hpp"
 
 namespace plumb {
 namespace {
 
-/// An answer without what the method found: where it did not converge, that is no answer.
+/// Takes away what the method found: where it did not converge, that is no answer.
 template <class S>
-Contact<S> withheld(const Contact<S>& answer) {
+void withhold(Contact<S>& answer) {
   Contact<S> out;
   out.method = answer.method;
   out.status = answer.status;
   out.iterations = answer.iterations;
   out.evaluations = answer.evaluations;
-  return out;
+  answer = out;
 }
 
 /// What every method does alike: refuse illegal input, and hand out nothing that its status does not vouch for.
@@ -27,7 +28,8 @@ Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
   out.status = Status::invalid_input;
   if (!is_valid(pair)) return out;
   out = method(pair, want, last);
-  return out.status == Status::converged ? out : withheld<S>(out);
+  if (out.status != Status::converged) withhold<S>(out);
+  return out;
 }
 
 template <SolveFunction<double> method, SolveFunction<long double> method_long>
@@ -37,10 +39,10 @@ constexpr Method row(std::string_view name, Problem problem, std::string_view su
 
 #define PLUMB_ROW(function, problem, summary) row<function<double>, function<long double>>(#function, problem, summary)
 
-// `auto` answers by new_cn until a solver of its own replaces it: the answer's `method` says so.
 constexpr std::array all_methods{
-    row<new_cn<double>, new_cn<long double>>("auto", Problem::common_normal,
-                                             "the default; answers by new_cn for now, and names it in the answer"),
+    row<automatic<double>, automatic<long double>>(
+        "auto", Problem::common_normal,
+        "the default: the form that suits the shapes, and a guard that the common normal is the lowest"),
     PLUMB_ROW(original_cn, Problem::common_normal,
               "Lin & Ng's six equations as published, absolute values and all (Eqs. 1-6)"),
     PLUMB_ROW(corrected_cn, Problem::common_normal,

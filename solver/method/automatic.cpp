@@ -1,0 +1,8 @@
+#include "solver/method/automatic_impl.hpp"
+
+namespace plumb {
+
+template Contact<double> automatic<double>(const Pair&, const Want&, const Contact<double>*);
+template Contact<long double> automatic<long double>(const Pair&, const Want&, const Contact<long double>*);
+
+}  // namespace plumb

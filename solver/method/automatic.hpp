@@ -1,0 +1,18 @@
+// `auto`, the solver to use: the common normal of lowest overlap, by the form that suits the shapes.
+//
+// Ellipsoids (all exponents 2)   the direction form, two unknowns (ellipsoids.hpp)
+// Guard                          bodies apart have one common normal; for those that overlap two sufficient conditions
+//                                (ellipsoid_guard.hpp), and where neither holds a search over all directions
+//                                (direction_search.hpp), whose cost is in `evaluations`
+// Warm start                     `last`: the normal at the last points, as the bodies have turned since; the guard is the
+//                                same, so that a contact never stays on a branch that is no longer the lowest
+#pragma once
+
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+
+template <class S>
+[[nodiscard]] Contact<S> automatic(const Pair& pair, const Want& want, const Contact<S>* last);
+
+}  // namespace plumb

@@ -1,0 +1,89 @@
+// Is a common normal of two ellipsoids the lowest? Two sufficient conditions, cheap ones.
+//
+// K = body 1 + (-body 2) (Minkowski sum) holds the point c at the depth o below its support plane along n. The common
+// normal is the lowest one if and only if K holds the ball of radius o about c.
+//
+// rolls           All radii of curvature of K are at least r = r1 + r2, the bodies' least radii (least semi-axis squared
+//                 over the longest). By Blaschke's rolling theorem K = K' + (ball of radius r), so that o - r is the overlap
+//                 with K': where it is negative c lies outside K', and a point has one projection on a convex set.
+// is_inner_lowest |A1 v| + |A2 v| >= |(A1 + Q A2) v| for every rotation or reflection Q: one ellipsoid E inside K. Q takes
+//                 u2 to u1, so that E touches K along n, and is free to turn about u1: the best Q makes the rest agree
+//                 (orthogonal Procrustes problem in the plane). c is nearest to E's surface along n if and only if
+//                 E's matrix B'B - o h I has no negative eigenvalue (h = h1 + h2; the secular equation of a point's
+//                 projection on an ellipsoid, whose largest root is the nearest point). Then E, and so K, holds the ball.
+#pragma once
+
+#include <array>
+
+#include "solver/method/ellipsoid_newton.hpp"
+#include "solver/shape/tangent.hpp"
+
+namespace plumb {
+
+template <class S>
+[[nodiscard]] inline bool rolls(const EllipsoidPair<S>& pair, const S& overlap) {
+  using std::max;
+  using std::min;
+  const Vector3<Both<S>>& a = pair.semi_axes;
+  const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
+  return overlap < sum<S>(least * least / longest);
+}
+
+namespace detail {
+
+/// The rows of A across u.
+template <class S>
+struct AcrossRows {
+  Vector3<S> first, second;
+};
+
+template <class S>
+[[nodiscard]] inline std::array<AcrossRows<S>, 2> across_rows(const EllipsoidPair<S>& pair,
+                                                              const Vector3<Both<S>>& u) {
+  const Tangent<S> e1 = tangent_basis<S>(first(u).eigen()), e2 = tangent_basis<S>(second(u).eigen());
+  const auto rows = [&](int k) {
+    return pair.map.transposed_times(both(Vector3<S>::of(e1.col(k)), Vector3<S>::of(e2.col(k))));
+  };
+  const Vector3<Both<S>> r0 = rows(0), r1 = rows(1);
+  return {AcrossRows<S>{first(r0), first(r1)}, AcrossRows<S>{second(r0), second(r1)}};
+}
+
+/// (cosine, sine) of the turn, or of the turn after a reflection, that makes the rows of `b` most like those of `a`.
+template <class S>
+struct ClosestTurn {
+  S cosine, sine, sign;
+
+  ClosestTurn(const AcrossRows<S>& a, const AcrossRows<S>& b) {
+    using std::sqrt;
+    const S k00 = dot(a.first, b.first), k01 = dot(a.first, b.second), k10 = dot(a.second, b.first),
+            k11 = dot(a.second, b.second);
+    const S turned = (k00 + k11) * (k00 + k11) + (k01 - k10) * (k01 - k10);
+    const S mirrored = (k00 - k11) * (k00 - k11) + (k01 + k10) * (k01 + k10);
+    sign = turned >= mirrored ? S(1) : S(-1);
+    const S length = sqrt(std::max(turned, mirrored));
+    cosine = length > S(0) ? (k00 + sign * k11) / length : S(1);
+    sine = length > S(0) ? (k01 - sign * k10) / length : S(0);
+  }
+  [[nodiscard]] AcrossRows<S> operator()(const AcrossRows<S>& b) const {
+    AcrossRows<S> out = b;
+    out.first = b.first * cosine + b.second * sine;
+    out.second = (b.second * cosine - b.first * sine) * sign;
+    return out;
+  }
+};
+
+}  // namespace detail
+
+template <class S>
+[[nodiscard]] inline bool is_inner_lowest(const EllipsoidPair<S>& pair, const EllipsoidContact<S>& contact) {
+  const auto [rows1, rows2] = detail::across_rows(pair, contact.at.touch.u);
+  const detail::AcrossRows<S> turned = detail::ClosestTurn<S>(rows1, rows2)(rows2);
+  const Vector3<S> p = sum(contact.at.touch.p);  // the row of B along u1
+  const Symmetric3<S> m = square(p) + square(rows1.first + turned.first) + square(rows1.second + turned.second);
+  const S margin(1e-9);  // relative: far above the rounding of the entries for bodies that are no needles
+  const S level = contact.overlap * dot(contact.normal, p) * (S(1) + margin) + S(16) * epsilon<S>() * m.trace();
+  const Symmetric3<S> above = m.shifted(-level);
+  return is_positive(above, adjugate(above));
+}
+
+}  // namespace plumb

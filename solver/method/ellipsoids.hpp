@@ -1,0 +1,155 @@
+// The direction form of the common normal, for two ellipsoids.
+//
+// o(n) = h1(n) + h2(n) - n.c, |n| = 1     overlap along n; its stationary points are the common normals, and the lowest
+//                                         minimum is the contact (c = c2 - c1; ellipsoids are symmetric, h(-n) = h(n))
+// h = |q|, q = A n, A = diag(a, b, c) R'  support function; u = q / h is the point in units of the semi-axes
+// p = A'u                                 support point from the body's centre
+// H = (A'A - p p') / h                    second derivative of h
+// All but o are of degree 0 or -1 in n, so that n need not be a unit vector: no square root is taken to make it one.
+//
+// The step  (H1 + H2 - o I) d = -(tangential part of p1 + p2 - c) is Newton's on the sphere. It is cut where it would turn a
+//           body's u by more than `longest_turn`: h is the root of a quadratic form, and its derivatives hold only that
+//           far (needles and discs then take 12 steps at most; uncut they diverge).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/method/both.hpp"
+#include "solver/pose.hpp"
+
+namespace plumb {
+
+/// Two ellipsoids about their own centres, axes of the pair's frame.
+template <class S>
+struct EllipsoidPair {
+  Vector3<Both<S>> semi_axes;
+  Matrix3<Both<S>> map;        ///< A
+  Symmetric3<Both<S>> square;  ///< A'A, for H alone: it has lost digits of the short axes
+  Vector3<S> c;
+  S size;  ///< the larger body's, or the centre distance where that is more: what rounding is relative to
+};
+
+/// Rows of R' times the semi-axes.
+template <class S>
+[[nodiscard]] inline EllipsoidPair<S> ellipsoid_pair(const PlacedPair<S>& placed) {
+  const auto column = [&](int j) {
+    return both(Vector3<S>::of(placed.body1.rotation.col(j)), Vector3<S>::of(placed.body2.rotation.col(j)));
+  };
+  EllipsoidPair<S> out;
+  out.semi_axes = both(Vector3<S>::of(placed.body1.shape.semi_axes), Vector3<S>::of(placed.body2.shape.semi_axes));
+  out.map = {column(0) * out.semi_axes.x, column(1) * out.semi_axes.y, column(2) * out.semi_axes.z};
+  out.square = gram(out.map);
+  out.c = Vector3<S>::of(placed.body2.centre);
+  out.size = std::max(placed.size(), largest(out.c));
+  return out;
+}
+
+/// Where the support planes along n touch.
+template <class S>
+struct Touch {
+  Both<S> h, inverse_h;
+  Vector3<Both<S>> u, p;
+};
+
+template <class S>
+[[nodiscard]] inline Touch<S> touch(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
+  using std::sqrt;
+  const Vector3<Both<S>> q = pair.map * twice(n);
+  Touch<S> out;
+  out.h = sqrt(dot(q, q));
+  out.inverse_h = Both<S>(S(1)) / out.h;
+  out.u = q * out.inverse_h;
+  out.p = pair.map.transposed_times(out.u);
+  return out;
+}
+
+/// o and its derivative at n.
+template <class S>
+struct DirectionPoint {
+  Vector3<S> n;
+  Touch<S> touch;
+  S inverse_square;  ///< 1 / n.n
+  S ratio;           ///< o / |n|, from the points
+  Vector3<S> slope;  ///< tangential part of p1 + p2 - c
+  S error;           ///< largest component of the slope
+};
+
+template <class S>
+[[nodiscard]] inline DirectionPoint<S> direction_point(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
+  DirectionPoint<S> out;
+  out.n = n;
+  out.touch = touch(pair, n);
+  out.inverse_square = S(1) / dot(n, n);
+  const Vector3<S> gradient = sum(out.touch.p) - pair.c;
+  out.ratio = dot(n, gradient) * out.inverse_square;
+  out.slope = gradient - n * out.ratio;
+  out.error = largest(out.slope);
+  return out;
+}
+
+/// o, from the support functions.
+template <class S>
+[[nodiscard]] inline S overlap_at(const EllipsoidPair<S>& pair, const DirectionPoint<S>& at) {
+  using std::sqrt;
+  return (sum<S>(at.touch.h) - dot(at.n, pair.c)) * sqrt(at.inverse_square);
+}
+
+/// H of both bodies, of degree -1 in n.
+template <class S>
+[[nodiscard]] inline Symmetric3<Both<S>> radii(const EllipsoidPair<S>& pair, const Touch<S>& at) {
+  const Symmetric3<Both<S>>& s = pair.square;
+  const Vector3<Both<S>>& p = at.p;
+  return Symmetric3<Both<S>>{s.xx - p.x * p.x, s.xy - p.x * p.y, s.xz - p.x * p.z,
+                             s.yy - p.y * p.y, s.yz - p.y * p.z, s.zz - p.z * p.z} *
+         at.inverse_h;
+}
+
+/// The step's matrix, and the eigenvalue that n has there instead of -o/|n|: the sum of the others without o, or more.
+template <class S>
+struct StepMatrix {
+  Symmetric3<S> matrix;
+  S lift;
+};
+
+template <class S>
+[[nodiscard]] inline StepMatrix<S> step_matrix(const Symmetric3<S>& h, const DirectionPoint<S>& at) {
+  using std::abs;
+  const S lift = h.trace() + abs(at.ratio);
+  const Vector3<S> w = at.n * ((lift + at.ratio) * at.inverse_square), &n = at.n;
+  return {{h.xx + w.x * n.x - at.ratio, h.xy + w.x * n.y, h.xz + w.x * n.z, h.yy + w.y * n.y - at.ratio,
+           h.yz + w.y * n.z, h.zz + w.z * n.z - at.ratio},
+          lift};
+}
+
+/// What to add to the diagonal where the lower tangential eigenvalue l is not positive: it becomes |l|, or, on a ring or a
+/// tie, where l is about 0, a hundredth of o.
+template <class S>
+[[nodiscard]] inline S convexifying_shift(const StepMatrix<S>& m, const S& determinant, const S& ratio) {
+  using std::abs;
+  using std::sqrt;
+  const S sum = m.matrix.trace() - m.lift, product = determinant / m.lift;
+  const S lowest = (sum - sqrt(std::max(S(0), sum * sum - 4 * product))) / 2;
+  return std::max(-2 * lowest, S(0.01) * abs(ratio) - lowest);
+}
+
+/// n = (A1'A1 + A2'A2)^-1 c, any length: the answer for one ellipsoid of the summed squares. Coinciding centres: the
+/// thinnest direction.
+template <class S>
+[[nodiscard]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
+  const Symmetric3<S> squares = sum(pair.square);
+  const Vector3<S> n = adjugate(squares).matrix * pair.c;
+  const S length = largest(n);
+  return length > S(0) ? n * (S(1) / length) : smallest_eigenvector(squares);
+}
+
+/// The outward unit normals at the surface points u.
+template <class S>
+[[nodiscard]] inline Vector3<Both<S>> normals_at(const EllipsoidPair<S>& pair, const Vector3<Both<S>>& u) {
+  using std::sqrt;
+  const Vector3<Both<S>>& a = pair.semi_axes;
+  const Vector3<Both<S>> v = pair.map.transposed_times({u.x / (a.x * a.x), u.y / (a.y * a.y), u.z / (a.z * a.z)});
+  return v * (Both<S>(S(1)) / sqrt(dot(v, v)));
+}
+
+}  // namespace plumb
