@@ -14,45 +14,45 @@ template <class S>
 using Both = std::experimental::fixed_size_simd<S, 2>;
 
 template <class S>
-[[nodiscard]] inline Both<S> both(const S& of_body1, const S& of_body2) {
+[[nodiscard, gnu::always_inline]] inline Both<S> both(const S& of_body1, const S& of_body2) {
   return Both<S>([&](auto lane) { return lane == 0 ? of_body1 : of_body2; });
 }
 template <class S>
-[[nodiscard]] inline S first(const Both<S>& v) {
+[[nodiscard, gnu::always_inline]] inline S first(const Both<S>& v) {
   return v[0];
 }
 template <class S>
-[[nodiscard]] inline S second(const Both<S>& v) {
+[[nodiscard, gnu::always_inline]] inline S second(const Both<S>& v) {
   return v[1];
 }
 template <class S>
-[[nodiscard]] inline S sum(const Both<S>& v) {
+[[nodiscard, gnu::always_inline]] inline S sum(const Both<S>& v) {
   return S(v[0]) + S(v[1]);
 }
 
 template <class S>
-[[nodiscard]] inline Vector3<Both<S>> both(const Vector3<S>& of_body1, const Vector3<S>& of_body2) {
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> both(const Vector3<S>& of_body1, const Vector3<S>& of_body2) {
   return {both<S>(of_body1.x, of_body2.x), both<S>(of_body1.y, of_body2.y), both<S>(of_body1.z, of_body2.z)};
 }
 /// The same vector for each.
 template <class S>
-[[nodiscard]] inline Vector3<Both<S>> twice(const Vector3<S>& v) {
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> twice(const Vector3<S>& v) {
   return {Both<S>(v.x), Both<S>(v.y), Both<S>(v.z)};
 }
 template <class S>
-[[nodiscard]] inline Vector3<S> first(const Vector3<Both<S>>& v) {
+[[nodiscard, gnu::always_inline]] inline Vector3<S> first(const Vector3<Both<S>>& v) {
   return {first<S>(v.x), first<S>(v.y), first<S>(v.z)};
 }
 template <class S>
-[[nodiscard]] inline Vector3<S> second(const Vector3<Both<S>>& v) {
+[[nodiscard, gnu::always_inline]] inline Vector3<S> second(const Vector3<Both<S>>& v) {
   return {second<S>(v.x), second<S>(v.y), second<S>(v.z)};
 }
 template <class S>
-[[nodiscard]] inline Vector3<S> sum(const Vector3<Both<S>>& v) {
+[[nodiscard, gnu::always_inline]] inline Vector3<S> sum(const Vector3<Both<S>>& v) {
   return {sum<S>(v.x), sum<S>(v.y), sum<S>(v.z)};
 }
 template <class S>
-[[nodiscard]] inline Symmetric3<S> sum(const Symmetric3<Both<S>>& m) {
+[[nodiscard, gnu::always_inline]] inline Symmetric3<S> sum(const Symmetric3<Both<S>>& m) {
   return {sum<S>(m.xx), sum<S>(m.xy), sum<S>(m.xz), sum<S>(m.yy), sum<S>(m.yz), sum<S>(m.zz)};
 }
 

@@ -56,25 +56,25 @@ class EllipsoidNewton {
   }
 
  private:
-  void evaluate(EllipsoidContact<S>& out, const Vector3<S>& n) const {
+  [[gnu::always_inline]] void evaluate(EllipsoidContact<S>& out, const Vector3<S>& n) const {
     ++out.evaluations;
     out.at = direction_point(pair_, n);
   }
 
   /// |H1| + |H2| for a unit normal: by how much the points follow it.
-  [[nodiscard]] S reach(const DirectionPoint<S>& at) const {
+  [[nodiscard, gnu::always_inline]] S reach(const DirectionPoint<S>& at) const {
     using std::sqrt;
     const Both<S> traces = (pair_.square.trace() - dot(at.touch.p, at.touch.p)) * at.touch.inverse_h;
     return sum<S>(traces) / sqrt(at.inverse_square);
   }
 
-  [[nodiscard]] bool is_small_enough(const DirectionPoint<S>& at) const {
+  [[nodiscard, gnu::always_inline]] bool is_small_enough(const DirectionPoint<S>& at) const {
     if (at.error <= std::max(floor_, asked_)) return true;
     return at.error <= S(newton::near) * pair_.size &&
            at.error <= S(newton::noise_multiple) * epsilon<S>() * reach(at);
   }
 
-  [[nodiscard]] Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at) const {
+  [[nodiscard, gnu::always_inline]] Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at) const {
     const StepMatrix<S> m = step_matrix(h, at);
     Adjugate<S> inverse = adjugate(m.matrix);
     if (!is_positive(m.matrix, inverse))
@@ -83,14 +83,14 @@ class EllipsoidNewton {
   }
 
   /// The square of the angle by which a step turns n or a body's u, whichever is more (rad, for small ones).
-  [[nodiscard]] S squared_turn(const DirectionPoint<S>& at, const Vector3<S>& step) const {
+  [[nodiscard, gnu::always_inline]] S squared_turn(const DirectionPoint<S>& at, const Vector3<S>& step) const {
     const Vector3<Both<S>> q = pair_.map * twice(step);
     const Both<S> turns = dot(q, q) * at.touch.inverse_h * at.touch.inverse_h;
     return std::max({dot(step, step) * at.inverse_square, first<S>(turns), second<S>(turns)});
   }
 
   /// One step, shortened until o is lower where o can tell. True after a last one.
-  [[nodiscard]] bool descend(EllipsoidContact<S>& out) const {
+  [[nodiscard, gnu::always_inline]] bool descend(EllipsoidContact<S>& out) const {
     using std::sqrt;
     const Symmetric3<Both<S>> h = radii(pair_, out.at.touch);
     Vector3<S> step = newton_step(sum(h), out.at);

@@ -32,7 +32,7 @@ struct EllipsoidPair {
 
 /// Rows of R' times the semi-axes.
 template <class S>
-[[nodiscard]] inline EllipsoidPair<S> ellipsoid_pair(const PlacedPair<S>& placed) {
+[[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const PlacedPair<S>& placed) {
   const auto column = [&](int j) {
     return both(Vector3<S>::of(placed.body1.rotation.col(j)), Vector3<S>::of(placed.body2.rotation.col(j)));
   };
@@ -53,7 +53,7 @@ struct Touch {
 };
 
 template <class S>
-[[nodiscard]] inline Touch<S> touch(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
+[[nodiscard, gnu::always_inline]] inline Touch<S> touch(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
   using std::sqrt;
   const Vector3<Both<S>> q = pair.map * twice(n);
   Touch<S> out;
@@ -76,7 +76,7 @@ struct DirectionPoint {
 };
 
 template <class S>
-[[nodiscard]] inline DirectionPoint<S> direction_point(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
+[[nodiscard, gnu::always_inline]] inline DirectionPoint<S> direction_point(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
   DirectionPoint<S> out;
   out.n = n;
   out.touch = touch(pair, n);
@@ -90,14 +90,14 @@ template <class S>
 
 /// o, from the support functions.
 template <class S>
-[[nodiscard]] inline S overlap_at(const EllipsoidPair<S>& pair, const DirectionPoint<S>& at) {
+[[nodiscard, gnu::always_inline]] inline S overlap_at(const EllipsoidPair<S>& pair, const DirectionPoint<S>& at) {
   using std::sqrt;
   return (sum<S>(at.touch.h) - dot(at.n, pair.c)) * sqrt(at.inverse_square);
 }
 
 /// H of both bodies, of degree -1 in n.
 template <class S>
-[[nodiscard]] inline Symmetric3<Both<S>> radii(const EllipsoidPair<S>& pair, const Touch<S>& at) {
+[[nodiscard, gnu::always_inline]] inline Symmetric3<Both<S>> radii(const EllipsoidPair<S>& pair, const Touch<S>& at) {
   const Symmetric3<Both<S>>& s = pair.square;
   const Vector3<Both<S>>& p = at.p;
   return Symmetric3<Both<S>>{s.xx - p.x * p.x, s.xy - p.x * p.y, s.xz - p.x * p.z,
@@ -113,7 +113,7 @@ struct StepMatrix {
 };
 
 template <class S>
-[[nodiscard]] inline StepMatrix<S> step_matrix(const Symmetric3<S>& h, const DirectionPoint<S>& at) {
+[[nodiscard, gnu::always_inline]] inline StepMatrix<S> step_matrix(const Symmetric3<S>& h, const DirectionPoint<S>& at) {
   using std::abs;
   const S lift = h.trace() + abs(at.ratio);
   const Vector3<S> w = at.n * ((lift + at.ratio) * at.inverse_square), &n = at.n;
@@ -125,7 +125,7 @@ template <class S>
 /// What to add to the diagonal where the lower tangential eigenvalue l is not positive: it becomes |l|, or, on a ring or a
 /// tie, where l is about 0, a hundredth of o.
 template <class S>
-[[nodiscard]] inline S convexifying_shift(const StepMatrix<S>& m, const S& determinant, const S& ratio) {
+[[nodiscard, gnu::always_inline]] inline S convexifying_shift(const StepMatrix<S>& m, const S& determinant, const S& ratio) {
   using std::abs;
   using std::sqrt;
   const S sum = m.matrix.trace() - m.lift, product = determinant / m.lift;
@@ -136,7 +136,7 @@ template <class S>
 /// n = (A1'A1 + A2'A2)^-1 c, any length: the answer for one ellipsoid of the summed squares. Coinciding centres: the
 /// thinnest direction.
 template <class S>
-[[nodiscard]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
+[[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
   const Symmetric3<S> squares = sum(pair.square);
   const Vector3<S> n = adjugate(squares).matrix * pair.c;
   const S length = largest(n);
@@ -145,7 +145,7 @@ template <class S>
 
 /// The outward unit normals at the surface points u.
 template <class S>
-[[nodiscard]] inline Vector3<Both<S>> normals_at(const EllipsoidPair<S>& pair, const Vector3<Both<S>>& u) {
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> normals_at(const EllipsoidPair<S>& pair, const Vector3<Both<S>>& u) {
   using std::sqrt;
   const Vector3<Both<S>>& a = pair.semi_axes;
   const Vector3<Both<S>> v = pair.map.transposed_times({u.x / (a.x * a.x), u.y / (a.y * a.y), u.z / (a.z * a.z)});
