@@ -1,6 +1,7 @@
 // `auto`, the solver to use: the common normal of lowest overlap, by the form that suits the shapes.
 //
 // Ellipsoids (all exponents 2)   the direction form, two unknowns (ellipsoids.hpp)
+// Others                         the surface points, four unknowns (surface_newton.hpp)
 // Guard                          bodies apart have one common normal; for those that overlap two sufficient conditions
 //                                (ellipsoid_guard.hpp), and where neither holds a search over all directions
 //                                (direction_search.hpp), whose cost is in `evaluations`

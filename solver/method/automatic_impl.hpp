@@ -3,8 +3,8 @@
 
 #include "solver/method/automatic.hpp"
 #include "solver/method/common.hpp"
-#include "solver/method/common_normal.hpp"
 #include "solver/method/ellipsoid_contact.hpp"
+#include "solver/method/surface_descent.hpp"
 
 namespace plumb {
 namespace detail {
@@ -29,22 +29,18 @@ template <class S>
   return ellipsoid_start(pair);
 }
 
+/// What both forms found, in the pair's frame.
 template <class S>
-void set_points(Contact<S>& out, const EllipsoidContact<S>& found, const PlacedPair<S>& placed, const Pair& pair) {
-  const Touch<S>& touch = found.at.touch;
-  const Vec3<S> x1 = first(touch.p).eigen(), x2 = placed.body2.centre - second(touch.p).eigen();
-  out.point1 = placed.to_world_point(x1, pair);
-  out.point2 = placed.to_world_point(x2, pair);
-  out.contact_point = placed.to_world_point((x1 + x2) / S(2), pair);
-  out.chart1 = first(touch.u).eigen();
-  out.chart2 = second(touch.u).eigen();
-}
+struct Found {
+  Status status;
+  S overlap;
+  Vector3<S> normal, point1, point2, chart1, chart2;
+  int iterations, evaluations;
+};
 
 template <class S>
-[[nodiscard]] Contact<S> contact_of_ellipsoids(const Pair& pair, const Want& want, const Contact<S>* last) {
-  const PlacedPair<S> placed = place<S>(pair);
-  const EllipsoidPair<S> ellipsoids = ellipsoid_pair(placed);
-  const EllipsoidContact<S> found = ellipsoid_contact(ellipsoids, want, first_direction(ellipsoids, last));
+[[nodiscard]] Contact<S> contact_of(const Found<S>& found, const Want& want, const PlacedPair<S>& placed,
+                                    const Pair& pair) {
   Contact<S> out;
   out.method = "auto";
   out.status = found.status;
@@ -53,17 +49,47 @@ template <class S>
   out.verdict = verdict_of<S>(found.overlap, placed.size());
   out.overlap = placed.to_world_length(found.overlap);
   out.normal = found.normal.eigen();
-  if (want.points) set_points(out, found, placed, pair);
+  out.chart1 = found.chart1.eigen();
+  out.chart2 = found.chart2.eigen();
+  const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
+  if (want.points) {
+    out.point1 = placed.to_world_point(x1, pair);
+    out.point2 = placed.to_world_point(x2, pair);
+    out.contact_point = placed.to_world_point((x1 + x2) / S(2), pair);
+  }
+  if (want.curvature && found.status == Status::converged)
+    out.curvature = {world_curvature<S>(placed, placed.body1, x1), world_curvature<S>(placed, placed.body2, x2)};
   return out;
+}
+
+template <class S>
+[[nodiscard]] Found<S> solve_ellipsoids(const PlacedPair<S>& placed, const Want& want, const Contact<S>* last) {
+  const EllipsoidPair<S> pair = ellipsoid_pair(placed);
+  const EllipsoidContact<S> found = ellipsoid_contact(pair, want, first_direction(pair, last));
+  const Touch<S>& touch = found.at.touch;
+  return {found.status,   found.overlap,   found.normal,     first(touch.p),   pair.c - second(touch.p),
+          first(touch.u), second(touch.u), found.iterations, found.evaluations};
+}
+
+template <class S>
+[[nodiscard]] Found<S> solve_superellipsoids(const PlacedPair<S>& placed, const Want& want, const Contact<S>* last) {
+  const SuperellipsoidPair<S> pair = superellipsoid_pair(placed);
+  const bool is_warm = last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
+  Vector3<Both<S>> warm;
+  if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
+  const SurfaceContact<S> found = superellipsoid_contact(pair, want, is_warm ? &warm : nullptr);
+  return {found.status,       found.overlap,       found.normal,     found.point1,     found.point2,
+          first(found.chart), second(found.chart), found.iterations, found.evaluations};
 }
 
 }  // namespace detail
 
 template <class S>
 Contact<S> automatic(const Pair& pair, const Want& want, const Contact<S>* last) {
-  if (detail::is_ellipsoid(pair.body1.shape) && detail::is_ellipsoid(pair.body2.shape))
-    return detail::contact_of_ellipsoids<S>(pair, want, last);
-  return new_cn<S>(pair, want, last);
+  const PlacedPair<S> placed = place<S>(pair);
+  const bool are_ellipsoids = detail::is_ellipsoid(placed.body1.shape) && detail::is_ellipsoid(placed.body2.shape);
+  const auto solve = are_ellipsoids ? detail::solve_ellipsoids<S> : detail::solve_superellipsoids<S>;
+  return detail::contact_of<S>(solve(placed, want, last), want, placed, pair);
 }
 
 }  // namespace plumb

@@ -14,6 +14,21 @@ template <class S>
 using Both = std::experimental::fixed_size_simd<S, 2>;
 
 template <class S>
+using Mask = typename Both<S>::mask_type;
+
+/// a where the mask holds, b elsewhere.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Both<S> select(const Mask<S>& mask, Both<S> a, const Both<S>& b) {
+  where(!mask, a) = b;
+  return a;
+}
+/// 1 or -1.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Both<S> sign(const Both<S>& v) {
+  return select<S>(v < S(0), S(-1), S(1));
+}
+
+template <class S>
 [[nodiscard, gnu::always_inline]] inline Both<S> both(const S& of_body1, const S& of_body2) {
   return Both<S>([&](auto lane) { return lane == 0 ? of_body1 : of_body2; });
 }

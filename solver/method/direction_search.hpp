@@ -43,11 +43,11 @@ class DirectionSearch {
 
  private:
   static constexpr int faces = 6;
-  static constexpr int deepest = 24;           // 2^-24 of a face: what is left is at the rounding of o
-  static constexpr int solve_each = 3;         // levels between two local solves
+  static constexpr int deepest = 24;    // 2^-24 of a face: what is left is at the rounding of o
+  static constexpr int solve_each = 3;  // levels between two local solves
   static constexpr int most_known = 16;
-  static constexpr int most_evaluations = 800; // below the 1000 that the laws call slow
-  static constexpr double noise = 64;          // epsilon times this and the size: rounding of a gradient
+  static constexpr int most_evaluations = 800;  // below the 1000 that the laws call slow
+  static constexpr double noise = 64;           // epsilon times this and the size: rounding of a gradient
 
   struct Cell {
     int face, level;
@@ -118,7 +118,9 @@ class DirectionSearch {
     return form_.farthest(v);
   }
 
-  [[nodiscard]] Vector3<S> slope(const Vector3<S>& v, const Vector3<S>& g) const { return g - v * (level() / length(v)); }
+  [[nodiscard]] Vector3<S> slope(const Vector3<S>& v, const Vector3<S>& g) const {
+    return g - v * (level() / length(v));
+  }
 
   [[nodiscard]] bool is_explained(const Cell& cell, const Sample& middle) {
     std::array<Sample, 6> samples;

@@ -38,8 +38,7 @@ struct AcrossRows {
 };
 
 template <class S>
-[[nodiscard]] inline std::array<AcrossRows<S>, 2> across_rows(const EllipsoidPair<S>& pair,
-                                                              const Vector3<Both<S>>& u) {
+[[nodiscard]] inline std::array<AcrossRows<S>, 2> across_rows(const EllipsoidPair<S>& pair, const Vector3<Both<S>>& u) {
   const Tangent<S> e1 = tangent_basis<S>(first(u).eigen()), e2 = tangent_basis<S>(second(u).eigen());
   const auto rows = [&](int k) {
     return pair.map.transposed_times(both(Vector3<S>::of(e1.col(k)), Vector3<S>::of(e2.col(k))));

@@ -23,13 +23,13 @@ struct EllipsoidContact {
 };
 
 namespace newton {
-inline constexpr double noise_multiple = 2;    // of epsilon: rounding of p1 + p2 - c
-inline constexpr double longest_turn = 0.8;    // 0.7 .. 1 do as well; at 1.5 needles take 19 steps instead of 12
-inline constexpr double short_turn = 1e-4;     // from here on o is too flat to tell what is lower
-inline constexpr double last_turn = 1e-9;      // its square, the error of the linear step, is below rounding
-inline constexpr double shorter = 0.3;         // a step that does not lower o is cut to this
-inline constexpr double near = 1e-8;           // error, relative to the size, from which its floor is asked for
-inline constexpr double coarse = 4;            // settle where |H| exceeds the size by this factor
+inline constexpr double noise_multiple = 2;  // of epsilon: rounding of p1 + p2 - c
+inline constexpr double longest_turn = 0.8;  // 0.7 .. 1 do as well; at 1.5 needles take 19 steps instead of 12
+inline constexpr double short_turn = 1e-4;   // from here on o is too flat to tell what is lower
+inline constexpr double last_turn = 1e-9;    // its square, the error of the linear step, is below rounding
+inline constexpr double shorter = 0.3;       // a step that does not lower o is cut to this
+inline constexpr double near = 1e-8;         // error, relative to the size, from which its floor is asked for
+inline constexpr double coarse = 4;          // settle where |H| exceeds the size by this factor
 inline constexpr int most_settling = 3;
 inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
 }  // namespace newton
@@ -70,8 +70,7 @@ class EllipsoidNewton {
 
   [[nodiscard, gnu::always_inline]] bool is_small_enough(const DirectionPoint<S>& at) const {
     if (at.error <= std::max(floor_, asked_)) return true;
-    return at.error <= S(newton::near) * pair_.size &&
-           at.error <= S(newton::noise_multiple) * epsilon<S>() * reach(at);
+    return at.error <= S(newton::near) * pair_.size && at.error <= S(newton::noise_multiple) * epsilon<S>() * reach(at);
   }
 
   [[nodiscard, gnu::always_inline]] Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at) const {

@@ -76,7 +76,8 @@ struct DirectionPoint {
 };
 
 template <class S>
-[[nodiscard, gnu::always_inline]] inline DirectionPoint<S> direction_point(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
+[[nodiscard, gnu::always_inline]] inline DirectionPoint<S> direction_point(const EllipsoidPair<S>& pair,
+                                                                           const Vector3<S>& n) {
   DirectionPoint<S> out;
   out.n = n;
   out.touch = touch(pair, n);
@@ -113,7 +114,8 @@ struct StepMatrix {
 };
 
 template <class S>
-[[nodiscard, gnu::always_inline]] inline StepMatrix<S> step_matrix(const Symmetric3<S>& h, const DirectionPoint<S>& at) {
+[[nodiscard, gnu::always_inline]] inline StepMatrix<S> step_matrix(const Symmetric3<S>& h,
+                                                                   const DirectionPoint<S>& at) {
   using std::abs;
   const S lift = h.trace() + abs(at.ratio);
   const Vector3<S> w = at.n * ((lift + at.ratio) * at.inverse_square), &n = at.n;
@@ -125,7 +127,8 @@ template <class S>
 /// What to add to the diagonal where the lower tangential eigenvalue l is not positive: it becomes |l|, or, on a ring or a
 /// tie, where l is about 0, a hundredth of o.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline S convexifying_shift(const StepMatrix<S>& m, const S& determinant, const S& ratio) {
+[[nodiscard, gnu::always_inline]] inline S convexifying_shift(const StepMatrix<S>& m, const S& determinant,
+                                                              const S& ratio) {
   using std::abs;
   using std::sqrt;
   const S sum = m.matrix.trace() - m.lift, product = determinant / m.lift;
@@ -145,7 +148,8 @@ template <class S>
 
 /// The outward unit normals at the surface points u.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> normals_at(const EllipsoidPair<S>& pair, const Vector3<Both<S>>& u) {
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> normals_at(const EllipsoidPair<S>& pair,
+                                                                     const Vector3<Both<S>>& u) {
   using std::sqrt;
   const Vector3<Both<S>>& a = pair.semi_axes;
   const Vector3<Both<S>> v = pair.map.transposed_times({u.x / (a.x * a.x), u.y / (a.y * a.y), u.z / (a.z * a.z)});

@@ -43,9 +43,13 @@ template <class T>
 struct Matrix3 {
   Vector3<T> row0, row1, row2;
 
-  [[nodiscard, gnu::always_inline]] Vector3<T> operator*(const Vector3<T>& v) const { return {dot(row0, v), dot(row1, v), dot(row2, v)}; }
+  [[nodiscard, gnu::always_inline]] Vector3<T> operator*(const Vector3<T>& v) const {
+    return {dot(row0, v), dot(row1, v), dot(row2, v)};
+  }
   /// The transpose times v.
-  [[nodiscard, gnu::always_inline]] Vector3<T> transposed_times(const Vector3<T>& v) const { return row0 * v.x + row1 * v.y + row2 * v.z; }
+  [[nodiscard, gnu::always_inline]] Vector3<T> transposed_times(const Vector3<T>& v) const {
+    return row0 * v.x + row1 * v.y + row2 * v.z;
+  }
 };
 
 template <class T>
@@ -59,7 +63,9 @@ struct Symmetric3 {
   [[nodiscard, gnu::always_inline]] Symmetric3 operator+(const Symmetric3& m) const {
     return {xx + m.xx, xy + m.xy, xz + m.xz, yy + m.yy, yz + m.yz, zz + m.zz};
   }
-  [[nodiscard, gnu::always_inline]] Symmetric3 operator*(const T& k) const { return {xx * k, xy * k, xz * k, yy * k, yz * k, zz * k}; }
+  [[nodiscard, gnu::always_inline]] Symmetric3 operator*(const T& k) const {
+    return {xx * k, xy * k, xz * k, yy * k, yz * k, zz * k};
+  }
   [[nodiscard, gnu::always_inline]] Symmetric3 shifted(const T& diagonal) const {
     return {xx + diagonal, xy, xz, yy + diagonal, yz, zz + diagonal};
   }

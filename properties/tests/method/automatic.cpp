@@ -50,7 +50,8 @@ TEST(Automatic, TheGuardsLetNoHigherMinimumPass) {
     const EllipsoidPair<double> ellipsoids = ellipsoid_pair(placed);
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
     const EllipsoidForm<double> form{ellipsoids, {}};
-    for (const Vector3<double>& start : {Vector3<double>{1, 0.1, 0}, {-1, 0, 0.1}, {0, 1, 0.1}, {0, -1, -0.1}, {0.1, 0, 1}}) {
+    for (const Vector3<double>& start :
+         {Vector3<double>{1, 0.1, 0}, {-1, 0, 0.1}, {0, 1, 0.1}, {0, -1, -0.1}, {0.1, 0, 1}}) {
       const EllipsoidContact<double> found = form.solve(start);
       if (found.status != Status::converged) continue;
       const bool is_higher = placed.to_world_length(found.overlap) > lowest + 1e-12 * size_of(pair);

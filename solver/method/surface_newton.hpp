@@ -1,0 +1,172 @@
+// Newton's iteration on the surface points of two superellipsoids (surface_equations.hpp), by the step of surface_step.hpp.
+//
+// Step    the 4x4 system, cut to length 1; no line search but where an attempt asks for one. Where o is above the least
+//         eigenvalue of H1 + H2 the Jacobian takes o = 0: the step then descends, and saddles and maxima do not attract
+// Flats   once the twist is at its rounding its right-hand side is zero: between flats the Jacobian is all but singular, and
+//         would blow the noise up
+// End     residual below 8 epsilon, or below 64 and no longer halved; a last step that is short enough is taken along
+//         the tangents
+#pragma once
+
+#include <algorithm>
+
+#include "solver/method/surface_equations.hpp"
+#include "solver/method/surface_step.hpp"
+
+namespace plumb {
+
+/// A common normal of two superellipsoids in the pair's frame.
+template <class S>
+struct SurfaceContact {
+  Status status = Status::stalled;
+  Vector3<S> normal, point1, point2;
+  Vector3<Both<S>> chart;
+  S overlap = std::numeric_limits<S>::quiet_NaN();
+  bool minimum = false;
+  int iterations = 0;
+  int evaluations = 0;
+};
+
+/// One attempt: exponents raised from `cap` by the factor `growth` at each step (no cap: infinity).
+struct Attempt {
+  double cap = std::numeric_limits<double>::infinity();
+  double growth = 1;
+  int limit = 40;
+  bool line_search = false;
+};
+
+template <class S, bool any_dual>
+class SurfaceNewton {
+ public:
+  SurfaceNewton(const SuperellipsoidPair<S>& pair, const Want& want, const Attempt& attempt)
+      : pair_(pair), attempt_(attempt), limit_(std::min(attempt.limit, want.iteration_limit)),
+        last_limit_(std::min(std::max(limit_, 60), want.iteration_limit)),
+        tolerance_(std::max(S(8) * epsilon<S>(), S(want.tolerance))), cap_(attempt.cap) {}
+
+  /// Leaves the last surfaces in `at`. Iterations and evaluations are added to those of `out`.
+  void solve(Surfaces<S>& at, SurfaceContact<S>& out) {
+    Surfaces<S> other_surfaces;
+    SurfaceEquations<S> equations, other_equations;
+    here_ = &at, there_ = &other_surfaces;
+    f_ = &equations, next_ = &other_equations;
+    set_equations(pair_, *here_, *f_);
+    ++out.evaluations;
+    out.status = iterate(out);
+    out.chart = chart_of(*here_);
+    if (here_ != &at) at = *here_;
+    out.normal = f_->m;
+    out.point1 = f_->point1;
+    out.point2 = f_->point2;
+    out.overlap = f_->overlap;
+    out.minimum = out.status == Status::converged && is_minimum(pair_, *f_);
+  }
+
+  [[nodiscard]] const SurfaceEquations<S>& equations() const { return *f_; }
+
+ private:
+  [[nodiscard]] S residual(const SurfaceEquations<S>& f) const { return std::max(f.twist, f.slope / pair_.reach); }
+  [[nodiscard]] bool is_exact() const { return !(S(cap_) < pair_.greatest_nu); }
+
+  [[nodiscard]] Status iterate(SurfaceContact<S>& out) {
+    S last = std::numeric_limits<S>::infinity();
+    for (int i = 0;; ++i) {
+      const S now = residual(*f_);
+      if (is_exact() && f_->opposite && (now < tolerance_ || (now < 8 * tolerance_ && now >= last / 2)))
+        return Status::converged;
+      if (!(now < std::numeric_limits<S>::infinity())) return Status::not_finite;
+      const bool is_promising = now < S(0.05) && now < S(0.8) * last;
+      if (i >= (is_promising ? last_limit_ : limit_)) return Status::iteration_limit;
+      last = now;
+      ++out.iterations;
+      const std::array<S, 4> x = cleaned(solve4(system()));
+      if (is_exact() && f_->opposite && now < S(1e-7) && follow(x)) return Status::converged;
+      move(x, out);
+    }
+  }
+
+  [[nodiscard]] std::array<Equation4<S>, 4> system() const {
+    const SurfaceEquations<S>& f = *f_;
+    S o = f.overlap;
+    if (o > pair_.rolling_ball && o > hessian_of(pair_, f).lower_eigenvalue()) o = S(0);
+    const bool still = f.twist < tolerance_;
+    std::array<Equation4<S>, 4> m;
+    const Both<S> side = both<S>(S(1), S(-1)), half = side * (o / 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto &dn = f.dnormal[k], &dp = f.dpoint[k];
+      const Both<S> s0 = side * dp[0] - half * dn[0], s1 = side * dp[1] - half * dn[1];
+      m[k] = {{dn[0][0], dn[1][0], dn[0][1], dn[1][1]}, still ? S(0) : -f.value[k]};
+      m[2 + k] = {{s0[0], s1[0], s0[1], s1[1]}, -f.value[2 + k]};
+    }
+    return m;
+  }
+
+  [[nodiscard]] static S squared_length(const std::array<S, 4>& x) {
+    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
+  }
+
+  /// Without infinities and NaN.
+  [[nodiscard]] static std::array<S, 4> cleaned(std::array<S, 4> x) {
+    const S most(1e3);
+    if (squared_length(x) < S(1e200)) return x;
+    for (S& component : x) component = component == component ? std::clamp(component, -most, most) : S(0);
+    return x;
+  }
+
+  void raise_cap() {
+    if (is_exact()) return;
+    cap_ *= attempt_.growth;
+    inner_ = capped<S>(pair_.inner, S(cap_));
+    outer_ = capped<S>(pair_.outer, S(cap_));
+  }
+
+  void move(const std::array<S, 4>& x, SurfaceContact<S>& out) {
+    using std::sqrt;
+    const S square = squared_length(x);
+    S t = square > S(1) ? S(1) / sqrt(square) : S(1);
+    raise_cap();
+    const bool searches = attempt_.line_search && is_exact();
+    const Both<S> d0 = both<S>(x[0], x[2]), d1 = both<S>(x[1], x[3]);
+    for (int k = 0; k < 12; ++k, t *= S(0.4)) {
+      ++out.evaluations;
+      move_surfaces<S, any_dual>(pair_, is_exact() ? pair_.inner : inner_, is_exact() ? pair_.outer : outer_, *here_,
+                                 d0 * t, d1 * t, *there_);
+      set_equations(pair_, *there_, *next_);
+      if (!searches || is_better(t)) break;
+    }
+    std::swap(here_, there_);
+    std::swap(f_, next_);
+  }
+
+  [[nodiscard]] bool is_better(const S& t) const {
+    const auto square = [](const SurfaceEquations<S>& f) { return f.twist * f.twist + f.slope * f.slope; };
+    return (next_->opposite || !f_->opposite) && square(*next_) <= square(*f_) * (1 - S(1e-4) * t);
+  }
+
+  /// The last step, along the tangents: exact to rounding where the step's square, times nu^2 / t, is.
+  [[nodiscard]] bool follow(const std::array<S, 4>& x) {
+    const Surfaces<S>& at = *here_;
+    const S top = pair_.greatest_nu, ratio = hmin(min(at.inner.t, at.outer.t));
+    if (!(squared_length(x) * top * top < S(0.05) * epsilon<S>() * ratio)) return false;
+    const Both<S> d0 = both<S>(x[0], x[2]), d1 = both<S>(x[1], x[3]);
+    const Vector3<Both<S>> turn{d0 * at.dnormal0.x + d1 * at.dnormal1_x, d0 * at.dnormal0.y + d1 * at.dnormal1_y,
+                                d0 * at.dnormal0.z};
+    const Both<S> turned = dot(turn, turn) / dot(at.normal, at.normal);
+    if (!(hmax(turned) < S(0.5) * epsilon<S>())) return false;
+    const Vector3<Both<S>> normal = at.normal + turn;
+    const Vector3<Both<S>> point{at.point.x + d0 * at.dpoint0.x + d1 * at.dpoint1_x,
+                                 at.point.y + d0 * at.dpoint0.y + d1 * at.dpoint1_y, at.point.z + d0 * at.dpoint0.z};
+    set_values<S>(pair_, point, pair_.rotation * normal * inverse_length<S>(normal), *f_);
+    return true;
+  }
+
+  const SuperellipsoidPair<S>& pair_;
+  Attempt attempt_;
+  int limit_, last_limit_;  ///< the second where the residual is small and falling
+  S tolerance_;
+  double cap_;
+  LevelShape<S> inner_, outer_;
+  Surfaces<S>*here_ = nullptr, *there_ = nullptr;
+  SurfaceEquations<S>*f_ = nullptr, *next_ = nullptr;
+};
+
+}  // namespace plumb

@@ -1,0 +1,172 @@
+// A surface point on each of two superellipsoids with its normal and derivatives, and the steps between such points.
+//
+// Two nested levels (level.hpp): the outer one pairs r = |(x, y)| with z, the inner one x with y, so that in gauge
+// coordinates (x/a, y/b, z/c) the chart's direction is w = (ou.ca in.ca, ou.ca in.cb, ou.cb).
+// Coordinates   d0 moves the outer level along its tangent, d1 the inner one, divided by ou.ca: no pole, for the two
+//               tangents stay independent and of length about 1 where r vanishes
+// N             the normal times any length
+#pragma once
+
+#include "solver/method/level.hpp"
+#include "solver/pose.hpp"
+
+namespace plumb {
+
+template <class S>
+struct SuperellipsoidPair {
+  Vector3<Both<S>> semi_axes, inverse_axes;
+  Matrix3<Both<S>> rotation;
+  LevelShape<S> inner, outer;
+  Vector3<S> c;   ///< from body 1's centre to body 2's
+  S size;         ///< the larger body's
+  S reach;        ///< or the centre distance where that is more: what rounding is relative to
+  bool any_dual;  ///< an exponent is below 2
+  S greatest_nu;
+  S rolling_ball;  ///< radius of a ball that rolls inside the bodies' Minkowski sum
+};
+
+namespace detail {
+
+/// A lower bound of the radii of curvature, summed over the bodies. H >= (min(m1, m2) - 1) times that of the ellipsoid of
+/// the same semi-axes, m = n/(n-1) <= 2: a p-norm with p <= 2 is curved at least p - 1 times as much as the Euclidean norm.
+/// Exponents below 2 have points where a radius of curvature is 0.
+template <class S>
+[[nodiscard]] inline S rolling_ball(const SuperellipsoidPair<S>& pair) {
+  const Vector3<Both<S>>& a = pair.semi_axes;
+  const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
+  const Both<S> radius = min(pair.outer.inverse, pair.inner.inverse) * least * least / longest;
+  return sum<S>(select<S>(pair.outer.dual || pair.inner.dual, S(0), radius));
+}
+
+}  // namespace detail
+
+template <class S>
+[[nodiscard]] inline SuperellipsoidPair<S> superellipsoid_pair(const PlacedPair<S>& placed) {
+  const PlacedBody<S>&b1 = placed.body1, &b2 = placed.body2;
+  const auto row = [&](int i) { return both(Vector3<S>::of(b1.rotation.row(i)), Vector3<S>::of(b2.rotation.row(i))); };
+  SuperellipsoidPair<S> out;
+  out.semi_axes = both(Vector3<S>::of(b1.shape.semi_axes), Vector3<S>::of(b2.shape.semi_axes));
+  out.inverse_axes = {S(1) / out.semi_axes.x, S(1) / out.semi_axes.y, S(1) / out.semi_axes.z};
+  out.rotation = {row(0), row(1), row(2)};
+  out.outer = level_of_exponents<S>(both<S>(b1.shape.n1, b2.shape.n1));
+  out.inner = level_of_exponents<S>(both<S>(b1.shape.n2, b2.shape.n2));
+  out.c = Vector3<S>::of(b2.centre);
+  out.size = placed.size();
+  out.reach = std::max(out.size, largest(out.c));
+  out.any_dual = any_of(out.inner.dual) || any_of(out.outer.dual);
+  out.greatest_nu = hmax(max(out.inner.nu, out.outer.nu));
+  out.rolling_ball = detail::rolling_ball(out);
+  return out;
+}
+
+/// Body axes; the derivatives by d1 have no z component.
+template <class S>
+struct Surfaces {
+  LevelPoint<S> inner, outer;
+  Vector3<Both<S>> point, normal;  ///< `normal` of any length
+  Vector3<Both<S>> dpoint0, dnormal0;
+  Both<S> dpoint1_x, dpoint1_y, dnormal1_x, dnormal1_y;
+};
+
+namespace detail {
+
+/// A level by what it means: c and g, or g and c where it is dual.
+template <class S>
+struct Roles {
+  Both<S> point_a, point_b, dpoint_a, dpoint_b, normal_a, normal_b, dnormal_a, dnormal_b;
+};
+
+template <class S, bool any_dual>
+[[nodiscard, gnu::always_inline]] inline Roles<S> roles(const Mask<S>& dual, const LevelPoint<S>& at) {
+  const Both<S> dca = -at.gb, dcb = at.ga, dga = -at.ka * at.gb, dgb = at.kb * at.ga;
+  if constexpr (!any_dual) return {at.ca, at.cb, dca, dcb, at.ga, at.gb, dga, dgb};
+  const auto either = [&](const Both<S>& g, const Both<S>& c) { return select<S>(dual, g, c); };
+  return {either(at.ga, at.ca), either(at.gb, at.cb), either(dga, dca), either(dgb, dcb),
+          either(at.ca, at.ga), either(at.cb, at.gb), either(dca, dga), either(dcb, dgb)};
+}
+
+/// Points, normals and derivatives from the levels.
+template <class S, bool any_dual>
+[[gnu::always_inline]] inline void fill(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
+                                        const LevelShape<S>& outer, Surfaces<S>& out) {
+  const Roles<S> i = roles<S, any_dual>(inner.dual, out.inner), o = roles<S, any_dual>(outer.dual, out.outer);
+  const Both<S> q = out.outer.ga / out.outer.ca;
+  const Both<S> by_point = any_dual ? select<S>(outer.dual, q, S(1)) : Both<S>(S(1));
+  const Both<S> by_normal = any_dual ? select<S>(outer.dual, S(1), q) : q;
+  const Vector3<Both<S>>&a = pair.semi_axes, &b = pair.inverse_axes;
+  out.point = {a.x * o.point_a * i.point_a, a.y * o.point_a * i.point_b, a.z * o.point_b};
+  out.dpoint0 = {a.x * o.dpoint_a * i.point_a, a.y * o.dpoint_a * i.point_b, a.z * o.dpoint_b};
+  out.dpoint1_x = a.x * by_point * i.dpoint_a;
+  out.dpoint1_y = a.y * by_point * i.dpoint_b;
+  out.normal = {b.x * o.normal_a * i.normal_a, b.y * o.normal_a * i.normal_b, b.z * o.normal_b};
+  out.dnormal0 = {b.x * o.dnormal_a * i.normal_a, b.y * o.dnormal_a * i.normal_b, b.z * o.dnormal_b};
+  out.dnormal1_x = b.x * by_normal * i.dnormal_a;
+  out.dnormal1_y = b.y * by_normal * i.dnormal_b;
+}
+
+/// The two levels at a vector in gauge coordinates: in g of a level where its mask holds, in c elsewhere.
+template <class S>
+[[gnu::always_inline]] inline void set_levels(const LevelShape<S>& inner, const LevelShape<S>& outer,
+                                              const Vector3<Both<S>>& v, const Mask<S>& inner_is_g,
+                                              const Mask<S>& outer_is_g, Surfaces<S>& out) {
+  out.inner = level_at<S>(inner, v.x, v.y, inner_is_g);
+  const Both<S> a = select<S>(inner_is_g, out.inner.ga, out.inner.ca);
+  const Both<S> b = select<S>(inner_is_g, out.inner.gb, out.inner.cb);
+  const Both<S> radius = max(abs(v.x), abs(v.y)) / max(abs(a), abs(b));
+  out.outer = level_at<S>(outer, radius, v.z, outer_is_g);
+}
+
+}  // namespace detail
+
+/// Where the gauge coordinates of the point are along v, or, where `is_normal`, those of the normal (n times the semi-axes).
+template <class S>
+[[nodiscard]] inline Surfaces<S> surfaces_at(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
+                                             const LevelShape<S>& outer, const Vector3<Both<S>>& v,
+                                             const Mask<S>& is_normal) {
+  Surfaces<S> out;
+  detail::set_levels<S>(inner, outer, v, is_normal != inner.dual, is_normal != outer.dual, out);
+  detail::fill<S, true>(pair, inner, outer, out);
+  return out;
+}
+
+/// Where the chart's direction is w: smooth for every exponent, whatever its meaning.
+template <class S>
+[[nodiscard]] inline Surfaces<S> surfaces_of_chart(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
+                                                   const LevelShape<S>& outer, const Vector3<Both<S>>& w) {
+  Surfaces<S> out;
+  detail::set_levels<S>(inner, outer, w, Mask<S>(false), Mask<S>(false), out);
+  detail::fill<S, true>(pair, inner, outer, out);
+  return out;
+}
+
+/// The chart's direction.
+template <class S>
+[[nodiscard]] inline Vector3<Both<S>> chart_of(const Surfaces<S>& at) {
+  return {at.outer.ca * at.inner.ca, at.outer.ca * at.inner.cb, at.outer.cb};
+}
+
+/// R'n and -R'n.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> to_body_axes(const SuperellipsoidPair<S>& pair,
+                                                                       const Vector3<S>& n) {
+  return pair.rotation.transposed_times(both(n, n * S(-1)));
+}
+
+[[nodiscard]] inline auto times(const auto& a, const auto& b) {
+  return std::remove_cvref_t<decltype(a)>{a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+/// p1(n) - p2(-n) - c: the gradient of o's convex extension.
+template <class S>
+[[nodiscard]] inline Vector3<S> farthest_difference(const SuperellipsoidPair<S>& pair, const Vector3<S>& n) {
+  const Vector3<Both<S>> v = times(to_body_axes(pair, n), pair.semi_axes);
+  Surfaces<S> at;
+  detail::set_levels<S>(pair.inner, pair.outer, v, !pair.inner.dual, !pair.outer.dual, at);
+  const auto i = detail::roles<S, true>(pair.inner.dual, at.inner),
+             o = detail::roles<S, true>(pair.outer.dual, at.outer);
+  const Vector3<Both<S>> p =
+      pair.rotation * times(pair.semi_axes, Vector3<Both<S>>{o.point_a * i.point_a, o.point_a * i.point_b, o.point_b});
+  return first(p) - second(p) - pair.c;
+}
+
+}  // namespace plumb
