@@ -30,7 +30,7 @@ class DirectionSearch {
     if (first.status == Status::converged) remember(first);
   }
 
-  /// The lowest common normal found. Its counts are those of the whole search.
+  /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
   [[nodiscard]] Answer lowest() {
     for (int face = 0; face < faces; ++face) push({face, 0, S(0), S(0), S(1), Vector3<S>{S(0), S(0), S(0)}});
     while (depth_ > 0 && level() > S(0) && best_.evaluations < most_evaluations)
@@ -152,12 +152,11 @@ class DirectionSearch {
 
   void solve_from(const Vector3<S>& v) {
     Answer found = form_.solve(v);
-    const int iterations = best_.iterations + found.iterations, evaluations = best_.evaluations + found.evaluations;
+    const int evaluations = best_.evaluations + found.evaluations;
     if (found.status == Status::converged) {
       remember(found);
       if (best_.status != Status::converged || found.overlap < best_.overlap) best_ = found;
     }
-    best_.iterations = iterations;
     best_.evaluations = evaluations;
   }
 

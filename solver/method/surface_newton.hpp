@@ -41,7 +41,7 @@ class SurfaceNewton {
   SurfaceNewton(const SuperellipsoidPair<S>& pair, const Want& want, const Attempt& attempt)
       : pair_(pair), attempt_(attempt), limit_(std::min(attempt.limit, want.iteration_limit)),
         last_limit_(std::min(std::max(limit_, 60), want.iteration_limit)),
-        tolerance_(std::max(S(8) * epsilon<S>(), S(want.tolerance))), cap_(attempt.cap) {}
+        tolerance_(std::max(S(4) * epsilon<S>(), S(want.tolerance))), cap_(attempt.cap) {}
 
   /// Leaves the last surfaces in `at`. Iterations and evaluations are added to those of `out`.
   void solve(Surfaces<S>& at, SurfaceContact<S>& out) {
@@ -71,7 +71,7 @@ class SurfaceNewton {
     S last = std::numeric_limits<S>::infinity();
     for (int i = 0;; ++i) {
       const S now = residual(*f_);
-      if (is_exact() && f_->opposite && (now < tolerance_ || (now < 8 * tolerance_ && now >= last / 2)))
+      if (is_exact() && f_->opposite && (now < tolerance_ || (now < 4 * tolerance_ && now >= last / 2)))
         return Status::converged;
       if (!(now < std::numeric_limits<S>::infinity())) return Status::not_finite;
       const bool is_promising = now < S(0.05) && now < S(0.8) * last;
@@ -155,7 +155,11 @@ class SurfaceNewton {
     const Vector3<Both<S>> normal = at.normal + turn;
     const Vector3<Both<S>> point{at.point.x + d0 * at.dpoint0.x + d1 * at.dpoint1_x,
                                  at.point.y + d0 * at.dpoint0.y + d1 * at.dpoint1_y, at.point.z + d0 * at.dpoint0.z};
-    set_values<S>(pair_, point, pair_.rotation * normal * inverse_length<S>(normal), *f_);
+    next_->dnormal = f_->dnormal;
+    next_->dpoint = f_->dpoint;
+    set_values<S>(pair_, point, pair_.rotation * normal * inverse_length<S>(normal), *next_);
+    if (!(residual(*next_) < tolerance_)) return false;
+    std::swap(f_, next_);
     return true;
   }
 
