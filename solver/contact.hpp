@@ -94,8 +94,8 @@ struct Contact {
   /// good whatever way the bodies move together.
   Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
   std::array<PrincipalCurvature<S>, 2> curvature;
-  int iterations = 0;   ///< steps of the outer loop
-  int evaluations = 0;  ///< evaluations of the residual, those of the line search included
+  int iterations = 0;   ///< steps of the outer loop, of the local solve that answered
+  int evaluations = 0;  ///< of the residual, over all there was: line searches, other attempts, the guard
 };
 
 /// The question that a method answers; each is judged against its own.
