@@ -107,12 +107,10 @@ Solver load(const std::string& path, const std::string& name, const std::string&
   require_version(handle, path);
   const auto solve = symbol<decltype(&plumb_solver_solve)>(handle, path, "plumb_solver_solve");
   const auto library = std::make_shared<const Library>(Library{name, solve});
-  return {name,
-          Problem::common_normal,
-          summary,
-          false,
-          false,
-          [library](const Pair& pair, const Want&, const Contact<double>*) { return solve_with(*library, pair); }};
+  return {
+      name,    Problem::common_normal,
+      summary, false,
+      false,   [library](const Pair& pair, const Want&, const Contact<double>*) { return solve_with(*library, pair); }};
 }
 
 struct Peer {

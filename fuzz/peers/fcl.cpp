@@ -37,7 +37,8 @@ Counted counted(const PlacedBody<double>& body, int& calls) {
   fcl::Transform3d pose = fcl::Transform3d::Identity();
   pose.linear() = body.rotation;
   pose.translation() = body.centre;
-  return {std::unique_ptr<void, Delete>(Ellipsoid::createGJKObject(fcl::Ellipsoidd(body.shape.semi_axes), pose)), calls};
+  return {std::unique_ptr<void, Delete>(Ellipsoid::createGJKObject(fcl::Ellipsoidd(body.shape.semi_axes), pose)),
+          calls};
 }
 
 void find_support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
