@@ -10,6 +10,7 @@ function(add_peer name)
   target_include_directories(peer_${name} SYSTEM PRIVATE ${PLUMB_LIBCCD_INCLUDE})
   target_link_libraries(peer_${name} PRIVATE plumb_solver plumb_flags ${PLUMB_LIBCCD})
   set_target_properties(peer_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/peers)
+  add_dependencies(peers peer_${name})
 endfunction()
 
 if(PLUMB_LIBCCD AND PLUMB_LIBCCD_INCLUDE)
