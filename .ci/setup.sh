@@ -8,6 +8,7 @@ declare -A plumb_packages=(
     libfmt-dev libgtest-dev librapidcheck-dev libccd-dev libfcl-dev libbenchmark-dev"
   [fuzz]="clang-19 libclang-rt-19-dev"
   [check]="git clang-format-19 clang-tidy-19"
+  [record]="git valgrind"
 )
 
 # Ctrl-C ends a script with the contract's exit code, once the child that got the signal too has ended.
