@@ -49,8 +49,20 @@ Samples first_pass(const Job& job) {
   return out;
 }
 
-void pass(const Job& job, Samples& samples) {
-  for (std::size_t i = 0; i < job.tasks.size() && !interrupted(); ++i) {
+/// The tasks whose turn it is.
+struct Turn {
+  std::size_t begin = 0, end = 0;
+};
+
+// Few enough that all jobs have had theirs within a tenth of a second or so.
+constexpr std::size_t tasks_in_turn = 50;
+
+Turn next(const Turn& turn) {
+  return {turn.end, turn.end + tasks_in_turn};
+}
+
+void take_turn(const Job& job, Samples& samples, const Turn& turn) {
+  for (std::size_t i = turn.begin; i < std::min(turn.end, job.tasks.size()) && !interrupted(); ++i) {
     double& least = samples.ns[i];
     least = std::min(least, time_of(job.solver, job.tasks[i], calls_for(least)));
   }
@@ -76,10 +88,10 @@ void hand_over(benchmark::State& state, const Samples& samples) {
   state.counters["not_converged"] = static_cast<double>(samples.not_converged) / static_cast<double>(samples.ns.size());
 }
 
-void enlist(const Job& job, Samples& samples) {
+void enlist(const Job& job, Samples& samples, const Turn& turn) {
   const auto body = [&](benchmark::State& state) {
     for ([[maybe_unused]] auto _ : state) {
-      pass(job, samples);
+      take_turn(job, samples, turn);
       hand_over(state, samples);
     }
   };
@@ -96,6 +108,11 @@ class Keeper : public benchmark::BenchmarkReporter {
   std::vector<benchmark::UserCounters> counters;
 };
 
+void run_all(Keeper& keeper) {
+  keeper.counters.clear();
+  benchmark::RunSpecifiedBenchmarks(&keeper);
+}
+
 Measurement measurement(const Job& job, benchmark::UserCounters& of) {
   return {job.solver.name,       job.warm,           job.tasks.size(),
           of["median_ns"],       of["p99_ns"],       of["median_iterations"],
@@ -111,12 +128,12 @@ void solve(const Solver& solver, const Task& task) {
 std::vector<Measurement> measure(const std::vector<Job>& jobs, int repeats) {
   std::vector<Samples> samples;
   for (const Job& job : jobs) samples.push_back(first_pass(job));
-  for (std::size_t i = 0; i < jobs.size(); ++i) enlist(jobs[i], samples[i]);
+  Turn turn;
+  for (std::size_t i = 0; i < jobs.size(); ++i) enlist(jobs[i], samples[i], turn);
   Keeper keeper;
-  for (int i = 0; i < repeats && !interrupted(); ++i) {
-    keeper.counters.clear();
-    benchmark::RunSpecifiedBenchmarks(&keeper);
-  }
+  const std::size_t tasks = jobs.empty() ? 0 : jobs[0].tasks.size();
+  for (int i = 0; i < repeats; ++i)
+    for (turn = {0, tasks_in_turn}; turn.begin < tasks && !interrupted(); turn = next(turn)) run_all(keeper);
   benchmark::ClearRegisteredBenchmarks();
   std::vector<Measurement> out;
   for (std::size_t i = 0; i < jobs.size() && !interrupted(); ++i)
