@@ -1,7 +1,8 @@
-// The loader of shared libraries that implement solver/plumb_solver.h.
+// The loader of shared libraries that implement solver/plumb_solver.h: foreign ones by their path, the peers by their name.
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "corpus/case.hpp"
@@ -100,21 +101,50 @@ void* open_library(const std::string& path) {
   return handle;
 }
 
-}  // namespace
-
 // The library stays loaded until the process ends: what it registered with the system may outlive any owner of ours.
-Solver load_solver(const std::string& path) {
+Solver load(const std::string& path, const std::string& name, const std::string& summary) {
   void* handle = open_library(path);
   require_version(handle, path);
   const auto solve = symbol<decltype(&plumb_solver_solve)>(handle, path, "plumb_solver_solve");
-  const std::string name = "solver:" + std::filesystem::path(path).filename().string();
   const auto library = std::make_shared<const Library>(Library{name, solve});
-  return {name,
-          Problem::common_normal,
-          "foreign solver " + path,
-          false,
-          false,
-          [library](const Pair& pair, const Want&, const Contact<double>*) { return solve_with(*library, pair); }};
+  return {
+      name,    Problem::common_normal,
+      summary, false,
+      false,   [library](const Pair& pair, const Want&, const Contact<double>*) { return solve_with(*library, pair); }};
+}
+
+struct Peer {
+  std::string_view name, summary;
+};
+constexpr std::array<Peer, 3> kPeers{{
+    {"peer_libccd_epa", "libccd's GJK and EPA, tolerance 1e-12; bodies apart: the verdict alone"},
+    {"peer_libccd_mpr", "libccd's MPR, tolerance 1e-12: a depth, not the lowest; apart: the verdict alone"},
+    {"peer_fcl", "FCL's signed distance of ellipsoids, tolerance 1e-6; refuses other exponents"},
+}};
+
+std::string peer_path(std::string_view name) {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "peers" / (std::string(name) + ".so");
+}
+
+}  // namespace
+
+Solver load_solver(const std::string& path) {
+  return load(path, "solver:" + std::filesystem::path(path).filename().string(), "foreign solver " + path);
+}
+
+std::vector<std::string> peer_names() {
+  std::vector<std::string> names;
+  for (const Peer& peer : kPeers)
+    if (std::filesystem::exists(peer_path(peer.name))) names.emplace_back(peer.name);
+  return names;
+}
+
+Solver load_peer(const std::string& name) {
+  const auto peer = std::find_if(kPeers.begin(), kPeers.end(), [&](const Peer& p) { return p.name == name; });
+  if (peer == kPeers.end()) throw InputFailure("--method", 0, name, "no such peer");
+  Solver solver = load(peer_path(name), name, std::string(peer->summary));
+  solver.published = true;
+  return solver;
 }
 
 }  // namespace plumb

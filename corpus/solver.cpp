@@ -32,6 +32,7 @@ Solver solver_of(const Method& method) {
 std::string known_names() {
   std::string names;
   for (const Method& method : methods()) names += (names.empty() ? "" : ", ") + std::string(method.name);
+  for (const std::string& peer : peer_names()) names += ", " + peer;
   return names;
 }
 
@@ -42,6 +43,8 @@ bool contains(const std::vector<Solver>& solvers, const std::string& name) {
 
 Solver find_solver(const std::string& name) {
   if (const Method* method = find_method(name)) return solver_of(*method);
+  const std::vector<std::string> peers = peer_names();
+  if (std::find(peers.begin(), peers.end(), name) != peers.end()) return load_peer(name);
   throw InputFailure("--method", 0, name, "no such method; there are " + known_names());
 }
 
@@ -50,6 +53,7 @@ Solver find_solver(const std::string& name) {
 std::vector<Solver> all_solvers() {
   std::vector<Solver> solvers;
   for (const Method& method : methods()) solvers.push_back(solver_of(method));
+  for (const std::string& peer : peer_names()) solvers.push_back(load_peer(peer));
   return solvers;
 }
 

@@ -29,4 +29,10 @@ struct Solver {
 /// The solver in a shared library (solver/plumb_solver.h); throws InputFailure when it cannot be loaded.
 [[nodiscard]] Solver load_solver(const std::string& path);
 
+/// The peers that this build has, other people's solvers (fuzz/peers/): those whose library is in peers/ beside the program.
+[[nodiscard]] std::vector<std::string> peer_names();
+
+/// One of them; throws InputFailure when it cannot be loaded.
+[[nodiscard]] Solver load_peer(const std::string& name);
+
 }  // namespace plumb

@@ -1,0 +1,20 @@
+// What the peers share on their side of the C door: the pair in plumb's words and frame, and the answer out of that frame.
+#pragma once
+
+#include "solver/plumb_solver.h"
+#include "solver/pose.hpp"
+
+namespace plumb::peers {
+
+[[nodiscard]] Pair pair_of(const plumb_pair& pair);
+
+/// An answer in the pair's frame: world axes, origin at body 1, lengths divided by 2^exponent.
+struct Found {
+  double overlap;
+  Vec3<double> normal, point1, point2;
+};
+
+/// Fills the answer as converged, or as not finite where one of its numbers is not.
+void write(const Found& found, const PlacedPair<double>& placed, const Pair& pair, plumb_contact& contact);
+
+}  // namespace plumb::peers
