@@ -3,8 +3,7 @@
 namespace plumb {
 
 Json Asked::to_json() const {
-  return {{"seed", seed},     {"cases", cases}, {"methods", methods}, {"all_methods", all_methods},
-          {"shards", shards}, {"done", done}};
+  return {{"seed", seed}, {"cases", cases}, {"methods", methods}, {"shards", shards}, {"done", done}};
 }
 
 Asked Asked::from_json(const Json& json) {
@@ -12,7 +11,6 @@ Asked Asked::from_json(const Json& json) {
   json.at("seed").get_to(asked.seed);
   json.at("cases").get_to(asked.cases);
   json.at("methods").get_to(asked.methods);
-  json.at("all_methods").get_to(asked.all_methods);
   json.at("shards").get_to(asked.shards);
   json.at("done").get_to(asked.done);
   if (asked.done.empty() || *asked.done.begin() < 1 || *asked.done.rbegin() > asked.shards)

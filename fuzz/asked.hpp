@@ -14,7 +14,6 @@ struct Asked {
   std::uint64_t seed = 0;
   std::map<std::string, std::uint64_t> cases;  ///< of each family, in all shards together
   std::set<std::string> methods;
-  bool all_methods = false;      ///< none was asked by name, so that an answer of `auto` counts where it came from
   std::uint64_t shards = 1;      ///< into how many parts the cases were divided
   std::set<std::uint64_t> done;  ///< which of them are here, counted from 1
 

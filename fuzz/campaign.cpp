@@ -25,10 +25,6 @@ struct Round {
   Judge judge;
 };
 
-bool asked_too(const std::string& method, const CampaignOptions& options) {
-  return std::any_of(options.solvers.begin(), options.solvers.end(), [&](const Solver& s) { return s.name == method; });
-}
-
 void keep(Round& round, const std::string& method, const Finding& finding) {
   const std::string words = bucket(name(finding.kind), method, round.c.pair, round.judge.reference());
   ++round.results.buckets[words];
@@ -58,11 +54,6 @@ std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
 /// True when the reference was beaten.
 bool judge_answer(Round& round, const Solver& solver) {
   const JudgedAnswer judged = solve_and_judge(round.judge, round.c.pair, solver);
-  const std::string answering = answering_method(solver, judged.answer);
-  if (answering != solver.name) ++round.results.answered_by[solver.name][answering];
-  // Where all methods are asked, the same answer counts once, to the method that gave it. Who asks for `auto` by name
-  // asks whether plumb's own choice is right: the answer is plumb's, whichever method it was taken from.
-  if (answering != solver.name && round.options.all_methods && asked_too(answering, round.options)) return false;
   const std::string& method = solver.name;
   for (Tally* tally : tallies_of(round, method)) {
     tally->published = solver.published;
@@ -110,7 +101,6 @@ Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& option
   asked.seed = options.seed;
   for (const Source& source : sources) asked.cases[source.family] = source.cases;
   for (const Solver& solver : options.solvers) asked.methods.insert(solver.name);
-  asked.all_methods = options.all_methods;
   asked.shards = options.shard.count;
   asked.done = {options.shard.number};
   return asked;

@@ -29,7 +29,6 @@ struct Shard {
 
 struct CampaignOptions {
   std::vector<Solver> solvers;
-  bool all_methods = false;  ///< every method of this build is asked, none by name
   std::uint64_t seed = 1;
   unsigned threads = 1;
   Shard shard;

@@ -39,7 +39,7 @@ std::string methods_of(const Arguments& args) {
 
 CampaignOptions options_of(const Arguments& args) {
   const std::string methods = methods_of(args);
-  CampaignOptions options{{}, methods == "all", args.seed, args.threads, parse_shard(args.shard)};
+  CampaignOptions options{{}, args.seed, args.threads, parse_shard(args.shard)};
   if (!methods.empty()) options.solvers = find_solvers(methods);
   if (args.solver.empty()) return options;
   options.solvers.push_back(load_solver(args.solver));

@@ -72,7 +72,7 @@ std::string engine_text(const EngineRun& run) {
 int fuzz_run(const Arguments& args) {
   const std::vector<Source> sources = sources_of(args);
   prepare_folder(args.out);
-  const CampaignOptions options{all_solvers(), true, args.seed, args.threads, {}};
+  const CampaignOptions options{all_solvers(), args.seed, args.threads, {}};
   const int found = report(run_campaign(sources, options), args.out);
   // The engine shows its progress on stderr: below the table, also where both go to one file.
   (void)std::fflush(stdout);

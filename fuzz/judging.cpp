@@ -44,10 +44,6 @@ JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solve
   return out;
 }
 
-std::string answering_method(const Solver& asked, const Contact<double>& answer) {
-  return answer.method.empty() ? asked.name : std::string(answer.method);
-}
-
 double beats_reference(const Pair& pair, const Contact<double>& answer, const Reference& reference) {
   if (!answer.normal.allFinite()) return 0;
   const Vec3<long double> normal = answer.normal.cast<long double>();

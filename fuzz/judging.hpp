@@ -15,9 +15,6 @@ struct JudgedAnswer {
 /// Solves and judges; a C++ exception out of the solver is the finding `crash` (a signal ends the process).
 [[nodiscard]] JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver);
 
-/// The method that the answer names (`auto` answers by new_cn until it has a solver of its own), else the one that was asked.
-[[nodiscard]] std::string answering_method(const Solver& asked, const Contact<double>& answer);
-
 /// How far below the reference's overlap a body-to-body depth along the answer's normal lies, relative to the size; > 0
 /// proves, up to rounding, that the reference missed the lowest common normal.
 [[nodiscard]] double beats_reference(const Pair& pair, const Contact<double>& answer, const Reference& reference);

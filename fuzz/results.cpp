@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "plumb/bins-3";
+constexpr const char* kFormat = "plumb/bins-4";
 
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
@@ -74,7 +74,6 @@ Json bins_json(const Results& results) {
           {"interrupted", results.interrupted},
           {"families", families},
           {"buckets", results.buckets},
-          {"answered_by", results.answered_by},
           {"harness_errors", results.harness_errors},
           {"libraries", results.libraries},
           {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
@@ -88,7 +87,6 @@ Results parse_bins(const Json& json) {
   json.at("interrupted").get_to(results.interrupted);
   for (const auto& [name, family] : json.at("families").items()) results.families[name] = read_family(family);
   json.at("buckets").get_to(results.buckets);
-  json.at("answered_by").get_to(results.answered_by);
   json.at("harness_errors").get_to(results.harness_errors);
   json.at("libraries").get_to(results.libraries);
   json.at("timing").at("seconds").get_to(results.seconds);
@@ -121,8 +119,6 @@ void Results::merge(Results&& other) {
   interrupted = interrupted || other.interrupted;
   for (const auto& [name, family] : other.families) families[name].merge(family);
   for (const auto& [bucket, n] : other.buckets) buckets[bucket] += n;
-  for (const auto& [asked, answered] : other.answered_by)
-    for (const auto& [by, n] : answered) answered_by[asked][by] += n;
   for (const auto& [message, n] : other.harness_errors) harness_errors[message] += n;
   libraries.insert(other.libraries.begin(), other.libraries.end());
   kept.merge(std::move(other.kept));

@@ -37,9 +37,7 @@ struct Results {
   bool interrupted = false;     ///< this run, or one of those that were merged
   bool shards_missing = false;  ///< from a merge; one shard alone is all that was asked of it
   std::map<std::string, FamilyResults> families;
-  std::map<std::string, std::uint64_t> buckets;  ///< failures in each
-  std::map<std::string, std::map<std::string, std::uint64_t>>
-      answered_by;                                      ///< asked -> answered -> count, where they differ
+  std::map<std::string, std::uint64_t> buckets;         ///< failures in each
   std::map<std::string, std::uint64_t> harness_errors;  ///< message -> cases
   std::map<std::string, std::string> libraries;         ///< foreign solver -> absolute path of its library
   KeptFailures kept;

@@ -109,7 +109,6 @@ Json summary_json(const Results& results) {
   json["families"] = family_order(results);
   if (results.incomplete()) json["incomplete"] = true;
   json["methods"] = methods_json(results.methods());
-  json["x_answered_by"] = results.answered_by;
   json["x_harness_errors"] = results.harness_errors;
   for (const std::string& family : family_order(results))
     json["x_families"][family] = family_summary(results.families.at(family));

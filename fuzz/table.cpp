@@ -107,11 +107,6 @@ std::string notes(const Results& results) {
       "\n  conv.%: of all answers; share: of the judged answers, with its Clopper-Pearson interval;\n"
       "  >0.01deg: per cent of the converged answers; p50, p99, max: their angle to the certified common normal, "
       "degrees;\n  iter: p50/p99 of the iterations of all answers; time: median of one solve.\n";
-  const Tallies methods = results.methods();
-  for (const auto& [asked, answered] : results.answered_by)
-    for (const auto& [by, n] : answered)
-      text += fmt::format("  {} answered by {} in {} cases: they count as {}'s.\n", asked, by, grouped(n),
-                          methods.contains(asked) ? asked : by);
   for (const auto& [message, n] : results.harness_errors) text += fmt::format("  HARNESS ERROR {}\n", message);
   if (results.interrupted) text += "  INCOMPLETE: interrupted; what was done is counted.\n";
   if (results.shards_missing)

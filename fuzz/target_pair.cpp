@@ -2,21 +2,17 @@
 //
 // Environment
 //   PLUMB_FUZZ_METHOD   the method that answers; default auto
-//   PLUMB_FUZZ_ABORT    the findings that stop the engine (known.hpp). By default every finding does, but `nonconverged`, which
-//                       is an answer that says of itself that it is none, and the known faults of the method that answered,
-//                       up to the severity that known.cpp gives for each: of new_cn, and of auto while that answers by it, these
-//                       are another common normal, a wrong contact verdict, a failing related pair, a number that is not
-//                       finite and an error at the rounding floor.
+//   PLUMB_FUZZ_ABORT    the findings that stop the engine (abort_rule.hpp); by default every one does
 //   PLUMB_FUZZ_OUT      a folder: the case of a finding that stops is written there, ready for plumb replay
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <filesystem>
 
+#include "fuzz/abort_rule.hpp"
 #include "fuzz/decode.hpp"
 #include "fuzz/judging.hpp"
 #include "fuzz/kept.hpp"
-#include "fuzz/known.hpp"
 #include "fuzz/target.hpp"
 
 namespace plumb {
@@ -38,7 +34,7 @@ Solver solver_asked() {
 
 struct Settings {
   Solver solver = solver_asked();
-  AbortRule rule{environment("PLUMB_FUZZ_ABORT", "default")};
+  AbortRule rule{environment("PLUMB_FUZZ_ABORT", "")};
   std::filesystem::path out = environment("PLUMB_FUZZ_OUT", "");
 };
 
@@ -61,8 +57,8 @@ Outcome examine(std::span<const std::uint8_t> bytes) {
   Judge judge(c.pair);
   const JudgedAnswer judged = solve_and_judge(judge, c.pair, settings().solver);
   const Finding& finding = judged.judgement.finding;
-  const std::string method = answering_method(settings().solver, judged.answer);
-  const bool stop = settings().rule.stops(method, finding);
+  const std::string& method = settings().solver.name;
+  const bool stop = settings().rule.stops(finding);
   if (stop) keep(c, method, finding, judge.reference());
   if (finding.kind == FindingKind::none) return {false, fmt::format("none by {}", method)};
   return {stop, fmt::format("{} by {}, severity {:.3g}, law '{}': {}", name(finding.kind), method, finding.severity,

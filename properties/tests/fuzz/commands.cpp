@@ -156,15 +156,6 @@ TEST(Commands, AMethodNamedTwiceAnswersOnce) {
   EXPECT_EQ(summary_in(out).at("methods").at("new_cn").at("x_answers"), 3);
 }
 
-TEST(Commands, AutoHasARowOnlyWhenAskedByName) {
-  const fs::path folder = scratch(), out = folder / "out";
-  for (const std::string methods : {"all", "original_cn,auto"}) {
-    exit_of(start({"campaign", "--family", "spheroid", "--cases", "3", "--method", methods, "--out", out.string()},
-                  folder / "stderr"));
-    EXPECT_EQ(summary_in(out).at("methods").contains("auto"), methods != "all");
-  }
-}
-
 TEST(Commands, ThePrintedCommandReplaysAForeignSolver) {
   const fs::path folder = scratch();
   fs::copy_file(PLUMB_BINARY_DIR "/tests/foreign_sphere.so", folder / "one's own.so");

@@ -1,0 +1,31 @@
+#include "fuzz/abort_rule.hpp"
+
+#include <sstream>
+#include <string>
+
+#include "corpus/case.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr int kKinds = static_cast<int>(FindingKind::none);
+
+FindingKind kind_named(const std::string& word) {
+  for (int i = 0; i < kKinds; ++i)
+    if (name(static_cast<FindingKind>(i)) == word) return static_cast<FindingKind>(i);
+  throw InputFailure("PLUMB_FUZZ_ABORT", 0, word, "is no finding; known: all, none and the findings of plumb check");
+}
+
+}  // namespace
+
+AbortRule::AbortRule(std::string_view words) {
+  if (words == "none") return;
+  if (words.empty() || words == "all") {
+    for (int i = 0; i < kKinds; ++i) kinds_.insert(static_cast<FindingKind>(i));
+    return;
+  }
+  std::stringstream list{std::string(words)};
+  for (std::string word; std::getline(list, word, ',');) kinds_.insert(kind_named(word));
+}
+
+}  // namespace plumb

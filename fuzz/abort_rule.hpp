@@ -1,0 +1,21 @@
+// When the fuzz target stops.
+#pragma once
+
+#include <set>
+#include <string_view>
+
+#include "properties/laws.hpp"
+
+namespace plumb {
+
+/// Which findings stop the engine: "" and "all", "none", or the words of the kinds, comma-separated.
+class AbortRule {
+ public:
+  explicit AbortRule(std::string_view words);
+  [[nodiscard]] bool stops(const Finding& finding) const { return kinds_.contains(finding.kind); }
+
+ private:
+  std::set<FindingKind> kinds_;
+};
+
+}  // namespace plumb
