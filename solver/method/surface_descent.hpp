@@ -15,18 +15,21 @@ class SurfaceDescent {
 
   /// Whether a minimum was reached from n.
   [[nodiscard]] bool solve(const Vector3<S>& n) {
+    const int last = out_.evaluations + most_evaluations;
     solver_.evaluate(n, at_, f_, out_);
-    for (int i = 0; i < most_steps; ++i) {
+    for (int tries = 0; out_.evaluations < last;) {
       ++out_.iterations;
       const PlaneHessian<S> h = hessian_of(solver_.pair(), f_);
-      if (is_in_a_basin(h) && finish(short_newton)) return true;
+      if (is_in_a_basin(h) && tries++ < most_tries && finish(short_newton)) return true;
       if (!descend(h)) return finish(long_newton);
     }
     return false;
   }
 
  private:
-  static constexpr int most_steps = 60;
+  static constexpr int most_evaluations = 200;
+  static constexpr int most_tries =
+      3;  // of Newton: between flats it gains a fixed factor a step, and is left to others
   static constexpr int short_newton = 12, long_newton = 30;
   static constexpr double armijo = 1e-4;
 
