@@ -46,7 +46,8 @@ template <class S>
   out.status = found.status;
   out.iterations = found.iterations;
   out.evaluations = found.evaluations;
-  out.verdict = verdict_of<S>(found.overlap, placed.size());
+  const double undecided = 8;  // epsilon: what rounding may do to the overlap (properties/allowance.hpp)
+  out.verdict = verdict_of<S>(found.overlap, placed.size(), undecided);
   out.overlap = placed.to_world_length(found.overlap);
   out.normal = found.normal.eigen();
   out.chart1 = found.chart1.eigen();

@@ -73,12 +73,12 @@ template <class S>
   return {placed.to_pair_point(last->point1, pair), placed.to_pair_point(last->point2, pair) - placed.body2.centre};
 }
 
-/// |overlap| up to this many epsilon of the pair's size leaves the verdict undecided.
+/// |overlap| up to this many epsilon of the pair's size leaves the verdict of the published methods undecided.
 inline constexpr double undecided_floor = 16;
 
 template <class S>
-[[nodiscard]] inline Verdict verdict_of(const S& overlap, const S& size) {
-  const S floor = S(undecided_floor) * epsilon<S>() * size;
+[[nodiscard]] inline Verdict verdict_of(const S& overlap, const S& size, double floor_multiple = undecided_floor) {
+  const S floor = S(floor_multiple) * epsilon<S>() * size;
   if (overlap > floor) return Verdict::overlapping;
   return overlap < -floor ? Verdict::separated : Verdict::undecided;
 }

@@ -23,6 +23,7 @@ namespace plumb {
 
 /// `Form` offers   Vector3<S> farthest(v): g(v) for any v but zero
 ///                 Answer solve(v): a local solve; Answer has status, overlap, normal, iterations, evaluations
+///                 int least_level(): of a cell that six points can explain; higher where o has narrow folds
 template <class S, class Form, class Answer>
 class DirectionSearch {
  public:
@@ -46,6 +47,7 @@ class DirectionSearch {
   static constexpr int deepest = 24;    // 2^-24 of a face: what is left is at the rounding of o
   static constexpr int solve_each = 3;  // levels between two local solves
   static constexpr int most_known = 16;
+  static constexpr double explained_reach = 4;  // half edges of a cell: six points do not see further
   static constexpr int most_evaluations = 800;  // below the 1000 that the laws call slow
   static constexpr double noise = 64;           // epsilon times this and the size: rounding of a gradient
 
@@ -103,7 +105,7 @@ class DirectionSearch {
     if (is_excluded(cell, g)) return;
     const bool is_lower = dot(g, middle) < level() * length(middle);
     if (is_lower || cell.level % solve_each == solve_each - 1) solve_from(middle);
-    if (cell.level > 0 && is_explained(cell, {middle, slope(middle, g)})) return;
+    if (cell.level >= form_.least_level() && is_explained(cell, {middle, slope(middle, g)})) return;
     if (cell.level < deepest) divide(cell, g);
   }
 
@@ -134,6 +136,7 @@ class DirectionSearch {
       const S height = dot(known.normal, outwards);
       if (!(height > S(0.25))) continue;  // beyond a neighbouring face
       samples[n] = {known.normal * (S(1) / height), known.normal * (known.overlap - level())};
+      if (largest(samples[n].v - middle.v) > S(explained_reach) * cell.half) continue;
       if (are_monotone(samples, n + 1)) return true;
     }
     return false;

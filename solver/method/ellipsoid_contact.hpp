@@ -11,6 +11,7 @@ struct EllipsoidForm {
   const EllipsoidPair<S>& pair;
   const Want& want;
 
+  [[nodiscard]] int least_level() const { return 1; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start) const {
     EllipsoidContact<S> out;

@@ -112,7 +112,8 @@ inline void climb_ladder(const SurfaceSolver<S>& solver, const Vector3<S>& n, Su
                                    {StartKind::middle, {3, 1.5, 60, false}},
                                    {StartKind::normal, {none, 1, 60, true}},
                                    {StartKind::chart, {none, 1, 60, true}}}};
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
+  constexpr int most_evaluations = 250;  // what is left of them is the search's, which needs no start
+  for (std::size_t i = 0; i < rungs.size() && out.evaluations < most_evaluations; ++i) {
     if (i == 1 && SurfaceDescent<S>(solver, out).solve(n)) return;
     solver.attempt(n, rungs[i].kind, rungs[i].attempt, out);
     if (out.minimum) return;
@@ -140,6 +141,8 @@ template <class S>
 struct SurfaceForm {
   const SurfaceSolver<S>& solver;
 
+  /// A point of exponent n < 2 has no radius of curvature: o folds there within a narrow cone.
+  [[nodiscard]] int least_level() const { return solver.pair().any_dual ? 5 : 2; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
 
   /// By Newton where it does not run away uphill, else by descent.
