@@ -86,6 +86,7 @@ bool is_shown_right(const Pair& pair, const Contact<double>& answer, const Refer
 void examine(const Case& c, std::uint64_t index, const Options& options, Counts& counts) {
   const auto solve = [](const Pair& pair) { return find_method("auto")->solve(pair, {}, nullptr); };
   const Pair pair = moved(c.pair, options);
+  if (!is_valid(pair)) return;  // a unit beyond the range of double
   const Contact<double> answer = solve(pair);
   ++counts.cases;
   counts.lost += answer.status == Status::converged ? 0 : 1;

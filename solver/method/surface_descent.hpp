@@ -112,7 +112,7 @@ inline void climb_ladder(const SurfaceSolver<S>& solver, const Vector3<S>& n, Su
                                    {StartKind::middle, {3, 1.5, 60, false}},
                                    {StartKind::normal, {none, 1, 60, true}},
                                    {StartKind::chart, {none, 1, 60, true}}}};
-  constexpr int most_evaluations = 250;  // what is left of them is the search's, which needs no start
+  constexpr int most_evaluations = 200;  // what is left of them is the search's, which needs no start
   for (std::size_t i = 0; i < rungs.size() && out.evaluations < most_evaluations; ++i) {
     if (i == 1 && SurfaceDescent<S>(solver, out).solve(n)) return;
     solver.attempt(n, rungs[i].kind, rungs[i].attempt, out);
