@@ -34,7 +34,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--unit", options.unit, "all lengths times this")->capture_default_str()->check(CLI::PositiveNumber);
   app.add_option("--shift", options.shift, "both bodies moved by this many sizes along (1, 2, 3)")
       ->capture_default_str();
-  app.add_option("--sample", options.sample, "judge one case in this many by all laws")->capture_default_str();
+  app.add_option("--sample", options.sample, "judge one case in this many by all laws")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   app.add_option("--threads", options.threads, "changes nothing but the time")->capture_default_str();
   app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
@@ -57,6 +59,7 @@ struct Counts {
     for (std::size_t i = 0; i < iterations.size(); ++i) iterations[i] += other.iterations[i];
   }
   [[nodiscard]] std::size_t quantile(double share) const {
+    if (cases == 0) return 0;
     const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(cases - 1));
     std::uint64_t seen = 0;
     for (std::size_t i = 0; i < iterations.size(); ++i)

@@ -17,7 +17,7 @@ template <class S>
 /// The mean of the normals at the last points.
 template <class S>
 [[nodiscard]] Vector3<S> warm_direction(const EllipsoidPair<S>& pair, const Contact<S>& last) {
-  return sum(normals_at(pair, both(Vector3<S>::of(last.chart1), Vector3<S>::of(last.chart2))));
+  return sum(normals_at(pair, both(Vector3<S>::of(last.chart1), Vector3<S>::of(Vec3<S>(-last.chart2)))));
 }
 
 template <class S>
@@ -68,8 +68,8 @@ template <class S>
   const EllipsoidPair<S> pair = ellipsoid_pair(placed);
   const EllipsoidContact<S> found = ellipsoid_contact(pair, want, first_direction(pair, last));
   const Touch<S>& touch = found.at.touch;
-  return {found.status,   found.overlap,   found.normal,     first(touch.p),   pair.c - second(touch.p),
-          first(touch.u), second(touch.u), found.iterations, found.evaluations};
+  return {found.status,   found.overlap,           found.normal,     first(touch.p),   pair.c - second(touch.p),
+          first(touch.u), second(touch.u) * S(-1), found.iterations, found.evaluations};
 }
 
 template <class S>

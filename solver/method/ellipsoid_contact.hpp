@@ -26,12 +26,15 @@ template <class S>
   return contact.overlap <= S(0) || rolls<S>(pair, contact.overlap) || is_inner_lowest<S>(pair, contact);
 }
 
+inline constexpr int few_iterations = 14;
+
 template <class S>
 [[nodiscard]] inline EllipsoidContact<S> ellipsoid_contact(const EllipsoidPair<S>& pair, const Want& want,
                                                            const Vector3<S>& start) {
   EllipsoidContact<S> out;
   EllipsoidNewton<S>(pair, want).solve(out, start);
   if (is_surely_lowest<S>(pair, out)) return out;
+  if (out.status != Status::converged && want.iteration_limit < few_iterations) return out;  // asked to stop
   const EllipsoidForm<S> form{pair, want};
   return DirectionSearch<S, EllipsoidForm<S>, EllipsoidContact<S>>(form, pair.size, out).lowest();
 }

@@ -94,7 +94,7 @@ class EllipsoidNewton {
     const Symmetric3<Both<S>> h = radii(pair_, out.at.touch);
     Vector3<S> step = newton_step(sum(h), out.at);
     S turn = squared_turn(out.at, step);
-    if (turn < S(newton::last_turn * newton::last_turn)) return follow(out.at, h, step), true;
+    if (turn < S(newton::last_turn * newton::last_turn) && lands(h, out.at, step)) return follow(out.at, h, step), true;
     const S longest(newton::longest_turn * newton::longest_turn);
     if (turn > longest) {
       step = step * sqrt(longest / turn);
@@ -109,6 +109,11 @@ class EllipsoidNewton {
       step = step * S(newton::shorter);
     }
     return false;
+  }
+
+  /// Whether the slope after a step is zero to rounding, to first order: not where the matrix was made convex.
+  [[nodiscard]] bool lands(const Symmetric3<Both<S>>& h, const DirectionPoint<S>& at, const Vector3<S>& step) const {
+    return largest(at.slope + sum(h) * step - step * at.ratio) <= floor_;
   }
 
   /// A last step, so short that points follow it linearly.
@@ -160,8 +165,9 @@ class EllipsoidNewton {
     using std::sqrt;
     out.overlap = overlap_at(pair_, out.at);
     out.normal = out.at.n * sqrt(out.at.inverse_square);
-    if (out.status == Status::converged && asked_ <= floor_ && reach(out.at) > S(newton::coarse) * pair_.size)
-      settle(out);
+    if (out.status != Status::converged) return;
+    const bool asks_for_all = asked_ <= floor_ && reach(out.at) > S(newton::coarse) * pair_.size;
+    if (asks_for_all || out.at.error > std::max(floor_, asked_)) settle(out);
   }
 
   const EllipsoidPair<S>& pair_;

@@ -4,8 +4,8 @@
 //         eigenvalue of H1 + H2 the Jacobian takes o = 0: the step then descends, and saddles and maxima do not attract
 // Flats   once the twist is at its rounding its right-hand side is zero: between flats the Jacobian is all but singular, and
 //         would blow the noise up
-// End     residual below 8 epsilon, or below 64 and no longer halved; a last step that is short enough is taken along
-//         the tangents
+// End     residual below 4 epsilon (or what was asked for), or below 16 and no longer halved; a last step that is short
+//         enough is taken along the tangents, and measured like any other
 #pragma once
 
 #include <algorithm>
@@ -71,7 +71,7 @@ class SurfaceNewton {
     S last = std::numeric_limits<S>::infinity();
     for (int i = 0;; ++i) {
       const S now = residual(*f_);
-      if (is_exact() && f_->opposite && (now < tolerance_ || (now < 4 * tolerance_ && now >= last / 2)))
+      if (is_exact() && f_->opposite && (now < tolerance_ || (now < S(16) * epsilon<S>() && now >= last / 2)))
         return Status::converged;
       if (!(now < std::numeric_limits<S>::infinity())) return Status::not_finite;
       const bool is_promising = now < S(0.05) && now < S(0.8) * last;
