@@ -62,8 +62,10 @@ struct Counts {
     if (cases == 0) return 0;
     const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(cases - 1));
     std::uint64_t seen = 0;
-    for (std::size_t i = 0; i < iterations.size(); ++i)
-      if ((seen += iterations[i]) > wanted) return i;
+    for (std::size_t i = 0; i < iterations.size(); ++i) {
+      seen += iterations[i];
+      if (seen > wanted) return i;
+    }
     return iterations.size() - 1;
   }
 };

@@ -103,10 +103,11 @@ class EllipsoidNewton {
     if (turn < S(newton::short_turn * newton::short_turn)) return evaluate(out, out.at.n + step), false;
     const S here = overlap_at(pair_, out.at);
     const Vector3<S> n = out.at.n;
-    for (evaluate(out, n + step); turn > S(newton::short_turn * newton::short_turn);
-         turn *= S(newton::shorter * newton::shorter), evaluate(out, n + step)) {
-      if (overlap_at(pair_, out.at) <= here) break;
+    evaluate(out, n + step);
+    while (turn > S(newton::short_turn * newton::short_turn) && !(overlap_at(pair_, out.at) <= here)) {
       step = step * S(newton::shorter);
+      turn *= S(newton::shorter * newton::shorter);
+      evaluate(out, n + step);
     }
     return false;
   }
