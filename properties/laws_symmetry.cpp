@@ -42,7 +42,8 @@ bool is_tied(const Evidence& e) {
   const auto holds_one = [&](const std::vector<Solution>& others) {
     return std::any_of(others.begin(), others.end(), [&](const Solution& other) { return ties(e, other); });
   };
-  return holds_one(e.reference.tied) || holds_one(e.reference.close);
+  // Where ties are not all known there may be one: concentric bodies give either of two opposite normals.
+  return !names_all_ties(e.reference) || holds_one(e.reference.tied) || holds_one(e.reference.close);
 }
 
 Vec3<double> cycled(const Vec3<double>& v) {
