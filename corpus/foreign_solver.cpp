@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "corpus/case.hpp"
+#include "corpus/program_folder.hpp"
 #include "corpus/solver.hpp"
 #include "solver/plumb_solver.h"
 
@@ -123,7 +124,7 @@ constexpr std::array<Peer, 3> kPeers{{
 }};
 
 std::string peer_path(std::string_view name) {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "peers" / (std::string(name) + ".so");
+  return program_folder() / "peers" / (std::string(name) + ".so");
 }
 
 }  // namespace

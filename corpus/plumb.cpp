@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "corpus/program_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,12 +36,8 @@ constexpr std::array<Command, 11> commands{{
     {"report", "one page of HTML from campaigns"},
 }};
 
-fs::path folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path();
-}
-
 fs::path program(std::string_view name) {
-  return folder() / ("plumb-" + std::string(name));
+  return plumb::program_folder() / ("plumb-" + std::string(name));
 }
 
 int refuse(const std::string& reason) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "corpus/program_folder.hpp"
 #include "fuzz/progress.hpp"
 #include "fuzz/shell_word.hpp"
 
@@ -117,7 +118,7 @@ std::string notes(const Results& results) {
 
 /// The plumb beside this program, as one would type it here.
 std::string plumb_command() {
-  const fs::path plumb = fs::read_symlink("/proc/self/exe").parent_path() / "plumb";
+  const fs::path plumb = program_folder() / "plumb";
   const std::string here = fs::proximate(plumb).string();
   return shell_word(here.starts_with("..") ? plumb.string() : here);
 }

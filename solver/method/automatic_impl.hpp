@@ -14,6 +14,11 @@ template <class S>
   return shape.n1 == S(2) && shape.n2 == S(2);
 }
 
+template <class S>
+[[nodiscard]] bool has_charts(const Contact<S>* last) {
+  return last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
+}
+
 /// The mean of the normals at the last points.
 template <class S>
 [[nodiscard]] Vector3<S> warm_direction(const EllipsoidPair<S>& pair, const Contact<S>& last) {
@@ -22,7 +27,7 @@ template <class S>
 
 template <class S>
 [[nodiscard]] Vector3<S> first_direction(const EllipsoidPair<S>& pair, const Contact<S>* last) {
-  if (last != nullptr && last->chart1.allFinite() && last->chart2.allFinite()) {
+  if (has_charts(last)) {
     const Vector3<S> warm = warm_direction(pair, *last);
     if (largest(warm) > S(0.5)) return warm;
   }
@@ -75,7 +80,7 @@ template <class S>
 template <class S>
 [[nodiscard]] Found<S> solve_superellipsoids(const PlacedPair<S>& placed, const Want& want, const Contact<S>* last) {
   const SuperellipsoidPair<S> pair = superellipsoid_pair(placed);
-  const bool is_warm = last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
+  const bool is_warm = has_charts(last);
   Vector3<Both<S>> warm;
   if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
   const SurfaceContact<S> found = superellipsoid_contact(pair, want, is_warm ? &warm : nullptr);

@@ -85,11 +85,6 @@ class DirectionSearch {
             on_face(c, c.u - c.half, c.v + c.half), on_face(c, c.u + c.half, c.v + c.half)};
   }
 
-  [[nodiscard]] static S length(const Vector3<S>& v) {
-    using std::sqrt;
-    return sqrt(dot(v, v));
-  }
-
   void push(const Cell& cell) { stack_[static_cast<std::size_t>(depth_++)] = cell; }
 
   [[nodiscard]] bool is_excluded(const Cell& cell, const Vector3<S>& g) const {

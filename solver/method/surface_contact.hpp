@@ -1,14 +1,13 @@
 // The contact of two superellipsoids: starts, attempts, guard.
 //
-// Start   the common normal n of the ellipsoids of the same semi-axes (ellipsoids.hpp). A body with an exponent above 3 starts
-//         on the ray to the middle of the two ellipsoids' support points, for on a flat the direction does not say
-//         where the point is; a rounder one where its normal is n
+// Start   the direction n in which the ellipsoids of the same semi-axes start (ellipsoids.hpp). A body with an exponent
+//         above 3 starts on the ray to the middle of the two ellipsoids' support points, for on a flat the direction does
+//         not say where the point is; a rounder one where its normal is n
 // Ladder  attempts in turn: Newton; exponents raised in steps; descent of o over directions; other starts; a line search. One
 //         in 15 000 pairs of exponents 2..8 needs the second, one in 2000 of exponents 8..40
 #pragma once
 
 #include "solver/method/direction_search.hpp"
-#include "solver/method/ellipsoids.hpp"
 #include "solver/method/surface_newton.hpp"
 
 namespace plumb {

@@ -28,8 +28,7 @@ class SurfaceDescent {
 
  private:
   static constexpr int most_evaluations = 200;
-  static constexpr int most_tries =
-      3;  // of Newton: between flats it gains a fixed factor a step, and is left to others
+  static constexpr int most_tries = 3;  // of Newton: between flats it gains a fixed factor a step; others do better
   static constexpr int short_newton = 12, long_newton = 30;
   static constexpr double armijo = 1e-4;
 
@@ -168,8 +167,9 @@ template <class S>
   }
   if (!out.minimum) {
     const Vector3<S> n = solver.first_direction();
-    solver.attempt(n, StartKind::mixed, Attempt{.limit = 14}, out);
-    const bool is_asked_to_stop = want.iteration_limit < 14 && out.status == Status::iteration_limit;
+    constexpr int first_limit = 14;
+    solver.attempt(n, StartKind::mixed, Attempt{.limit = first_limit}, out);
+    const bool is_asked_to_stop = want.iteration_limit < first_limit && out.status == Status::iteration_limit;
     if (is_asked_to_stop) return out;
     if (!out.minimum && !(out.status == Status::converged && leave_saddle(solver, out))) climb_ladder(solver, n, out);
   }

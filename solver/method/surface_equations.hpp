@@ -31,12 +31,6 @@ struct SurfaceEquations {
   bool opposite;   ///< n1.n2 < 0: else m = n1, and no solution is near
 };
 
-template <class S>
-[[nodiscard, gnu::always_inline]] inline S length(const Vector3<S>& v) {
-  using std::sqrt;
-  return sqrt(dot(v, v));
-}
-
 /// 1 / |N|.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Both<S> inverse_length(const Vector3<Both<S>>& v) {

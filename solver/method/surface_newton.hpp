@@ -61,8 +61,6 @@ class SurfaceNewton {
     out.minimum = out.status == Status::converged && is_minimum(pair_, *f_);
   }
 
-  [[nodiscard]] const SurfaceEquations<S>& equations() const { return *f_; }
-
  private:
   [[nodiscard]] S residual(const SurfaceEquations<S>& f) const { return std::max(f.twist, f.slope / pair_.reach); }
   [[nodiscard]] bool is_exact() const { return !(S(cap_) < pair_.greatest_nu); }

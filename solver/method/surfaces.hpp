@@ -152,10 +152,6 @@ template <class S>
   return pair.rotation.transposed_times(both(n, n * S(-1)));
 }
 
-[[nodiscard]] inline auto times(const auto& a, const auto& b) {
-  return std::remove_cvref_t<decltype(a)>{a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
 /// p1(n) - p2(-n) - c: the gradient of o's convex extension.
 template <class S>
 [[nodiscard]] inline Vector3<S> farthest_difference(const SuperellipsoidPair<S>& pair, const Vector3<S>& n) {

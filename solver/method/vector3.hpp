@@ -3,6 +3,8 @@
 // inlined by force: the calling convention passes such registers through memory, and g++ counts a dozen of them as too much.
 #pragma once
 
+#include <cmath>
+
 #include "solver/contact.hpp"
 
 namespace plumb {
@@ -30,6 +32,16 @@ template <class T>
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T dot(const Vector3<T>& a, const Vector3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T length(const Vector3<T>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+/// By components.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Vector3<T> times(const Vector3<T>& a, const Vector3<T>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T largest(const Vector3<T>& a) {

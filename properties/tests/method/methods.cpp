@@ -80,8 +80,7 @@ TEST(Methods, CurvatureWhereItIsAskedFor) {
 }
 
 TEST(Methods, TheAnswerNamesTheMethodThatAnswered) {
-  for (const Method& method : methods())
-    EXPECT_EQ(method.solve(unit_spheres(1.9), {}, nullptr).method, method.name);
+  for (const Method& method : methods()) EXPECT_EQ(method.solve(unit_spheres(1.9), {}, nullptr).method, method.name);
 }
 
 TEST(Methods, IllegalInputIsRefusedAndNothingElse) {
