@@ -20,17 +20,32 @@ struct SeenPoint {
   double slope;       ///< |grad g|, 1/length
   double gap;         ///< distance from the surface along the normal, to first order
   Vec3<Wide> normal;  ///< outward, world frame
-  double sharpest;    ///< smallest radius of curvature of the surface there
+  double turn;        ///< how far the normal turns within the rounding of the point, rad
 };
 
-SeenPoint see(const Body& body, const Vec3<double>& point) {
+double angle_between_normals(const Vec3<Wide>& a, const Vec3<Wide>& b) {
+  return static_cast<double>(2 * std::atan2((a - b).norm(), (a + b).norm()));
+}
+
+/// By the sharpest curvature there, and by the corners of a box of that half width: beside the tip of an exponent below 2 a
+/// curvature says nothing of the next step of a double.
+double turn_within(const Superellipsoid<Wide>& shape, const Vec3<Wide>& x, const Vec3<Wide>& normal, double half) {
+  double most = half / static_cast<double>(principal_curvature<Wide>(shape, x).radius1);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3<Wide> sides((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5);
+    most = std::max(most, angle_between_normals(normal, outward_normal<Wide>(shape, x + 2 * Wide(half) * sides)));
+  }
+  return most;
+}
+
+SeenPoint see(const Body& body, const Vec3<double>& point, double rounding) {
   const Superellipsoid<Wide> shape{body.shape.semi_axes.cast<Wide>(), body.shape.n1, body.shape.n2};
   const Mat3<Wide> r = rotation<Wide>(body.quaternion);
   const Vec3<Wide> x = r.transpose() * (point.cast<Wide>() - body.position.cast<Wide>());
   const NormValue<Wide> g = gauge_gradient<Wide>(shape, x);
+  const Vec3<Wide> n = outward_normal<Wide>(shape, x);
   return {g.value, static_cast<double>(g.gradient.norm()),
-          static_cast<double>(std::abs(g.value - 1) / g.gradient.norm()), r * outward_normal<Wide>(shape, x),
-          static_cast<double>(principal_curvature<Wide>(shape, x).radius1)};
+          static_cast<double>(std::abs(g.value - 1) / g.gradient.norm()), r * n, turn_within(shape, x, n, rounding)};
 }
 
 struct SeenPair {
@@ -39,25 +54,24 @@ struct SeenPair {
 };
 
 SeenPair see(const Evidence& e) {
-  return {see(e.pair.body1, e.answer.point1), see(e.pair.body2, e.answer.point2),
+  const double rounding = point_rounding(e.pair);
+  return {see(e.pair.body1, e.answer.point1, rounding), see(e.pair.body2, e.answer.point2, rounding),
           e.answer.point2.cast<Wide>() - e.answer.point1.cast<Wide>()};
 }
 
 /// How far a normal evaluated at a rounded point may turn.
-double normal_rounding(const Evidence& e, const SeenPoint& at) {
-  return few + point_rounding(e.pair) / at.sharpest;
+double normal_rounding(const SeenPoint& at) {
+  return few + at.turn;
 }
 
-double opposition_severity(const Evidence& e, const SeenPoint& at1, const SeenPoint& at2) {
-  const double angle =
-      static_cast<double>(2 * std::atan2((at1.normal + at2.normal).norm(), (at1.normal - at2.normal).norm()));
-  return severity_of(angle, normal_rounding(e, at1) + normal_rounding(e, at2));
+double opposition_severity(const SeenPoint& at1, const SeenPoint& at2) {
+  return severity_of(angle_between_normals(at1.normal, -at2.normal), normal_rounding(at1) + normal_rounding(at2));
 }
 
 /// |d x n1| against its rounding, and the sign of d.n1 once |d| is above it.
 double collinearity_severity(const Evidence& e, const SeenPair& s) {
   const double distance = static_cast<double>(s.d.norm());
-  const double allowed = 2 * point_rounding(e.pair) + distance * normal_rounding(e, s.at1);
+  const double allowed = 2 * point_rounding(e.pair) + distance * normal_rounding(s.at1);
   const double across = static_cast<double>(s.d.cross(s.at1.normal).norm());
   const bool wrong_side = static_cast<double>(s.d.dot(s.at1.normal)) * e.answer.overlap > 0;
   return wrong_side && distance > allowed ? wrong_altogether : severity_of(across, allowed);
@@ -184,8 +198,7 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
   const double still_a_common_normal = 1e3;
   const SeenPair s = see(e);
-  if (opposition_severity(e, s.at1, s.at2) > still_a_common_normal ||
-      collinearity_severity(e, s) > still_a_common_normal)
+  if (opposition_severity(s.at1, s.at2) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal)
     return {};
   // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
   const Solution& truth = nearest(e);
@@ -201,7 +214,7 @@ Finding has_the_lowest_overlap(const Evidence& e) {
 Finding normals_are_opposite(const Evidence& e) {
   if (e.problem != Problem::common_normal || !shows_surfaces(e)) return {};
   const SeenPair s = see(e);
-  return {FindingKind::misaligned, opposition_severity(e, s.at1, s.at2), {}, "n1 + n2 is not 0"};
+  return {FindingKind::misaligned, opposition_severity(s.at1, s.at2), {}, "n1 + n2 is not 0"};
 }
 
 Finding points_lie_on_the_normal(const Evidence& e) {
@@ -244,13 +257,14 @@ Finding points_are_deepest(const Evidence& e) {
 
 Finding potentials_balance_midway(const Evidence& e) {
   if (e.problem != Problem::midway || !e.answer.contact_point.allFinite() || !resolves_surfaces(e.pair)) return {};
-  const SeenPoint at1 = see(e.pair.body1, e.answer.contact_point), at2 = see(e.pair.body2, e.answer.contact_point);
-  const double turned = opposition_severity(e, at1, at2);
+  const double rounding = point_rounding(e.pair);
+  const SeenPoint at1 = see(e.pair.body1, e.answer.contact_point, rounding),
+                  at2 = see(e.pair.body2, e.answer.contact_point, rounding);
+  const double turned = opposition_severity(at1, at2);
   const Wide n1 = e.pair.body1.shape.n1, n2 = e.pair.body2.shape.n1;
   const double uneven = static_cast<double>(std::abs(n1 * std::log(at1.gauge) - n2 * std::log(at2.gauge)));
   const auto slope = [&](const SeenPoint& at, Wide n) { return static_cast<double>(n / at.gauge) * at.slope; };
-  const double allowed =
-      few * static_cast<double>(n1 + n2) + point_rounding(e.pair) * (slope(at1, n1) + slope(at2, n2));
+  const double allowed = few * static_cast<double>(n1 + n2) + rounding * (slope(at1, n1) + slope(at2, n2));
   return {FindingKind::misaligned,
           std::max(turned, severity_of(uneven, allowed)),
           {},

@@ -344,6 +344,42 @@ TEST(Laws, BoundsAloneContradictAnAnswer) {
   EXPECT_EQ(judged(pair, given(1.889821, absent)), FindingKind::none);
 }
 
+/// What the certified solution becomes in doubles: no answer is better, so whatever a law says of it is the law's fault.
+void expect_rounded_truth_breaks_none(const Pair& pair, std::string_view name) {
+  const Reference found = find_reference(pair);
+  const Solution& truth = found.common_normal;
+  if (!truth.solved) return;
+  Contact<double> answer = given(static_cast<double>(truth.overlap), truth.normal.cast<double>(),
+                                 truth.point1.cast<double>(), truth.point2.cast<double>());
+  answer.verdict = found.verdict;
+  const Finding finding = Judge(pair).judge(Problem::common_normal, answer).finding;
+  EXPECT_EQ(finding.kind, FindingKind::none)
+      << name << ": " << finding.law << ", " << finding.severity << ", " << finding.detail;
+}
+
+TEST(Laws, TheRoundedTruthBreaksNone) {
+  for (std::uint64_t i = 0; i < 2; ++i)
+    for (const std::string_view generator : hard_generators()) {
+      const Case c = generate_hard(generator, 3, i);
+      expect_rounded_truth_breaks_none(c.pair, c.name);
+    }
+}
+
+/// A tip of exponent 1.1 in a sphere: the normal turns by 66 degrees between one double and the next.
+TEST(Laws, TheRoundedTruthOnATipBreaksNone) {
+  Pair pair;
+  pair.body1.shape = {{1, 1.0 / 3, 0.001}, 1.1, 1.1};
+  for (const double angle : {0.0, 0.3, 0.7, 1.1, 1.5}) {
+    const Eigen::Quaterniond q(Eigen::AngleAxisd(angle, Eigen::Vector3d(0.9, 0.1, 0.2).normalized()));
+    pair.body1.quaternion = {q.w(), q.x(), q.y(), q.z()};
+    pair.body2.position << 0, 0, 1.3;
+    expect_rounded_truth_breaks_none(pair, std::to_string(angle));
+  }
+  pair.body1.quaternion = {0.7865660120376684, 0.6035534523129826, 0.07945884248980635, 0.1035540016533347};
+  pair.body2.position << 0, 0, 1.3050643400521098;
+  expect_rounded_truth_breaks_none(pair, "tip-between-doubles");
+}
+
 /// The mission's claim on a sample (the campaign repeats it on 100 000): convergence of the original says nothing.
 TEST(Laws, OriginalConvergesToWhatIsNoCommonNormal) {
   const int cases = 300;
