@@ -54,6 +54,24 @@ void put_curvature(Json& out, const Contact<double>& contact) {
   if (!first.empty() || !second.empty()) out["curvature"] = {first, second};
 }
 
+Json matrix_json(const Mat3<double>& m) {
+  return {vector_json(m.row(0)), vector_json(m.row(1)), vector_json(m.row(2))};
+}
+
+/// Of body 1 and body 2; matrices by rows.
+void put_derivatives(Json& out, const Contact<double>& contact) {
+  if (!contact.derivatives) return;
+  Json bodies = Json::array();
+  for (const PoseDerivative<double>& d : *contact.derivatives) {
+    if (!d.normal_by_shift.allFinite() || !d.normal_by_turn.allFinite()) return;
+    bodies.push_back({{"overlap_by_shift", vector_json(d.overlap_by_shift)},
+                      {"overlap_by_turn", vector_json(d.overlap_by_turn)},
+                      {"normal_by_shift", matrix_json(d.normal_by_shift)},
+                      {"normal_by_turn", matrix_json(d.normal_by_turn)}});
+  }
+  out["derivatives"] = bodies;
+}
+
 std::optional<Field> given(const Field& answer, std::string_view key) {
   const auto field = answer.find(key);
   return field && field->value().is_null() ? std::nullopt : field;
@@ -134,6 +152,7 @@ Json answer_json(const Answer& answer) {
     put_object(out, "residuals", residues_json(answer.pair, contact));
   }
   if (answer.want.curvature) put_curvature(out, contact);
+  if (answer.want.derivatives) put_derivatives(out, contact);
   if (answer.nanoseconds) out["timing"]["ns"] = *answer.nanoseconds;
   return out;
 }

@@ -50,6 +50,17 @@ void add_curvature(std::string& out, const Json& fields) {
   }
 }
 
+void add_derivatives(std::string& out, const Json& fields) {
+  if (!fields.contains("derivatives")) return;
+  for (int i = 0; i < 2; ++i) {
+    const Json& of_body = fields["derivatives"][static_cast<std::size_t>(i)];
+    add_vector(out, fmt::format("do/dx{}", i + 1), of_body, "overlap_by_shift");
+    add_vector(out, fmt::format("do/dw{}", i + 1), of_body, "overlap_by_turn");
+    for (const auto& [label, key] : {std::pair{"dn/dx", "normal_by_shift"}, {"dn/dw", "normal_by_turn"}})
+      for (const Json& row : of_body[key]) add_row(out, fmt::format("{}{}", label, i + 1), vector_text(row));
+  }
+}
+
 std::string effort_text(const Json& fields) {
   return fmt::format("{} iterations, {} evaluations, {}", fields["iterations"].get<int>(),
                      fields["evaluations"].get<int>(), time_text(fields["timing"]["ns"].get<double>()));
@@ -68,6 +79,7 @@ std::string one_answer(const Answer& answer) {
   add_group(out, "angles", fields, "angles_deg", "  deg");
   add_group(out, "residues", fields, "residuals", "");
   add_curvature(out, fields);
+  add_derivatives(out, fields);
   add_row(out, "effort", effort_text(fields));
   return out;
 }

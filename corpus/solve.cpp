@@ -1,7 +1,10 @@
 // plumb solve: the contact of each case by one method or several.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "corpus/answer.hpp"
 #include "corpus/answer_table.hpp"
@@ -26,27 +29,31 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
   app.add_option("--method", options.methods, "NAME,.. or all; default auto (plumb methods lists them)");
   app.add_option("--solver", options.library, "a shared library that implements solver/plumb_solver.h");
-  app.add_option("--want", options.want, "what to compute: overlap,normal,points,curvature")->capture_default_str();
+  app.add_option("--want", options.want,
+                 "what to compute: overlap,normal,points,curvature,derivatives; or verdict alone")
+      ->capture_default_str();
   app.add_option("--repeat", options.repeat, "time the smallest of this many calls")
       ->check(CLI::Range(1, 1'000'000'000));
   app.add_flag("--warm", options.warm, "start the timed calls from the case's own answer");
   app.add_flag("--json", options.json, "one JSON object a line for each case and method");
 }
 
+/// The verdict is answered in any case; with nothing beside it a method may stop at the first proof of it.
 Want parse_want(const std::string& names) {
-  Want want{false, false, false, false};
+  Want want{false, false, false, false, false};
+  bool verdict = true;
+  const std::array<std::pair<std::string_view, bool*>, 6> words{{{"verdict", &verdict},
+                                                                 {"overlap", &want.overlap},
+                                                                 {"normal", &want.normal},
+                                                                 {"points", &want.points},
+                                                                 {"curvature", &want.curvature},
+                                                                 {"derivatives", &want.derivatives}}};
   std::istringstream list(names);
   for (std::string name; std::getline(list, name, ',');) {
-    if (name == "overlap")
-      want.overlap = true;
-    else if (name == "normal")
-      want.normal = true;
-    else if (name == "points")
-      want.points = true;
-    else if (name == "curvature")
-      want.curvature = true;
-    else
-      throw InputFailure("--want", 0, name, "must be overlap, normal, points or curvature");
+    const auto word = std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.first == name; });
+    if (word == words.end())
+      throw InputFailure("--want", 0, name, "must be verdict, overlap, normal, points, curvature or derivatives");
+    *word->second = true;
   }
   return want;
 }

@@ -11,6 +11,7 @@
 #include "properties/allowance.hpp"
 #include "properties/draft.hpp"
 #include "properties/families.hpp"
+#include "properties/laws_answer.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb::reports {
@@ -78,9 +79,20 @@ Pair moved(Pair pair, const Options& options) {
   return pair;
 }
 
-/// Whether the bounds alone show verdict and overlap to be right, to a few epsilon of the size.
+/// Whether normal and points are a common normal's: opposite, along the line between points of the surfaces. No reference is
+/// asked for that.
+bool is_common_normal(const Pair& pair, const Contact<double>& answer, const Reference& reference) {
+  const Evidence evidence{pair, Problem::common_normal, answer, reference, reference.common_normal, {}, false};
+  const std::array<Finding (*)(const Evidence&), 5> laws{law::answers_are_finite, law::normals_are_opposite,
+                                                         law::points_lie_on_the_normal, law::agrees_with_itself,
+                                                         law::points_are_on_surfaces};
+  return std::none_of(laws.begin(), laws.end(), [&](const auto& law) { return law(evidence).severity > 1; });
+}
+
+/// Whether the bounds alone show verdict and overlap to be right, to a few epsilon of the size, and the rest is in itself.
 bool is_shown_right(const Pair& pair, const Contact<double>& answer, const Reference& reference) {
   if (answer.status != Status::converged || answer.evaluations > 1000) return false;
+  if (!is_common_normal(pair, answer, reference)) return false;
   if (answer.verdict != reference.verdict || answer.verdict == Verdict::undecided) return false;
   const double allowed = law::few_of(size_of(pair) + std::abs(answer.overlap));
   return answer.overlap >= static_cast<double>(reference.overlap.lower) - allowed &&

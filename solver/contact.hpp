@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 namespace plumb {
@@ -46,15 +47,20 @@ struct Pair {
   Body body2;
 };
 
-/// What the caller pays for. Overlap, normal and points come out of one solve in the methods of the literature.
+/// What the caller pays for. The methods of the literature fill overlap, normal and points in any case, for they come out of
+/// one solve, and know no derivatives.
 struct Want {
   bool overlap = true;
   bool normal = true;
   bool points = true;
   bool curvature = false;
+  bool derivatives = false;
   int iteration_limit = 100;
   /// Residual, relative to the pair's size, at which a method may stop; 0 asks for all that rounding allows.
   double tolerance = 0;
+
+  /// Nothing but the verdict, which may end at the first proof of it.
+  [[nodiscard]] bool is_yes_or_no() const { return !(overlap || normal || points || curvature || derivatives); }
 };
 
 /// Each value says which inequality ended the solve; only `converged` vouches for the residual, and not
@@ -80,6 +86,16 @@ struct PrincipalCurvature {
   Vec3<S> direction2 = not_valid<S>();
 };
 
+/// How overlap and normal follow a body that is shifted by dx and turned by the rotation vector dw (rad), both in world axes,
+/// the turn about the body's own position.
+template <class S>
+struct PoseDerivative {
+  Vec3<S> overlap_by_shift;  ///< d overlap = . dx
+  Vec3<S> overlap_by_turn;   ///< d overlap = . dw, length
+  Mat3<S> normal_by_shift;   ///< d normal = . dx, 1/length
+  Mat3<S> normal_by_turn;    ///< d normal = . dw
+};
+
 template <class S = double>
 struct Contact {
   std::string_view method;          ///< the method that answered; empty for invalid_input
@@ -94,7 +110,8 @@ struct Contact {
   /// good whatever way the bodies move together.
   Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
   std::array<PrincipalCurvature<S>, 2> curvature;
-  int iterations = 0;   ///< steps of the outer loop, of the local solve that answered
+  std::optional<std::array<PoseDerivative<S>, 2>> derivatives;  ///< by the pose of body 1 and of body 2
+  int iterations = 0;   ///< steps of the outer loop, of the local solve that answered (all its attempts)
   int evaluations = 0;  ///< of the residual, over all there was: line searches, other attempts, the guard
 };
 

@@ -3,6 +3,7 @@
 
 #include "solver/method/automatic.hpp"
 #include "solver/method/common.hpp"
+#include "solver/method/derivatives.hpp"
 #include "solver/method/ellipsoid_contact.hpp"
 #include "solver/method/surface_descent.hpp"
 
@@ -43,6 +44,24 @@ struct Found {
   int iterations, evaluations;
 };
 
+/// What differs along the surfaces: curvature and derivatives, of a contact that is found.
+template <class S>
+void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, const PlacedPair<S>& placed) {
+  const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
+  const PlacedContact<S> at{found.overlap,
+                            found.normal.eigen(),
+                            {x1, x2 - placed.body2.centre},
+                            {placed_curvature<S>(placed.body1, x1), placed_curvature<S>(placed.body2, x2)}};
+  if (want.curvature) out.curvature = {to_world<S>(placed, at.curvature[0]), to_world<S>(placed, at.curvature[1])};
+  if (!want.derivatives) return;
+  out.derivatives = pose_derivatives<S>(at);
+  const S unit = placed.to_world_length(S(1));
+  for (PoseDerivative<S>& of_body : *out.derivatives) {
+    of_body.overlap_by_turn *= unit;
+    of_body.normal_by_shift /= unit;
+  }
+}
+
 template <class S>
 [[nodiscard]] Contact<S> contact_of(const Found<S>& found, const Want& want, const PlacedPair<S>& placed,
                                     const Pair& pair) {
@@ -53,27 +72,40 @@ template <class S>
   out.evaluations = found.evaluations;
   const double undecided = 8;  // epsilon: what rounding may do to the overlap (properties/allowance.hpp)
   out.verdict = verdict_of<S>(found.overlap, placed.size(), undecided);
-  out.overlap = placed.to_world_length(found.overlap);
-  out.normal = found.normal.eigen();
   out.chart1 = found.chart1.eigen();
   out.chart2 = found.chart2.eigen();
-  const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
+  if (want.overlap) out.overlap = placed.to_world_length(found.overlap);
+  if (want.normal) out.normal = found.normal.eigen();
   if (want.points) {
+    const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
     out.point1 = placed.to_world_point(x1, pair);
     out.point2 = placed.to_world_point(x2, pair);
     out.contact_point = placed.to_world_point((x1 + x2) / S(2), pair);
   }
-  if (want.curvature && found.status == Status::converged)
-    out.curvature = {world_curvature<S>(placed, placed.body1, x1), world_curvature<S>(placed, placed.body2, x2)};
+  if ((want.curvature || want.derivatives) && found.status == Status::converged)
+    set_second_order<S>(out, found, want, placed);
   return out;
+}
+
+/// Whether both bodies hold the middle of two of their points: they overlap then, whatever else is true.
+template <class S>
+[[nodiscard]] bool share_middle(const PlacedPair<S>& placed, const Vector3<S>& point1, const Vector3<S>& point2) {
+  const Vec3<S> middle = ((point1 + point2) * S(0.5)).eigen();
+  const auto holds = [&](const PlacedBody<S>& body) {
+    return gauge<S>(body.shape, body.to_body(middle)) < S(1) - power_noise<S>(placed) * S(16) * epsilon<S>();
+  };
+  return holds(placed.body1) && holds(placed.body2);
 }
 
 template <class S>
 [[nodiscard]] Found<S> solve_ellipsoids(const PlacedPair<S>& placed, const Want& want, const Contact<S>* last) {
   const EllipsoidPair<S> pair = ellipsoid_pair(placed);
-  const EllipsoidContact<S> found = ellipsoid_contact(pair, want, first_direction(pair, last));
+  EllipsoidContact<S> found = local_contact(pair, want, first_direction(pair, last));
+  const auto point2 = [&] { return pair.c - second(found.at.touch.p); };
+  const bool is_answered = want.is_yes_or_no() && share_middle<S>(placed, first(found.at.touch.p), point2());
+  if (!is_answered) found = lowest_contact(pair, want, found);
   const Touch<S>& touch = found.at.touch;
-  return {found.status,   found.overlap,           found.normal,     first(touch.p),   pair.c - second(touch.p),
+  return {found.status,   found.overlap,           found.normal,     first(touch.p),   point2(),
           first(touch.u), second(touch.u) * S(-1), found.iterations, found.evaluations};
 }
 
@@ -83,7 +115,9 @@ template <class S>
   const bool is_warm = has_charts(last);
   Vector3<Both<S>> warm;
   if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
-  const SurfaceContact<S> found = superellipsoid_contact(pair, want, is_warm ? &warm : nullptr);
+  SurfaceContact<S> found = local_contact(pair, want, is_warm ? &warm : nullptr);
+  const bool is_answered = want.is_yes_or_no() && share_middle<S>(placed, found.point1, found.point2);
+  if (!is_answered) found = lowest_contact(pair, want, found);
   return {found.status,       found.overlap,       found.normal,     found.point1,     found.point2,
           first(found.chart), second(found.chart), found.iterations, found.evaluations};
 }

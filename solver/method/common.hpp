@@ -83,13 +83,17 @@ template <class S>
   return overlap < -floor ? Verdict::separated : Verdict::undecided;
 }
 
-/// Principal curvature of a placed body's surface on the ray from its centre through x, in world lengths and axes.
+/// Principal curvature of a placed body's surface on the ray from its centre through x, in the pair's lengths and axes.
 template <class S>
-[[nodiscard]] PrincipalCurvature<S> world_curvature(const PlacedPair<S>& placed, const PlacedBody<S>& body,
-                                                    const Vec3<S>& x) {
+[[nodiscard]] PrincipalCurvature<S> placed_curvature(const PlacedBody<S>& body, const Vec3<S>& x) {
   const PrincipalCurvature<S> own = principal_curvature<S>(body.shape, body.to_body(x));
-  return {placed.to_world_length(own.radius1), placed.to_world_length(own.radius2),
-          body.to_pair_direction(own.direction1), body.to_pair_direction(own.direction2)};
+  return {own.radius1, own.radius2, body.to_pair_direction(own.direction1), body.to_pair_direction(own.direction2)};
+}
+
+/// The same in world lengths.
+template <class S>
+[[nodiscard]] PrincipalCurvature<S> to_world(const PlacedPair<S>& placed, const PrincipalCurvature<S>& c) {
+  return {placed.to_world_length(c.radius1), placed.to_world_length(c.radius2), c.direction1, c.direction2};
 }
 
 /// Fills a contact from two points and the normal of the pair's frame; the overlap is n.(x1 - x2).
@@ -104,7 +108,8 @@ void set_contact(Contact<S>& out, const Want& want, const PlacedPair<S>& placed,
   out.point2 = placed.to_world_point(at.x2, pair);
   out.contact_point = placed.to_world_point((at.x1 + at.x2) / S(2), pair);
   if (want.curvature && at.x1.allFinite() && at.x2.allFinite())
-    out.curvature = {world_curvature<S>(placed, placed.body1, at.x1), world_curvature<S>(placed, placed.body2, at.x2)};
+    out.curvature = {to_world<S>(placed, placed_curvature<S>(placed.body1, at.x1)),
+                     to_world<S>(placed, placed_curvature<S>(placed.body2, at.x2))};
 }
 
 }  // namespace plumb

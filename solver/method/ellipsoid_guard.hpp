@@ -80,9 +80,11 @@ template <class S>
   const Vector3<S> p = sum(contact.at.touch.p);  // the row of B along u1
   const Symmetric3<S> m = square(p) + square(rows1.first + turned.first) + square(rows1.second + turned.second);
   const S margin(1e-9);  // relative: far above the rounding of the entries for bodies that are no needles
-  const S level = contact.overlap * dot(contact.normal, p) * (S(1) + margin) + S(16) * epsilon<S>() * m.trace();
+  const S trace = m.trace(), noise = S(16) * epsilon<S>();
+  const S level = contact.overlap * dot(contact.normal, p) * (S(1) + margin) + noise * trace;
   const Symmetric3<S> above = m.shifted(-level);
-  return is_positive(above, adjugate(above));
+  const Adjugate<S> a = adjugate(above);
+  return is_positive(above, a) && a.determinant > noise * trace * trace * trace;  // of thinner needles it has no sign
 }
 
 }  // namespace plumb

@@ -30,6 +30,7 @@ inline constexpr double last_turn = 1e-9;    // its square, the error of the lin
 inline constexpr double shorter = 0.3;       // a step that does not lower o is cut to this
 inline constexpr double near = 1e-8;         // error, relative to the size, from which its floor is asked for
 inline constexpr double coarse = 4;          // settle where |H| exceeds the size by this factor
+inline constexpr double surely_apart = 16;   // epsilon, relative: o is below zero whatever its rounding
 inline constexpr int most_settling = 3;
 inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
 }  // namespace newton
@@ -38,8 +39,8 @@ template <class S>
 class EllipsoidNewton {
  public:
   EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want)
-      : pair_(pair), limit_(want.iteration_limit), asked_(S(want.tolerance) * pair.size),
-        floor_(S(newton::noise_multiple) * epsilon<S>() * pair.size) {}
+      : pair_(pair), limit_(want.iteration_limit), is_yes_or_no_(want.is_yes_or_no()),
+        asked_(S(want.tolerance) * pair.size), floor_(S(newton::noise_multiple) * epsilon<S>() * pair.size) {}
 
   /// From any direction but zero.
   void solve(EllipsoidContact<S>& out, const Vector3<S>& start) {
@@ -48,7 +49,7 @@ class EllipsoidNewton {
     while (!is_small_enough(out.at)) {
       if (!(out.at.error < std::numeric_limits<S>::infinity())) out.status = Status::not_finite;
       if (out.iterations == limit_) out.status = Status::iteration_limit;
-      if (out.status != Status::converged) break;
+      if (out.status != Status::converged || (is_yes_or_no_ && is_apart(out.at))) break;
       ++out.iterations;
       if (descend(out)) break;
     }
@@ -66,6 +67,11 @@ class EllipsoidNewton {
     using std::sqrt;
     const Both<S> traces = (pair_.square.trace() - dot(at.touch.p, at.touch.p)) * at.touch.inverse_h;
     return sum<S>(traces) / sqrt(at.inverse_square);
+  }
+
+  /// Any direction with o < 0 separates the bodies.
+  [[nodiscard]] bool is_apart(const DirectionPoint<S>& at) const {
+    return overlap_at(pair_, at) < -S(newton::surely_apart) * epsilon<S>() * pair_.size;
   }
 
   [[nodiscard, gnu::always_inline]] bool is_small_enough(const DirectionPoint<S>& at) const {
@@ -166,13 +172,14 @@ class EllipsoidNewton {
     using std::sqrt;
     out.overlap = overlap_at(pair_, out.at);
     out.normal = out.at.n * sqrt(out.at.inverse_square);
-    if (out.status != Status::converged) return;
+    if (out.status != Status::converged || (is_yes_or_no_ && is_apart(out.at))) return;
     const bool asks_for_all = asked_ <= floor_ && reach(out.at) > S(newton::coarse) * pair_.size;
     if (asks_for_all || out.at.error > std::max(floor_, asked_)) settle(out);
   }
 
   const EllipsoidPair<S>& pair_;
   int limit_;
+  bool is_yes_or_no_;
   S asked_, floor_;
 };
 

@@ -34,7 +34,8 @@ struct SurfaceStart {
         sum(Symmetric3<Both<S>>{dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)});
     // Coinciding centres: a direction that favours no axis.
     const bool apart = largest(pair.c) > S(1e-14) * pair.size;
-    const Vector3<S> n = adjugate(squares).matrix * (apart ? pair.c : Vector3<S>{S(0.001), S(0.002), S(0.003)});
+    const Vector3<S> v = adjugate(squares).matrix * (apart ? pair.c : Vector3<S>{S(0.001), S(0.002), S(0.003)});
+    const Vector3<S> n = v * (S(1) / largest(v));  // of needles the square would underflow
     return n * (S(1) / length(n));
   }
 

@@ -97,10 +97,10 @@ class SurfaceDescent {
   S radius_ = S(0.5);
 };
 
-/// From n by attempts in turn until one ends in a minimum; the status of the first where none does.
+/// From n by attempts in turn until one ends in a minimum. Where none does that is a stall: a limit was the attempts' own.
 template <class S>
 inline void climb_ladder(const SurfaceSolver<S>& solver, const Vector3<S>& n, SurfaceContact<S>& out) {
-  const Status first = out.status;
+  const bool is_finite = out.status != Status::not_finite;
   struct Rung {
     StartKind kind;
     Attempt attempt;
@@ -117,7 +117,7 @@ inline void climb_ladder(const SurfaceSolver<S>& solver, const Vector3<S>& n, Su
     solver.attempt(n, rungs[i].kind, rungs[i].attempt, out);
     if (out.minimum) return;
   }
-  out.status = first == Status::converged ? Status::stalled : first;
+  out.status = is_finite ? Status::stalled : Status::not_finite;
 }
 
 /// Off a saddle or a maximum, to either side of it along each direction across.
@@ -142,40 +142,66 @@ struct SurfaceForm {
 
   /// A point of exponent n < 2 has no radius of curvature: o folds there within a narrow cone.
   [[nodiscard]] int least_level() const { return solver.pair().any_dual ? 5 : 2; }
+  [[nodiscard]] Vector3<S> centre() const { return solver.pair().c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
 
-  /// By Newton where it does not run away uphill, else by descent.
-  [[nodiscard]] SurfaceContact<S> solve(const Vector3<S>& v) const {
+  /// By Newton where it does not run away uphill, else, where it insists, by descent.
+  [[nodiscard]] SurfaceContact<S> solve(const Vector3<S>& v, bool insists) const {
     SurfaceContact<S> out;
+    ++out.evaluations;
     const Vector3<S> n = v * (S(1) / length(v));
     const S highest = dot(farthest(n), n) + S(1e-9) * solver.pair().size;
     solver.attempt(n, StartKind::normal, Attempt{.limit = 14}, out);
-    if ((!out.minimum || out.overlap > highest) && !SurfaceDescent<S>(solver, out).solve(n))
-      out.status = Status::stalled;
+    const bool is_found = out.minimum && out.overlap <= highest;
+    if (!is_found && !(insists && SurfaceDescent<S>(solver, out).solve(n))) out.status = Status::stalled;
     return out;
   }
 };
 
+/// Whether the direction separates the bodies; `out` is its answer then.
 template <class S>
-[[nodiscard]] inline SurfaceContact<S> superellipsoid_contact(const SuperellipsoidPair<S>& pair, const Want& want,
-                                                              const Vector3<Both<S>>* warm) {
+[[nodiscard]] inline bool separates(const SurfaceForm<S>& form, const Vector3<S>& n, SurfaceContact<S>& out) {
+  const SuperellipsoidPair<S>& pair = form.solver.pair();
+  ++out.evaluations;
+  const S overlap = dot(form.farthest(n), n), surely_apart = S(16) * pair.greatest_nu * epsilon<S>() * pair.reach;
+  if (!(overlap < -surely_apart)) return false;
+  out.status = Status::converged;
+  out.minimum = true;
+  out.normal = n;
+  out.overlap = overlap;
+  return true;
+}
+
+/// The common normal that the starts lead to: the earlier contact's, if any, then the cold ones.
+template <class S>
+[[nodiscard]] inline SurfaceContact<S> local_contact(const SuperellipsoidPair<S>& pair, const Want& want,
+                                                     const Vector3<Both<S>>* warm) {
   const SurfaceSolver<S> solver(pair, want);
   SurfaceContact<S> out;
   if (warm != nullptr) {
     Surfaces<S> at = surfaces_of_chart<S>(pair, pair.inner, pair.outer, *warm);
     solver.newton(at, Attempt{.limit = 12}, out);
+    if (out.minimum) return out;
   }
-  if (!out.minimum) {
-    const Vector3<S> n = solver.first_direction();
-    constexpr int first_limit = 14;
-    solver.attempt(n, StartKind::mixed, Attempt{.limit = first_limit}, out);
-    const bool is_asked_to_stop = want.iteration_limit < first_limit && out.status == Status::iteration_limit;
-    if (is_asked_to_stop) return out;
-    if (!out.minimum && !(out.status == Status::converged && leave_saddle(solver, out))) climb_ladder(solver, n, out);
-  }
-  if (out.minimum && out.overlap <= pair.rolling_ball) return out;
+  const Vector3<S> n = solver.first_direction();
+  if (want.is_yes_or_no() && separates(SurfaceForm<S>{solver}, n, out)) return out;
+  constexpr int first_limit = 14;
+  solver.attempt(n, StartKind::mixed, Attempt{.limit = first_limit}, out);
+  const bool is_asked_to_stop = want.iteration_limit < first_limit && out.status == Status::iteration_limit;
+  if (out.minimum || is_asked_to_stop) return out;
+  if (!(out.status == Status::converged && leave_saddle(solver, out))) climb_ladder(solver, n, out);
+  return out;
+}
+
+/// `found` where it is surely the lowest, else the lowest of a search.
+template <class S>
+[[nodiscard]] inline SurfaceContact<S> lowest_contact(const SuperellipsoidPair<S>& pair, const Want& want,
+                                                      const SurfaceContact<S>& found) {
+  if (found.minimum && found.overlap <= pair.rolling_ball) return found;
+  if (found.status == Status::iteration_limit) return found;  // asked to stop
+  const SurfaceSolver<S> solver(pair, want);
   const SurfaceForm<S> form{solver};
-  return DirectionSearch<S, SurfaceForm<S>, SurfaceContact<S>>(form, pair.reach, out).lowest();
+  return DirectionSearch<S, SurfaceForm<S>, SurfaceContact<S>>(form, pair.reach, found).lowest();
 }
 
 }  // namespace plumb

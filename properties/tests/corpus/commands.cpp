@@ -120,8 +120,19 @@ TEST_F(Commands, SolveAnswersWithTheContractsFields) {
 TEST_F(Commands, WhatIsNotWantedIsAbsent) {
   (void)file("a.json", sample_case());
   const Json answer = lines_of(plumb("solve a.json --json --want overlap").out).at(0);
-  for (const char* key : {"normal", "points", "contact_point", "angles_deg", "residuals", "curvature"})
+  for (const char* key : {"normal", "points", "contact_point", "angles_deg", "residuals", "curvature", "derivatives"})
     EXPECT_FALSE(answer.contains(key)) << key;
+  const Json yes_or_no = lines_of(plumb("solve a.json --json --want verdict").out).at(0);
+  EXPECT_FALSE(yes_or_no.contains("overlap"));
+  EXPECT_EQ(yes_or_no["verdict"], answer["verdict"]);
+}
+
+TEST_F(Commands, DerivativesAreThoseOfBothBodies) {
+  (void)file("a.json", sample_case());
+  const Json answer = lines_of(plumb("solve a.json --json --want normal,derivatives").out).at(0);
+  ASSERT_EQ(answer["derivatives"].size(), 2U);
+  EXPECT_EQ(answer["derivatives"][0]["overlap_by_shift"], answer["normal"]);
+  EXPECT_EQ(answer["derivatives"][1]["normal_by_turn"].size(), 3U);
 }
 
 TEST_F(Commands, AllMethodsAnswerInTheOrderOfTheList) {
@@ -135,7 +146,8 @@ TEST_F(Commands, AllMethodsAnswerInTheOrderOfTheList) {
 
 TEST_F(Commands, TheTableFitsEightyColumns) {
   (void)file("a.json", sample_case());
-  for (const char* arguments : {"solve a.json", "solve a.json --method all", "solve a.json --want curvature"}) {
+  for (const char* arguments :
+       {"solve a.json", "solve a.json --method all", "solve a.json --want curvature,derivatives"}) {
     const std::string table = plumb(arguments).out;
     for (std::size_t begin = 0, end = 0; (end = table.find('\n', begin)) != std::string::npos; begin = end + 1)
       EXPECT_LE(end - begin, 80U) << table.substr(begin, end - begin);

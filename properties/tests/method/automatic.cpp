@@ -4,10 +4,13 @@
 
 #include <Eigen/Geometry>
 
+#include "properties/draft.hpp"
 #include "properties/families.hpp"
 #include "properties/laws.hpp"
 #include "solver/method/ellipsoid_contact.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/method/surface_descent.hpp"
+#include "solver/shape/curvature.hpp"
 
 namespace plumb {
 namespace {
@@ -75,7 +78,6 @@ TEST(Automatic, TheSearchFindsTheLowestFromAnyOther) {
     const EllipsoidContact<double> first = form.solve({0.1, 0, 1});
     DirectionSearch<double, EllipsoidForm<double>, EllipsoidContact<double>> search(form, ellipsoids.size, first);
     const EllipsoidContact<double> found = search.lowest();
-    EXPECT_TRUE(search.complete()) << i;
     ASSERT_EQ(found.status, Status::converged) << i;
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
     EXPECT_LE(placed.to_world_length(found.overlap), lowest + 1e-13 * size_of(pair)) << i;
@@ -109,6 +111,154 @@ TEST(Automatic, AlongAPathWarmIsCold) {
   }
   EXPECT_GT(jumps, 2);
   EXPECT_LT(warm_steps, 0.8 * static_cast<double>(cold_steps));
+}
+
+/// Blocky bodies as well, whose warm start is a pair of chart directions. Normals are compared where no other common normal is
+/// as low.
+TEST(Automatic, AlongAPathOfBlocksWarmIsCold) {
+  const Method& method = *find_method("auto");
+  long cold_steps = 0, warm_steps = 0;
+  for (const std::uint64_t index : {1, 2, 6, 9}) {
+    Pair pair = generate("superquadric", 14, index).pair;
+    const Vec3<double> from = pair.body2.position - pair.body1.position;
+    Contact<double> last = method.solve(pair, {}, nullptr);
+    for (int step = 1; step <= 400; ++step) {
+      const double t = step / 1000.0;
+      pair.body2.position = pair.body1.position + (1 - t) * from;
+      pair.body2.quaternion = {1, 0.3 * t, -0.2 * t, t};
+      const Contact<double> cold = method.solve(pair, {}, nullptr), warm = method.solve(pair, {}, &last);
+      ASSERT_EQ(warm.status, Status::converged);
+      EXPECT_NEAR(warm.overlap, cold.overlap, 3e-14 * size_of(pair)) << index << " step " << step;
+      cold_steps += cold.iterations;
+      warm_steps += warm.iterations;
+      last = warm;
+    }
+  }
+  EXPECT_LT(warm_steps, 0.8 * static_cast<double>(cold_steps));
+}
+
+/// While the bodies stay shallow the normal is a Lipschitz function of the poses: a hundredth of a step turns it a
+/// hundredth as far.
+TEST(Automatic, TheNormalIsContinuousAlongAShallowPath) {
+  const Method& method = *find_method("auto");
+  for (const std::uint64_t index : {0, 1, 2, 3, 4, 5}) {
+    Pair pair = generate("superquadric", 15, index).pair;
+    Contact<double> last = method.solve(pair, {}, nullptr);
+    double turned = 0, largest = 0;
+    const int steps = 1000;
+    for (int step = 1; step <= steps; ++step) {
+      pair.body2.quaternion = product(turn(Vec3<double>(0.6, 0, 0.8), 0.3 / steps), pair.body2.quaternion);
+      const Contact<double> now = method.solve(pair, {}, &last);
+      // Follows the surface, so that the overlap stays what it is and no other branch becomes the lowest.
+      pair.body2.position += (now.overlap - 1e-3 * size_of(pair)) * now.normal;
+      const double angle = (now.normal - last.normal).norm();
+      turned += angle;
+      largest = std::max(largest, angle);
+      last = now;
+    }
+    EXPECT_LT(largest, 0.1) << index << ", " << turned << " in all";
+  }
+}
+
+TEST(Automatic, AYesOrNoIsTheVerdictAndNoDearer) {
+  const Method& method = *find_method("auto");
+  const Want yes_or_no{false, false, false, false, false};
+  long whole_evaluations = 0, evaluations = 0;
+  const auto ask = [&](const Case& c) {
+    const Contact<double> whole = method.solve(c.pair, {}, nullptr), asked = method.solve(c.pair, yes_or_no, nullptr);
+    EXPECT_EQ(asked.verdict, whole.verdict) << c.name;
+    EXPECT_TRUE(std::isnan(asked.overlap) && asked.normal.hasNaN() && asked.point1.hasNaN()) << c.name;
+    whole_evaluations += whole.evaluations;
+    evaluations += asked.evaluations;
+  };
+  for (const std::string_view family : {"spheroid", "ellipsoid", "superquadric", "hard"})
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      Case c = generate(family, 16, i);
+      ask(c);
+      c.pair.body2.position += 0.5 * (c.pair.body2.position - c.pair.body1.position);
+      c.name += " apart";
+      ask(c);
+    }
+  EXPECT_LT(evaluations, 0.7 * static_cast<double>(whole_evaluations));
+}
+
+TEST(Automatic, WhatIsNotWantedIsNotGiven) {
+  const Pair pair = generate("superquadric", 16, 3).pair;
+  Want want{true, false, false, false, false};
+  const Contact<double> c = find_method("auto")->solve(pair, want, nullptr);
+  EXPECT_TRUE(std::isfinite(c.overlap));
+  EXPECT_TRUE(c.normal.hasNaN() && c.point1.hasNaN() && c.contact_point.hasNaN() && !c.derivatives);
+  EXPECT_TRUE(std::isnan(c.curvature[0].radius1));
+}
+
+/// A limit that was asked for is kept, and named; a tolerance ends earlier, and is kept as well.
+TEST(Automatic, LimitsAndTolerancesAreKept) {
+  const Method& method = *find_method("auto");
+  int ended_earlier = 0;
+  for (const std::string_view family : {"ellipsoid", "superquadric"})
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      const Pair pair = generate(family, 17, i).pair;
+      Want few;
+      few.iteration_limit = 2;
+      const Contact<double> stopped = method.solve(pair, few, nullptr), whole = method.solve(pair, {}, nullptr);
+      EXPECT_LE(stopped.iterations, 2);
+      EXPECT_TRUE(stopped.status == Status::converged || stopped.status == Status::iteration_limit);
+      Want rough;
+      rough.tolerance = 1e-6;
+      const Contact<double> near = method.solve(pair, rough, nullptr);
+      EXPECT_EQ(near.status, Status::converged);
+      // o is stationary: its error is the square of the residual's, times what the curvatures make of it.
+      EXPECT_NEAR(near.overlap, whole.overlap, 1e-9 * size_of(pair)) << family << i;
+      ended_earlier += near.iterations < whole.iterations ? 1 : 0;
+    }
+  EXPECT_GT(ended_earlier, 50);
+}
+
+/// The radius of a ball that rolls inside both bodies together: below the least radius of curvature anywhere.
+TEST(Automatic, TheRollingBallIsSmallerThanEveryRadiusOfCurvature) {
+  double sharpest = std::numeric_limits<double>::infinity();
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const PlacedPair<double> placed = place<double>(generate("superquadric", 18, i).pair);
+    const SuperellipsoidPair<double> pair = superellipsoid_pair(placed);
+    if (pair.any_dual) {
+      EXPECT_GE(pair.rolling_ball, 0);
+      continue;
+    }
+    for (const PlacedBody<double>* body : {&placed.body1, &placed.body2}) {
+      PlacedPair<double> twin = placed;
+      twin.body1 = twin.body2 = *body;
+      const double ball = superellipsoid_pair(twin).rolling_ball / 2;  // of one of them
+      Stream stream("rolling ball", 1, i);
+      for (int k = 0; k < 400; ++k) {
+        // Powers gather the directions at edges and corners, where the radii are least.
+        Vec3<double> x = random_direction(stream).array().abs().pow(0.05 + 0.05 * (k % 20));
+        const double radius =
+            principal_curvature<double>(body->shape, Vec3<double>(x.cwiseProduct(body->shape.semi_axes))).radius1;
+        EXPECT_LE(ball, radius * (1 + 1e-12)) << i;
+        sharpest = std::min(sharpest, radius / ball);
+      }
+    }
+  }
+  EXPECT_LT(sharpest, 1.5);  // the bound is not an idle one
+}
+
+/// contact_point is the middle of the two points. Between two flats of exponent n it follows a tilt as the points do, by its
+/// power 1/(n-1): the modulus of continuity that README states.
+TEST(Automatic, TheContactPointFollowsATiltByItsRoot) {
+  const Method& method = *find_method("auto");
+  for (const double n : {2.5, 4.0, 8.0}) {
+    Pair pair;
+    pair.body1.shape = {{1, 1, 1}, n, n};
+    pair.body2.shape = {{1, 1, 1}, n, n};
+    pair.body2.position << 0.1, 0, 1.99;
+    for (const double tilt : {1e-2, 1e-4, 1e-6, 1e-8}) {
+      const auto point = [&](double angle) {
+        pair.body2.quaternion = {std::cos(angle / 2), 0, std::sin(angle / 2), 0};
+        return method.solve(pair, {}, nullptr).contact_point;
+      };
+      EXPECT_LE((point(tilt) - point(-tilt)).norm(), 3 * std::pow(tilt, 1 / (n - 1))) << n << ", " << tilt;
+    }
+  }
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(Methods, NoHeapInASolve) {
       const Pair pair = generate(family, 3, i).pair;
       for (const Method& method : methods()) {
         Want all;
-        all.curvature = true;
+        all.curvature = all.derivatives = true;
         const long before = allocations;
         const Contact<double> c = method.solve(pair, all, nullptr);
         ASSERT_EQ(allocations, before) << method.name << ", status " << name(c.status);
