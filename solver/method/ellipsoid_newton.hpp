@@ -86,7 +86,7 @@ class EllipsoidNewton {
   }
 
   /// Newton on the points. Two steps from the direction form's floor reach theirs.
-  void settle(EllipsoidContact<S>& out) const {
+  [[gnu::noinline]] void settle(EllipsoidContact<S>& out) const {
     Settling<S> now = settling(pair_, out.at);
     for (int i = 0; i < newton::most_settling && now.error > floor_; ++i) {
       ++out.evaluations;
