@@ -12,7 +12,7 @@ template <int width>
 class ChunkSolver {
  public:
   explicit ChunkSolver(const Chunk& chunk) : chunk_(chunk) {
-    for (std::uint8_t i = 0; i < chunk.count; i += width) sort(i);
+    for (std::size_t i = 0; i < chunk.count; i += width) sort(i);
   }
 
   [[nodiscard]] Unsettled solve() {
@@ -39,9 +39,9 @@ class ChunkSolver {
   };
 
   /// By the form that suits them; exponents below 2 are left to `auto`.
-  void sort(std::uint8_t from) {
+  void sort(std::size_t from) {
     std::array<std::uint8_t, width> offsets;
-    for (std::uint8_t lane = 0; lane < width; ++lane) offsets[lane] = static_cast<std::uint8_t>(from + lane);
+    for (std::size_t lane = 0; lane < width; ++lane) offsets[lane] = static_cast<std::uint8_t>(from + lane);
     const std::size_t count = std::min<std::size_t>(width, chunk_.count - from);
     const PackIndex<P> index(offsets.data(), count, chunk_.first);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);

@@ -3,7 +3,7 @@
 // Pack   a lane a pair (Parallelism TS 2: the type names its registers' width, so that what is instantiated for one
 //        instruction set has no symbol in common with another's)
 // Twin   a Pack of the bodies 1 and one of the bodies 2: the Both<Pack>. Not fixed_size_simd<double, 2 W>, whose masks are
-//        bit sets (g++ 12): two movmskpd and a table for each comparison.
+//        bit sets (g++ 12): 44 instructions where these take 23, for two comparisons and a selection of 8 numbers.
 #pragma once
 
 #include <bit>
