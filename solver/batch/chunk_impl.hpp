@@ -3,6 +3,8 @@
 // not keep one with instructions that a machine does not have.
 #pragma once
 
+#include <cstring>
+
 #include "solver/batch/ellipsoid_pack.hpp"
 #include "solver/batch/surface_pack.hpp"
 
@@ -26,9 +28,13 @@ class ChunkSolver {
 
   /// Offsets of pairs of a form.
   struct List {
-    std::array<std::uint8_t, Chunk::capacity + 1> offsets;
+    std::array<std::uint8_t, Chunk::capacity + width> offsets;
     std::size_t count = 0;
 
+    void add(const std::array<std::uint8_t, width>& added, std::size_t added_count) {
+      std::memcpy(&offsets[count], added.data(), width);
+      count += added_count;
+    }
     void add_if(bool belongs, std::uint8_t offset) {
       offsets[count] = offset;
       count += belongs ? 1 : 0;
@@ -48,6 +54,7 @@ class ChunkSolver {
     const auto two = n.n1 == Both<P>(P(2.0)) && n.n2 == Both<P>(P(2.0)),
                smooth = n.n1 >= Both<P>(P(2.0)) && n.n2 >= Both<P>(P(2.0));
     const auto are_ellipsoids = two.a && two.b, are_surfaces = smooth.a && smooth.b && !are_ellipsoids;
+    if (all_of(are_ellipsoids)) return ellipsoids_.add(offsets, count);
     for (std::size_t lane = 0; lane < count; ++lane) {
       ellipsoids_.add_if(are_ellipsoids[lane], offsets[lane]);
       surfaces_.add_if(are_surfaces[lane], offsets[lane]);
