@@ -5,6 +5,7 @@
 
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
+#include "reports/bench_batch.hpp"
 #include "reports/bench_measure.hpp"
 #include "reports/bench_sets.hpp"
 #include "solver/method/methods.hpp"
@@ -19,7 +20,7 @@ struct Options {
   std::string pairs, method = "all", out;
   std::int64_t count = 1000;
   std::uint64_t seed = 1;
-  bool json = false, print = false, count_only = false, warm = false;
+  bool json = false, print = false, count_only = false, warm = false, batch = false;
   int repeat = 5, times = 1;
 };
 
@@ -40,6 +41,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--times", options.times, "with --count-only: passes over the set")
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
+  app.add_flag("--batch", options.batch, "with --count-only: all pairs in one batch, in the place of a method");
   app.add_flag("--warm", options.warm, "with --count-only: solve moved pairs from the answers before the move");
 }
 
@@ -165,6 +167,40 @@ void print_table(const Named& set, const std::vector<Measurement>& all) {
                            100 * m.not_converged));
 }
 
+/// The batch beside the loop that it is to beat.
+void print_batches(const std::vector<BatchMeasurement>& all) {
+  for (const BatchMeasurement& m : all)
+    print_line(fmt::format("  {:<27}cold{:>9.3f} us a pair, {:.2f} x auto in a loop, {:.1f} % handed to auto",
+                           fmt::format("batch, {}", m.set), m.ns * 1e-3, m.ratio, 100 * m.alone));
+}
+
+Json to_json(const Named& set, const BatchMeasurement& m) {
+  return {{"set", set.name},       {"of", set.of}, {"pairs", set.cases.size()}, {"method", "batch"}, {"start", "cold"},
+          {"instructions", m.set}, {"ns", m.ns},   {"ratio_of_auto", m.ratio},  {"alone", m.alone}};
+}
+
+std::vector<Pair> pairs_of(const Named& set) {
+  std::vector<Pair> pairs;
+  for (const Case& c : set.cases) pairs.push_back(c.pair);
+  return pairs;
+}
+
+/// Only where `auto` is measured as well.
+std::vector<BatchMeasurement> batches(const Named& set, const std::vector<Solver>& solvers, int repeats) {
+  const auto is_auto = [](const Solver& solver) { return solver.name == "auto"; };
+  if (std::none_of(solvers.begin(), solvers.end(), is_auto)) return {};
+  return measure_batches(pairs_of(set), repeats);
+}
+
+int count_batch(const Options& options) {
+  each_set(options, [&](const Named& set) {
+    solve_batches(pairs_of(set), options.times);
+    print_line(
+        fmt::format("{} x {} solves by batch, {}", options.times, set.cases.size(), name(best_instruction_set())));
+  });
+  return exit_done;
+}
+
 int print_cases(const Options& options) {
   each_set(options, [](const Named& set) {
     for (const Case& c : set.cases) print_line(format_case(c));
@@ -191,13 +227,16 @@ int bench(const Options& options) {
   std::string lines;
   each_set(options, [&](const Named& set) {
     const std::vector<Measurement> all = measure(jobs_of(set, solvers, options.seed), options.repeat);
+    const std::vector<BatchMeasurement> of_batch = batches(set, solvers, options.repeat);
     if (interrupted()) return;
     if (!options.json) print_table(set, all);
-    for (const Measurement& m : all) {
-      const std::string line = write_json(to_json(set, m, all));
-      if (options.json) print_line(line);
-      lines += line + "\n";
-    }
+    if (!options.json) print_batches(of_batch);
+    const auto put = [&](const Json& line) {
+      if (options.json) print_line(write_json(line));
+      lines += write_json(line) + "\n";
+    };
+    for (const Measurement& m : all) put(to_json(set, m, all));
+    for (const BatchMeasurement& m : of_batch) put(to_json(set, m));
     flush_output();
   });
   if (!options.out.empty()) write_file(options.out, lines);
@@ -206,7 +245,8 @@ int bench(const Options& options) {
 
 int run(const Options& options) {
   if (options.print) return print_cases(options);
-  return options.count_only ? count(options) : bench(options);
+  if (options.count_only) return options.batch ? count_batch(options) : count(options);
+  return bench(options);
 }
 
 }  // namespace

@@ -5,22 +5,61 @@
 #pragma once
 
 #include <experimental/simd>
+#include <limits>
 
 #include "solver/method/vector3.hpp"
 
 namespace plumb {
 
+/// S is a scalar, or a register with a number of each of several pairs (batch/pack.hpp, which has a BothOf of its own).
 template <class S>
-using Both = std::experimental::fixed_size_simd<S, 2>;
+struct BothOf {
+  using type = std::experimental::fixed_size_simd<S, 2>;
+};
+template <class S>
+using Both = typename BothOf<S>::type;
+
+/// The S of a Both<S>.
+template <class B>
+struct SingleOf;
+template <class S>
+struct SingleOf<std::experimental::fixed_size_simd<S, 2>> {
+  using type = S;
+};
+template <class B>
+using Single = typename SingleOf<B>::type;
+
+/// Whether S is a scalar.
+template <class S>
+inline constexpr bool has_one_pair = std::numeric_limits<S>::is_specialized;
 
 template <class S>
 using Mask = typename Both<S>::mask_type;
 
 /// a where the mask holds, b elsewhere.
-template <class S>
-[[nodiscard, gnu::always_inline]] inline Both<S> select(const Mask<S>& mask, Both<S> a, const Both<S>& b) {
+template <class S, class Abi>
+[[nodiscard, gnu::always_inline]] inline std::experimental::simd<S, Abi>
+blend(const std::experimental::simd_mask<S, Abi>& mask, std::experimental::simd<S, Abi> a,
+      const std::experimental::simd<S, Abi>& b) {
   where(!mask, a) = b;
   return a;
+}
+/// The same of one number.
+template <class S>
+  requires has_one_pair<S>
+[[nodiscard, gnu::always_inline]] inline S blend(bool mask, const S& a, const S& b) {
+  return mask ? a : b;
+}
+template <class M, class T>
+[[nodiscard, gnu::always_inline]] inline Vector3<T> blend(const M& mask, const Vector3<T>& a, const Vector3<T>& b) {
+  return {blend(mask, a.x, b.x), blend(mask, a.y, b.y), blend(mask, a.z, b.z)};
+}
+[[nodiscard, gnu::always_inline]] inline bool any_of(bool mask) {
+  return mask;
+}
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Both<S> select(const Mask<S>& mask, const Both<S>& a, const Both<S>& b) {
+  return blend(mask, a, b);
 }
 /// 1 or -1.
 template <class S>
@@ -54,20 +93,20 @@ template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> twice(const Vector3<S>& v) {
   return {Both<S>(v.x), Both<S>(v.y), Both<S>(v.z)};
 }
-template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<S> first(const Vector3<Both<S>>& v) {
+template <class B, class S = Single<B>>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> first(const Vector3<B>& v) {
   return {first<S>(v.x), first<S>(v.y), first<S>(v.z)};
 }
-template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<S> second(const Vector3<Both<S>>& v) {
+template <class B, class S = Single<B>>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> second(const Vector3<B>& v) {
   return {second<S>(v.x), second<S>(v.y), second<S>(v.z)};
 }
-template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<S> sum(const Vector3<Both<S>>& v) {
+template <class B, class S = Single<B>>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> sum(const Vector3<B>& v) {
   return {sum<S>(v.x), sum<S>(v.y), sum<S>(v.z)};
 }
-template <class S>
-[[nodiscard, gnu::always_inline]] inline Symmetric3<S> sum(const Symmetric3<Both<S>>& m) {
+template <class B, class S = Single<B>>
+[[nodiscard, gnu::always_inline]] inline Symmetric3<S> sum(const Symmetric3<B>& m) {
   return {sum<S>(m.xx), sum<S>(m.xy), sum<S>(m.xz), sum<S>(m.yy), sum<S>(m.yz), sum<S>(m.zz)};
 }
 

@@ -3,6 +3,7 @@
 
 #include "solver/method/direction_search.hpp"
 #include "solver/method/ellipsoid_guard.hpp"
+#include "solver/method/ellipsoid_newton.hpp"
 
 namespace plumb {
 
@@ -24,7 +25,8 @@ struct EllipsoidForm {
 template <class S>
 [[nodiscard]] inline bool is_surely_lowest(const EllipsoidPair<S>& pair, const EllipsoidContact<S>& contact) {
   if (contact.status != Status::converged) return false;
-  return contact.overlap <= S(0) || rolls<S>(pair, contact.overlap) || is_inner_lowest<S>(pair, contact);
+  return contact.overlap <= S(0) || rolls<S>(pair, contact.overlap) ||
+         is_inner_lowest<S>(pair, contact.at.touch, contact.normal, contact.overlap);
 }
 
 /// The common normal that the start leads to.

@@ -15,13 +15,14 @@
 
 #include <array>
 
-#include "solver/method/ellipsoid_newton.hpp"
+#include "solver/method/ellipsoid_steps.hpp"
+#include "solver/scalar.hpp"
 #include "solver/shape/tangent.hpp"
 
 namespace plumb {
 
 template <class S>
-[[nodiscard]] inline bool rolls(const EllipsoidPair<S>& pair, const S& overlap) {
+[[nodiscard]] inline auto rolls(const EllipsoidPair<S>& pair, const S& overlap) {
   using std::max;
   using std::min;
   const Vector3<Both<S>>& a = pair.semi_axes;
@@ -39,11 +40,9 @@ struct AcrossRows {
 
 template <class S>
 [[nodiscard]] inline std::array<AcrossRows<S>, 2> across_rows(const EllipsoidPair<S>& pair, const Vector3<Both<S>>& u) {
-  const Tangent<S> e1 = tangent_basis<S>(first(u).eigen()), e2 = tangent_basis<S>(second(u).eigen());
-  const auto rows = [&](int k) {
-    return pair.map.transposed_times(both(Vector3<S>::of(e1.col(k)), Vector3<S>::of(e2.col(k))));
-  };
-  const Vector3<Both<S>> r0 = rows(0), r1 = rows(1);
+  const auto t = tangent_components<Both<S>>(u.x, u.y, u.z, sign<S>(u.z));
+  const Vector3<Both<S>> r0 = pair.map.transposed_times({t.x1, t.y1, t.z1}),
+                         r1 = pair.map.transposed_times({t.x2, t.y2, t.z2});
   return {AcrossRows<S>{first(r0), first(r1)}, AcrossRows<S>{second(r0), second(r1)}};
 }
 
@@ -53,15 +52,16 @@ struct ClosestTurn {
   S cosine, sine, sign;
 
   ClosestTurn(const AcrossRows<S>& a, const AcrossRows<S>& b) {
+    using std::max;
     using std::sqrt;
     const S k00 = dot(a.first, b.first), k01 = dot(a.first, b.second), k10 = dot(a.second, b.first),
             k11 = dot(a.second, b.second);
     const S turned = (k00 + k11) * (k00 + k11) + (k01 - k10) * (k01 - k10);
     const S mirrored = (k00 - k11) * (k00 - k11) + (k01 + k10) * (k01 + k10);
-    sign = turned >= mirrored ? S(1) : S(-1);
-    const S length = sqrt(std::max(turned, mirrored));
-    cosine = length > S(0) ? (k00 + sign * k11) / length : S(1);
-    sine = length > S(0) ? (k01 - sign * k10) / length : S(0);
+    sign = blend(turned >= mirrored, S(1), S(-1));
+    const S length = sqrt(max(turned, mirrored));
+    cosine = blend(length > S(0), S((k00 + sign * k11) / length), S(1));
+    sine = blend(length > S(0), S((k01 - sign * k10) / length), S(0));
   }
   [[nodiscard]] AcrossRows<S> operator()(const AcrossRows<S>& b) const {
     AcrossRows<S> out = b;
@@ -73,15 +73,17 @@ struct ClosestTurn {
 
 }  // namespace detail
 
+/// Of the common normal at the surface points `touch`.
 template <class S>
-[[nodiscard]] inline bool is_inner_lowest(const EllipsoidPair<S>& pair, const EllipsoidContact<S>& contact) {
-  const auto [rows1, rows2] = detail::across_rows(pair, contact.at.touch.u);
+[[nodiscard]] inline auto is_inner_lowest(const EllipsoidPair<S>& pair, const Touch<S>& touch, const Vector3<S>& normal,
+                                          const S& overlap) {
+  const auto [rows1, rows2] = detail::across_rows(pair, touch.u);
   const detail::AcrossRows<S> turned = detail::ClosestTurn<S>(rows1, rows2)(rows2);
-  const Vector3<S> p = sum(contact.at.touch.p);  // the row of B along u1
+  const Vector3<S> p = sum(touch.p);  // the row of B along u1
   const Symmetric3<S> m = square(p) + square(rows1.first + turned.first) + square(rows1.second + turned.second);
   const S margin(1e-9);  // relative: far above the rounding of the entries for bodies that are no needles
   const S trace = m.trace(), noise = S(16) * epsilon<S>();
-  const S level = contact.overlap * dot(contact.normal, p) * (S(1) + margin) + noise * trace;
+  const S level = overlap * dot(normal, p) * (S(1) + margin) + noise * trace;
   const Symmetric3<S> above = m.shifted(-level);
   const Adjugate<S> a = adjugate(above);
   return is_positive(above, a) && a.determinant > noise * trace * trace * trace;  // of thinner needles it has no sign

@@ -30,19 +30,27 @@ struct EllipsoidPair {
   S size;  ///< the larger body's, or the centre distance where that is more: what rounding is relative to
 };
 
-/// Rows of R' times the semi-axes.
+/// `body_size`: the larger body's.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const Vector3<Both<S>>& semi_axes,
+                                                                         const Matrix3<Both<S>>& transposed_rotation,
+                                                                         const Vector3<S>& c, const S& body_size) {
+  using std::max;
+  const Vector3<Both<S>>& a = semi_axes;
+  const Matrix3<Both<S>>& r = transposed_rotation;
+  EllipsoidPair<S> out{a, {r.row0 * a.x, r.row1 * a.y, r.row2 * a.z}, {}, c, max(body_size, largest(c))};
+  out.square = gram(out.map);
+  return out;
+}
+
 template <class S>
 [[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const PlacedPair<S>& placed) {
   const auto column = [&](int j) {
     return both(Vector3<S>::of(placed.body1.rotation.col(j)), Vector3<S>::of(placed.body2.rotation.col(j)));
   };
-  EllipsoidPair<S> out;
-  out.semi_axes = both(Vector3<S>::of(placed.body1.shape.semi_axes), Vector3<S>::of(placed.body2.shape.semi_axes));
-  out.map = {column(0) * out.semi_axes.x, column(1) * out.semi_axes.y, column(2) * out.semi_axes.z};
-  out.square = gram(out.map);
-  out.c = Vector3<S>::of(placed.body2.centre);
-  out.size = std::max(placed.size(), largest(out.c));
-  return out;
+  return ellipsoid_pair<S>(
+      both(Vector3<S>::of(placed.body1.shape.semi_axes), Vector3<S>::of(placed.body2.shape.semi_axes)),
+      {column(0), column(1), column(2)}, Vector3<S>::of(placed.body2.centre), placed.size());
 }
 
 /// Where the support planes along n touch.
@@ -130,20 +138,25 @@ template <class S>
 [[nodiscard, gnu::always_inline]] inline S convexifying_shift(const StepMatrix<S>& m, const S& determinant,
                                                               const S& ratio) {
   using std::abs;
+  using std::max;
   using std::sqrt;
   const S sum = m.matrix.trace() - m.lift, product = determinant / m.lift;
-  const S lowest = (sum - sqrt(std::max(S(0), sum * sum - 4 * product))) / 2;
-  return std::max(-2 * lowest, S(0.01) * abs(ratio) - lowest);
+  const S lowest = (sum - sqrt(max(S(0), S(sum * sum - 4 * product)))) / 2;
+  return max(S(-2 * lowest), S(S(0.01) * abs(ratio) - lowest));
 }
 
-/// n = (A1'A1 + A2'A2)^-1 c, any length: the answer for one ellipsoid of the summed squares. Coinciding centres: the
-/// thinnest direction.
+/// n = (A1'A1 + A2'A2)^-1 c, any length: the answer for one ellipsoid of the summed squares. Zero where the centres coincide.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> start_by_centres(const EllipsoidPair<S>& pair) {
+  return adjugate(sum(pair.square)).matrix * pair.c;
+}
+
+/// The same, largest component 1; the thinnest direction for coinciding centres.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
-  const Symmetric3<S> squares = sum(pair.square);
-  const Vector3<S> n = adjugate(squares).matrix * pair.c;
+  const Vector3<S> n = start_by_centres(pair);
   const S length = largest(n);
-  return length > S(0) ? n * (S(1) / length) : smallest_eigenvector(squares);
+  return length > S(0) ? n * (S(1) / length) : smallest_eigenvector(sum(pair.square));
 }
 
 /// The outward unit normals at the surface points u.

@@ -26,13 +26,13 @@ struct LevelShape {
   Both<S> nu, nu_minus_1, inverse /* 1 / (nu-1) */, inverse_nu;
   Both<S> switch_t, switch_u;  ///< t* and u*; 0 for nu = 2, where t = u
   Mask<S> dual, is_two;
-  bool all_two;
+  bool all_two;  ///< never of several pairs: which of two forms a pair takes is not to depend on its neighbours
 };
 
 template <class S>
 [[nodiscard]] inline LevelShape<S> level_shape(const Both<S>& nu, const Mask<S>& dual) {
   LevelShape<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false};
-  out.all_two = all_of(out.is_two);
+  out.all_two = has_one_pair<S> && all_of(out.is_two);
   if (out.all_two) return out;
   // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
   const Both<S> above = nu - S(2);
@@ -76,7 +76,7 @@ template <class S>
   is_u = is_u && !(ratio < S(smallest_ratio));  // a zero is one of c: a zero of g would have a finite curvature
   ratio = max(ratio, Both<S>(S(smallest_ratio)));
   Both<S> larger;
-  if (level.all_two) {
+  if (has_one_pair<S> && level.all_two) {
     out.t = out.u = ratio;
     larger = S(1) / sqrt(S(1) + ratio * ratio);
   } else {

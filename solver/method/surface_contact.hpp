@@ -33,8 +33,8 @@ struct SurfaceStart {
     const Symmetric3<S> squares =
         sum(Symmetric3<Both<S>>{dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)});
     // Coinciding centres: a direction that favours no axis.
-    const bool apart = largest(pair.c) > S(1e-14) * pair.size;
-    const Vector3<S> v = adjugate(squares).matrix * (apart ? pair.c : Vector3<S>{S(0.001), S(0.002), S(0.003)});
+    const auto apart = largest(pair.c) > S(1e-14) * pair.size;
+    const Vector3<S> v = adjugate(squares).matrix * blend(apart, pair.c, Vector3<S>{S(0.001), S(0.002), S(0.003)});
     const Vector3<S> n = v * (S(1) / largest(v));  // of needles the square would underflow
     return n * (S(1) / length(n));
   }
@@ -47,7 +47,7 @@ struct SurfaceStart {
     const Vector3<Both<S>> u = q * inverse_length<S>(q);
     if (kind == StartKind::chart) return surfaces_of_chart<S>(pair, inner, outer, u);
     const Mask<S> by_middle = kind == StartKind::middle ? Mask<S>(true) : is_blocky();
-    if (none_of(by_middle)) return surfaces_at<S>(pair, inner, outer, q, Mask<S>(true));
+    if (has_one_pair<S> && none_of(by_middle)) return surfaces_at<S>(pair, inner, outer, q, Mask<S>(true));
     const Vector3<Both<S>> ray = to_middle(u);
     const Vector3<Both<S>> v{select<S>(by_middle, ray.x, u.x), select<S>(by_middle, ray.y, u.y),
                              select<S>(by_middle, ray.z, u.z)};

@@ -27,8 +27,8 @@ struct SurfaceEquations {
   std::array<Vector3<S>, 2> across;
   S overlap;
   std::array<S, 4> value;
-  S twist, slope;  ///< lengths of the two halves of `value`
-  bool opposite;   ///< n1.n2 < 0: else m = n1, and no solution is near
+  S twist, slope;                ///< lengths of the two halves of `value`
+  decltype(S() < S()) opposite;  ///< n1.n2 < 0: else m = n1, and no solution is near
 };
 
 /// 1 / |N|.
@@ -48,9 +48,9 @@ template <class S>
   out.point2 = p2 + pair.c;
   const Vector3<S> d = out.point1 - p2 - pair.c, twist = n1 + n2, difference = n1 - n2;
   out.opposite = dot(n1, n2) < S(0);
-  out.m = out.opposite ? difference * (S(1) / length(difference)) : n1;
-  const Tangent<S> basis = tangent_basis<S>(out.m.eigen());
-  out.across = {Vector3<S>::of(basis.col(0)), Vector3<S>::of(basis.col(1))};
+  out.m = blend(out.opposite, difference * (S(1) / length(difference)), n1);
+  const auto t = tangent_components<S>(out.m.x, out.m.y, out.m.z, blend(out.m.z < S(0), S(-1), S(1)));
+  out.across = {Vector3<S>{t.x1, t.y1, t.z1}, Vector3<S>{t.x2, t.y2, t.z2}};
   out.overlap = dot(d, out.m);
   out.value = {dot(out.across[0], twist), dot(out.across[1], twist), dot(out.across[0], d), dot(out.across[1], d)};
   out.twist = sqrt(out.value[0] * out.value[0] + out.value[1] * out.value[1]);
@@ -99,9 +99,9 @@ template <class S>
 
 /// Whether a common normal is a minimum of o, to rounding. Bodies apart have no other.
 template <class S>
-[[nodiscard]] inline bool is_minimum(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& at) {
-  if (at.overlap <= S(0)) return true;
-  return at.overlap <= hessian_of(pair, at).lower_eigenvalue() * S(1 + 1e-6) + S(1e-12) * pair.size;
+[[nodiscard]] inline auto is_minimum(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& at) {
+  return at.overlap <= S(0) ||
+         at.overlap <= hessian_of(pair, at).lower_eigenvalue() * S(1 + 1e-6) + S(1e-12) * pair.size;
 }
 
 /// 4 equations: columns d0 and d1 of body 1 and 2 in turn.
@@ -111,15 +111,45 @@ struct Equation4 {
   S right;
 };
 
+/// The system of Newton's step at f. `o`: the overlap, or 0 for a step that descends.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline std::array<Equation4<S>, 4> newton_system(const SurfaceEquations<S>& f,
+                                                                                   const S& o) {
+  std::array<Equation4<S>, 4> m;
+  const Both<S> side = both<S>(S(1), S(-1)), half = side * Both<S>(o / 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto &dn = f.dnormal[k], &dp = f.dpoint[k];
+    const Both<S> s0 = side * dp[0] - half * dn[0], s1 = side * dp[1] - half * dn[1];
+    m[k] = {{dn[0][0], dn[1][0], dn[0][1], dn[1][1]}, -f.value[k]};
+    m[2 + k] = {{s0[0], s1[0], s0[1], s1[1]}, -f.value[2 + k]};
+  }
+  return m;
+}
+
+template <class S>
+[[gnu::always_inline]] inline void swap_where(bool mask, Equation4<S>& a, Equation4<S>& b) {
+  if (mask) std::swap(a, b);
+}
+/// Of each pair.
+template <class S, class M>
+[[gnu::always_inline]] inline void swap_where(const M& mask, Equation4<S>& a, Equation4<S>& b) {
+  const auto swap = [&](S& x, S& y) {
+    const S old = x;
+    x = blend(mask, y, x);
+    y = blend(mask, old, y);
+  };
+  for (std::size_t j = 0; j < 4; ++j) swap(a.row[j], b.row[j]);
+  swap(a.right, b.right);
+}
+
 /// Gaussian elimination with partial pivoting. A pivot of zero counts as tiny: the step is cut anyway.
 template <class S>
 [[nodiscard]] inline std::array<S, 4> solve4(std::array<Equation4<S>, 4> m) {
   using std::abs;
-  const auto inverse = [](const S& pivot) { return S(1) / (pivot == S(0) ? S(1e-300) : pivot); };
+  const auto inverse = [](const S& pivot) { return S(1) / blend(pivot == S(0), S(1e-300), pivot); };
   std::array<S, 4> x;
   for (std::size_t k = 0; k < 4; ++k) {
-    for (std::size_t i = k + 1; i < 4; ++i)
-      if (abs(m[i].row[k]) > abs(m[k].row[k])) std::swap(m[i], m[k]);
+    for (std::size_t i = k + 1; i < 4; ++i) swap_where<S>(abs(m[i].row[k]) > abs(m[k].row[k]), m[i], m[k]);
     const S scale = inverse(m[k].row[k]);
     for (std::size_t i = k + 1; i < 4; ++i) {
       const S factor = m[i].row[k] * scale;

@@ -86,15 +86,8 @@ class SurfaceNewton {
     const SurfaceEquations<S>& f = *f_;
     S o = f.overlap;
     if (o > pair_.rolling_ball && o > hessian_of(pair_, f).lower_eigenvalue()) o = S(0);
-    const bool still = f.twist < tolerance_;
-    std::array<Equation4<S>, 4> m;
-    const Both<S> side = both<S>(S(1), S(-1)), half = side * (o / 2);
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto &dn = f.dnormal[k], &dp = f.dpoint[k];
-      const Both<S> s0 = side * dp[0] - half * dn[0], s1 = side * dp[1] - half * dn[1];
-      m[k] = {{dn[0][0], dn[1][0], dn[0][1], dn[1][1]}, still ? S(0) : -f.value[k]};
-      m[2 + k] = {{s0[0], s1[0], s0[1], s1[1]}, -f.value[2 + k]};
-    }
+    std::array<Equation4<S>, 4> m = newton_system(f, o);
+    if (f.twist < tolerance_) m[0].right = m[1].right = S(0);
     return m;
   }
 
@@ -145,17 +138,11 @@ class SurfaceNewton {
     const Surfaces<S>& at = *here_;
     const S top = pair_.greatest_nu, ratio = hmin(min(at.inner.t, at.outer.t));
     if (!(squared_length(x) * top * top < S(0.05) * epsilon<S>() * ratio)) return false;
-    const Both<S> d0 = both<S>(x[0], x[2]), d1 = both<S>(x[1], x[3]);
-    const Vector3<Both<S>> turn{d0 * at.dnormal0.x + d1 * at.dnormal1_x, d0 * at.dnormal0.y + d1 * at.dnormal1_y,
-                                d0 * at.dnormal0.z};
-    const Both<S> turned = dot(turn, turn) / dot(at.normal, at.normal);
-    if (!(hmax(turned) < S(0.5) * epsilon<S>())) return false;
-    const Vector3<Both<S>> normal = at.normal + turn;
-    const Vector3<Both<S>> point{at.point.x + d0 * at.dpoint0.x + d1 * at.dpoint1_x,
-                                 at.point.y + d0 * at.dpoint0.y + d1 * at.dpoint1_y, at.point.z + d0 * at.dpoint0.z};
+    const Followed<S> to = followed(at, both<S>(x[0], x[2]), both<S>(x[1], x[3]));
+    if (!(hmax(to.squared_turn) < S(0.5) * epsilon<S>())) return false;
     next_->dnormal = f_->dnormal;
     next_->dpoint = f_->dpoint;
-    set_values<S>(pair_, point, pair_.rotation * normal * inverse_length<S>(normal), *next_);
+    set_values<S>(pair_, to.point, pair_.rotation * to.normal * inverse_length<S>(to.normal), *next_);
     if (!(residual(*next_) < tolerance_)) return false;
     std::swap(f_, next_);
     return true;

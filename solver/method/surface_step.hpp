@@ -55,6 +55,15 @@ moved_vectors(const LevelShape<S>& outer, const Surfaces<S>& from, const Both<S>
   return m;
 }
 
+/// Where the bodies of a pair are both near: of the pair's, not of its neighbours'.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Mask<S> where_both(const Mask<S>& mask) {
+  if constexpr (has_one_pair<S>)
+    return Mask<S>(all_of(mask));
+  else
+    return of_both_bodies(mask);
+}
+
 }  // namespace detail
 
 /// `from` moved by (d0, d1) of each body, on the surfaces of the levels given (the pair's, or rounder ones).
@@ -74,19 +83,19 @@ inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>
   const S small(0.04);
   const Mask<S> near = across_w * across_w < small * radius_w * radius_w && radius_w > S(0) &&
                        across_v * across_v < small * radius_v * radius_v && !reversed;
-  Both<S> new_radius_w, new_radius_v;
-  if (all_of(near)) {
-    out.inner = level_moved<S>(inner, inner_switch, i, m.wx, m.wy, m.vx, m.vy);
-    new_radius_w = sqrt(radius_w * radius_w + bend * across_w * across_w);
-    new_radius_v = sqrt(radius_v * radius_v + across_v * across_v * min(S(1) / bend, Both<S>(S(1))));
-  } else {
-    const Mask<S> alone = reversed && o.t >= outer.switch_t;
-    out.inner =
-        level_moved<S>(inner, inner_switch, i, select<S>(alone, m.inner_wx, m.wx), select<S>(alone, m.inner_wy, m.wy),
-                       select<S>(reversed, m.inner_vx, m.vx), select<S>(reversed, m.inner_vy, m.vy));
-    const LevelPoint<S>& n = out.inner;
-    new_radius_w = sqrt((m.wx * m.wx + m.wy * m.wy) / (n.ca * n.ca + n.cb * n.cb));
-    new_radius_v = sqrt((m.vx * m.vx + m.vy * m.vy) / (n.ga * n.ga + n.gb * n.gb));
+  const Mask<S> alone = reversed && o.t >= outer.switch_t;
+  out.inner =
+      level_moved<S>(inner, inner_switch, i, select<S>(alone, m.inner_wx, m.wx), select<S>(alone, m.inner_wy, m.wy),
+                     select<S>(reversed, m.inner_vx, m.vx), select<S>(reversed, m.inner_vy, m.vy));
+  const LevelPoint<S>& n = out.inner;
+  Both<S> new_radius_w = sqrt(radius_w * radius_w + bend * across_w * across_w);
+  Both<S> new_radius_v = sqrt(radius_v * radius_v + across_v * across_v * min(S(1) / bend, Both<S>(S(1))));
+  if (!all_of(near)) {
+    const Mask<S> pair_is_near = detail::where_both<S>(near);
+    new_radius_w =
+        select<S>(pair_is_near, new_radius_w, sqrt((m.wx * m.wx + m.wy * m.wy) / (n.ca * n.ca + n.cb * n.cb)));
+    new_radius_v =
+        select<S>(pair_is_near, new_radius_v, sqrt((m.vx * m.vx + m.vy * m.vy) / (n.ga * n.ga + n.gb * n.gb)));
   }
   out.outer =
       level_moved<S>(outer, outer.switch_t, o, new_radius_w, m.wz, select<S>(reversed, radius_v, new_radius_v), m.vz);

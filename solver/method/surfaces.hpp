@@ -40,23 +40,34 @@ template <class S>
 
 }  // namespace detail
 
+/// `body_size`: the larger body's.
 template <class S>
-[[nodiscard]] inline SuperellipsoidPair<S> superellipsoid_pair(const PlacedPair<S>& placed) {
-  const PlacedBody<S>&b1 = placed.body1, &b2 = placed.body2;
-  const auto row = [&](int i) { return both(Vector3<S>::of(b1.rotation.row(i)), Vector3<S>::of(b2.rotation.row(i))); };
+[[nodiscard, gnu::always_inline]] inline SuperellipsoidPair<S>
+superellipsoid_pair(const Vector3<Both<S>>& semi_axes, const Matrix3<Both<S>>& rotation, const Both<S>& n1,
+                    const Both<S>& n2, const Vector3<S>& c, const S& body_size) {
+  using std::max;
   SuperellipsoidPair<S> out;
-  out.semi_axes = both(Vector3<S>::of(b1.shape.semi_axes), Vector3<S>::of(b2.shape.semi_axes));
-  out.inverse_axes = {S(1) / out.semi_axes.x, S(1) / out.semi_axes.y, S(1) / out.semi_axes.z};
-  out.rotation = {row(0), row(1), row(2)};
-  out.outer = level_of_exponents<S>(both<S>(b1.shape.n1, b2.shape.n1));
-  out.inner = level_of_exponents<S>(both<S>(b1.shape.n2, b2.shape.n2));
-  out.c = Vector3<S>::of(b2.centre);
-  out.size = placed.size();
-  out.reach = std::max(out.size, largest(out.c));
+  out.semi_axes = semi_axes;
+  out.inverse_axes = {S(1) / semi_axes.x, S(1) / semi_axes.y, S(1) / semi_axes.z};
+  out.rotation = rotation;
+  out.outer = level_of_exponents<S>(n1);
+  out.inner = level_of_exponents<S>(n2);
+  out.c = c;
+  out.size = body_size;
+  out.reach = max(out.size, largest(c));
   out.any_dual = any_of(out.inner.dual) || any_of(out.outer.dual);
   out.greatest_nu = hmax(max(out.inner.nu, out.outer.nu));
   out.rolling_ball = detail::rolling_ball(out);
   return out;
+}
+
+template <class S>
+[[nodiscard]] inline SuperellipsoidPair<S> superellipsoid_pair(const PlacedPair<S>& placed) {
+  const PlacedBody<S>&b1 = placed.body1, &b2 = placed.body2;
+  const auto row = [&](int i) { return both(Vector3<S>::of(b1.rotation.row(i)), Vector3<S>::of(b2.rotation.row(i))); };
+  return superellipsoid_pair<S>(both(Vector3<S>::of(b1.shape.semi_axes), Vector3<S>::of(b2.shape.semi_axes)),
+                                {row(0), row(1), row(2)}, both<S>(b1.shape.n1, b2.shape.n1),
+                                both<S>(b1.shape.n2, b2.shape.n2), Vector3<S>::of(b2.centre), placed.size());
 }
 
 /// Body axes; the derivatives by d1 have no z component.
@@ -137,6 +148,24 @@ template <class S>
   detail::set_levels<S>(inner, outer, w, Mask<S>(false), Mask<S>(false), out);
   detail::fill<S, true>(pair, inner, outer, out);
   return out;
+}
+
+/// Points and normals after a step along the tangents.
+template <class S>
+struct Followed {
+  Vector3<Both<S>> point, normal;
+  Both<S> squared_turn;  ///< of the normal, rad
+};
+
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Followed<S> followed(const Surfaces<S>& at, const Both<S>& d0,
+                                                              const Both<S>& d1) {
+  const Vector3<Both<S>> turn{d0 * at.dnormal0.x + d1 * at.dnormal1_x, d0 * at.dnormal0.y + d1 * at.dnormal1_y,
+                              d0 * at.dnormal0.z};
+  return {{at.point.x + d0 * at.dpoint0.x + d1 * at.dpoint1_x, at.point.y + d0 * at.dpoint0.y + d1 * at.dpoint1_y,
+           at.point.z + d0 * at.dpoint0.z},
+          at.normal + turn,
+          dot(turn, turn) / dot(at.normal, at.normal)};
 }
 
 /// The chart's direction.

@@ -1,0 +1,124 @@
+#include "solver/batch/batch.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "solver/batch/chunk.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+namespace {
+
+struct Kernel {
+  std::string_view name;
+  int lanes;
+  SolveChunk solve;
+};
+
+#if defined(PLUMB_BATCH_AVX2)
+[[nodiscard]] bool has_avx2() {
+  return __builtin_cpu_supports("avx2") != 0;
+}
+constexpr Kernel avx2_kernel{"avx2", 4, solve_chunk_avx2};
+#else
+[[nodiscard]] bool has_avx2() {
+  return false;
+}
+constexpr Kernel avx2_kernel{"avx2", 4, nullptr};
+#endif
+constexpr Kernel baseline_kernel{"baseline", 2, solve_chunk_baseline};
+
+[[nodiscard]] const Kernel& kernel(InstructionSet set) {
+  const InstructionSet chosen = set == InstructionSet::best ? best_instruction_set() : set;
+  return chosen == InstructionSet::avx2 ? avx2_kernel : baseline_kernel;
+}
+
+/// Whether `check` holds for every span.
+template <class Check>
+[[nodiscard]] bool each_input(const BodyArrays& body, const Check& check) {
+  return std::ranges::all_of(body.semi_axes, check) && std::ranges::all_of(body.position, check) &&
+         std::ranges::all_of(body.quaternion, check) && (body.n1.empty() || check(body.n1)) &&
+         (body.n2.empty() || check(body.n2));
+}
+
+template <class Check>
+[[nodiscard]] bool each_output(const ContactArrays& to, const Check& check) {
+  return check(to.status) && check(to.verdict) && check(to.overlap) && std::ranges::all_of(to.normal, check) &&
+         std::ranges::all_of(to.point1, check) && std::ranges::all_of(to.point2, check) &&
+         std::ranges::all_of(to.contact_point, check) && check(to.iterations) && check(to.evaluations);
+}
+
+[[nodiscard]] BatchError find_error(const PairArrays& pairs, const ContactArrays& to, InstructionSet set) {
+  const auto fits = [&](const auto& span) { return span.size() == pairs.size(); };
+  const auto fits_or_empty = [&](const auto& span) { return span.empty() || fits(span); };
+  if (!each_input(pairs.body1, fits) || !each_input(pairs.body2, fits)) return BatchError::input_lengths;
+  if (!each_output(to, fits_or_empty)) return BatchError::output_lengths;
+  return is_available(set) ? BatchError::none : BatchError::instruction_set;
+}
+
+[[nodiscard]] Body body_at(const BodyArrays& from, std::size_t i) {
+  const auto vector = [&](const auto& spans) { return Vec3<double>(spans[0][i], spans[1][i], spans[2][i]); };
+  const auto exponent = [&](const auto& span) { return span.empty() ? 2 : span[i]; };
+  const auto& q = from.quaternion;
+  return {{vector(from.semi_axes), exponent(from.n1), exponent(from.n2)},
+          vector(from.position),
+          {q[0][i], q[1][i], q[2][i], q[3][i]}};
+}
+
+template <class T>
+void store(const T& value, const std::span<T>& to, std::size_t i) {
+  if (!to.empty()) to[i] = value;
+}
+void store(const Vec3<double>& value, const std::array<std::span<double>, 3>& to, std::size_t i) {
+  for (int k = 0; k < 3; ++k) store(value[k], to[static_cast<std::size_t>(k)], i);
+}
+
+void solve_alone(const PairArrays& pairs, const Want& want, const ContactArrays& to, std::size_t i) {
+  const Pair pair{body_at(pairs.body1, i), body_at(pairs.body2, i)};
+  const Contact<double> found = find_method("auto")->solve(pair, want, nullptr);
+  store(found.status, to.status, i);
+  store(found.verdict, to.verdict, i);
+  store(found.overlap, to.overlap, i);
+  store(found.normal, to.normal, i);
+  store(found.point1, to.point1, i);
+  store(found.point2, to.point2, i);
+  store(found.contact_point, to.contact_point, i);
+  store(found.iterations, to.iterations, i);
+  store(found.evaluations, to.evaluations, i);
+}
+
+}  // namespace
+
+std::string_view name(InstructionSet set) {
+  return kernel(set).name;
+}
+
+bool is_available(InstructionSet set) {
+  return set != InstructionSet::avx2 || has_avx2();
+}
+
+InstructionSet best_instruction_set() {
+  return is_available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
+}
+
+int lanes(InstructionSet set) {
+  return kernel(set).lanes;
+}
+
+BatchReport solve_batch(const PairArrays& pairs, const Want& want, const ContactArrays& contacts, InstructionSet set) {
+  BatchReport report{find_error(pairs, contacts, set), 0};
+  if (report.error != BatchError::none) return report;
+  Want alone = want;
+  alone.points = true;
+  alone.curvature = false;
+  for (std::size_t first = 0; first < pairs.size(); first += Chunk::capacity) {
+    const std::size_t count = std::min(Chunk::capacity, pairs.size() - first);
+    for (Unsettled left = kernel(set).solve({pairs, want, contacts, first, count}); left != 0; left &= left - 1) {
+      solve_alone(pairs, alone, contacts, first + static_cast<std::size_t>(std::countr_zero(left)));
+      ++report.alone;
+    }
+  }
+  return report;
+}
+
+}  // namespace plumb

@@ -1,0 +1,70 @@
+// Many pairs at once, as structures of arrays: the answers of `auto`, cold, several pairs side by side in vector registers.
+//
+//   BatchReport report = solve_batch(pairs, {}, {.status = status, .normal = {nx, ny, nz}});
+//
+// Answers   those of find_method("auto")->solve: the same bits for ellipsoids, the same to rounding for other exponents
+//           (README.md has the bound). A pair that the vector code does not settle is handed to `auto` itself.
+// Order     each answer depends on its own pair alone, whatever stands beside it
+// Safety    no heap, no locks, no globals, nothing thrown: any number of threads
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "solver/contact.hpp"
+
+namespace plumb {
+
+/// One body of each pair, as in Body: entry i of each span is of pair i.
+struct BodyArrays {
+  std::array<std::span<const double>, 3> semi_axes;
+  std::span<const double> n1, n2;  ///< empty: 2 for all, ellipsoids
+  std::array<std::span<const double>, 3> position;
+  std::array<std::span<const double>, 4> quaternion;  ///< (w, x, y, z), any non-zero length
+};
+
+/// As many pairs as body1.semi_axes[0] has entries.
+struct PairArrays {
+  BodyArrays body1, body2;
+
+  [[nodiscard]] std::size_t size() const { return body1.semi_axes[0].size(); }
+};
+
+/// Where the answers go, as in Contact; NaN where the status is not `converged`. An empty span is not wanted and costs nothing.
+struct ContactArrays {
+  std::span<Status> status{};
+  std::span<Verdict> verdict{};
+  std::span<double> overlap{};
+  std::array<std::span<double>, 3> normal{}, point1{}, point2{}, contact_point{};
+  std::span<int> iterations{}, evaluations{};
+};
+
+/// What a batch is computed with. `best` is the widest that this machine has.
+enum class InstructionSet { best, baseline, avx2 };
+
+[[nodiscard]] std::string_view name(InstructionSet set);
+/// Whether this build has it and this machine runs it.
+[[nodiscard]] bool is_available(InstructionSet set);
+[[nodiscard]] InstructionSet best_instruction_set();
+/// Pairs side by side in a register.
+[[nodiscard]] int lanes(InstructionSet set);
+
+enum class BatchError {
+  none,
+  input_lengths,   ///< a span of `PairArrays` has not as many entries as there are pairs
+  output_lengths,  ///< a span of `ContactArrays` has neither none nor as many
+  instruction_set  ///< not available here
+};
+
+struct BatchReport {
+  BatchError error = BatchError::none;  ///< nothing was written if not `none`
+  std::size_t alone = 0;                ///< pairs that were handed to `auto` one by one
+};
+
+/// `want` as for a single pair; which fields are paid for is what the spans say, and curvature is not offered.
+[[nodiscard]] BatchReport solve_batch(const PairArrays& pairs, const Want& want, const ContactArrays& contacts,
+                                      InstructionSet set = InstructionSet::best);
+
+}  // namespace plumb

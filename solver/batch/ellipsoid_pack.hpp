@@ -1,0 +1,165 @@
+// Newton's iteration of method/ellipsoid_newton.hpp and the guard, on a pack of pairs: each lane takes the decisions that it
+// would take alone, and so has the same bits.
+//
+// A lane that has ended waits for the others with steps of -0, which change no bit of its direction; its last step is taken
+// when all have ended.
+#pragma once
+
+#include "solver/batch/pack_pair.hpp"
+#include "solver/method/ellipsoid_guard.hpp"
+#include "solver/method/ellipsoid_steps.hpp"
+#include "solver/scalar.hpp"
+
+namespace plumb {
+
+template <class P>
+class EllipsoidPack {
+ public:
+  using Lanes = typename P::mask_type;
+
+  [[gnu::always_inline]] EllipsoidPack(const EllipsoidPair<P>& pair, const Want& want)
+      : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)),
+        floor_(P(newton::noise_multiple * std::numeric_limits<double>::epsilon()) * pair.size),
+        asked_(P(want.tolerance) * pair.size), enough_(max(floor_, asked_)), at_(direction_point(pair, start(pair))) {}
+
+  [[nodiscard, gnu::always_inline]] PackContact<P> solve() {
+    iterate();
+    take_last_steps();
+    overlap_ = overlap_at(pair_, at_);
+    normal_ = at_.n * sqrt(at_.inverse_square);
+    settle();
+    guard();
+    return {settled_, normal_, first(at_.touch.p), pair_.c - second(at_.touch.p), overlap_, iterations_, evaluations_};
+  }
+
+ private:
+  // A pack waits for its slowest lane: one that needs more is cheaper alone.
+  static constexpr int most_iterations = 12;
+
+  /// Lanes of coinciding centres get NaN, and are not settled.
+  [[nodiscard, gnu::always_inline]] static Vector3<P> start(const EllipsoidPair<P>& pair) {
+    const Vector3<P> n = start_by_centres(pair);
+    return n * (P(1.0) / largest(n));
+  }
+
+  [[nodiscard, gnu::always_inline]] Lanes is_small_enough() const {
+    const Lanes enough = at_.error <= enough_;
+    const Lanes near = at_.error <= P(newton::near) * pair_.size;
+    if (none_of(near && !enough)) return enough;
+    const P noise(newton::noise_multiple * std::numeric_limits<double>::epsilon());
+    return enough || (near && at_.error <= noise * reach(pair_, at_));
+  }
+
+  [[gnu::always_inline]] void iterate() {
+    for (int i = 0;; ++i) {
+      settled_ = settled_ || is_small_enough();
+      const Lanes active = !settled_;
+      if (i == limit_ || none_of(active && at_.error < P(std::numeric_limits<double>::infinity()))) return;
+      descend(active);
+    }
+  }
+
+  /// One step of the active lanes, shortened until o is lower where o can tell.
+  [[gnu::always_inline]] void descend(Lanes active) {
+    const Symmetric3<P> h = sum(radii(pair_, at_.touch));
+    Vector3<P> step = newton_step(h, at_);
+    P turn = squared_turn(pair_, at_, step);
+    where(active, iterations_) += P(1.0);
+    Lanes last = active && turn < P(newton::last_turn * newton::last_turn);
+    if (any_of(last)) {
+      last = last && landing_error(h, at_, step) <= floor_;
+      last_step_ = blend(last, step, last_step_);
+      settled_ = settled_ || last;
+      active = active && !last;
+      if (none_of(active)) return;
+    }
+    const P longest(newton::longest_turn * newton::longest_turn);
+    const Lanes cut = active && turn > longest;
+    if (any_of(cut)) {
+      step = step * blend(cut, P(sqrt(longest / turn)), P(1.0));
+      turn = blend(cut, longest, turn);
+    }
+    search(active, all_of(active) ? step : blend(active, step, stay()), turn);
+  }
+
+  [[gnu::always_inline]] void search(const Lanes& active, Vector3<P> step, P turn) {
+    const P shortest(newton::short_turn * newton::short_turn);
+    const Lanes searching = active && !(turn < shortest);
+    const Vector3<P> n = at_.n;
+    if (none_of(searching)) return evaluate(active, n + step);
+    const P here = overlap_at(pair_, at_);
+    evaluate(active, n + step);
+    for (Lanes again = too_high(searching && turn > shortest, here); any_of(again);
+         again = too_high(again && turn > shortest, here)) {
+      step = step * blend(again, P(newton::shorter), P(1.0));
+      turn *= blend(again, P(newton::shorter * newton::shorter), P(1.0));
+      evaluate(again, n + step);
+    }
+  }
+
+  [[nodiscard, gnu::always_inline]] Lanes too_high(const Lanes& lanes, const P& here) const {
+    return lanes && !(overlap_at(pair_, at_) <= here);
+  }
+
+  [[gnu::always_inline]] void evaluate(const Lanes& counted, const Vector3<P>& n) {
+    where(counted, evaluations_) += P(1.0);
+    at_ = direction_point(pair_, n);
+  }
+
+  [[gnu::always_inline]] void take_last_steps() {
+    const Lanes lanes = last_step_.x == last_step_.x;
+    if (none_of(lanes)) return;
+    const TwinMask<P> both_lanes(lanes, lanes);
+    const Vector3<P> n = at_.n;
+    const Both<P> h = at_.touch.h;
+    const Vector3<Both<P>> p = at_.touch.p;
+    follow(at_, radii(pair_, at_.touch), last_step_);
+    at_.n = blend(lanes, at_.n, n);
+    at_.touch.h = blend(both_lanes, at_.touch.h, h);
+    at_.touch.p = blend(both_lanes, at_.touch.p, p);
+  }
+
+  /// Newton on the points, of the lanes that need it.
+  [[gnu::always_inline]] void settle() {
+    const Lanes asks_for_all = asked_ <= floor_ && reach(pair_, at_) > P(newton::coarse) * pair_.size;
+    const Lanes lanes = settled_ && (asks_for_all || at_.error > enough_);
+    if (none_of(lanes)) return;
+    const Vector3<Both<P>> p = at_.touch.p;
+    Settling<P> now = settling(pair_, at_);
+    for (int i = 0; i < newton::most_settling; ++i) {
+      const Lanes moving = lanes && now.error > floor_;
+      if (none_of(moving)) break;
+      where(moving, evaluations_) += P(1.0);
+      at_.touch.u = blend(TwinMask<P>(moving, moving), moved_points(pair_, at_, now), at_.touch.u);
+      now = settling(pair_, at_);
+    }
+    settled_ = settled_ && (!lanes || now.error <= P(newton::settled_multiple) * floor_);
+    normal_ = blend(lanes, now.n, normal_);
+    at_.touch.p = blend(TwinMask<P>(lanes, lanes), at_.touch.p, p);
+  }
+
+  /// Keeps the lanes that surely have the lowest common normal.
+  [[gnu::always_inline]] void guard() {
+    const Lanes sure = overlap_ <= P(0.0) || rolls<P>(pair_, overlap_);
+    if (none_of(settled_ && !sure)) return;
+    settled_ = settled_ && (sure || is_inner_lowest<P>(pair_, at_.touch, normal_, overlap_));
+  }
+
+  [[nodiscard, gnu::always_inline]] static Vector3<P> stay() { return {P(-0.0), P(-0.0), P(-0.0)}; }
+  [[nodiscard, gnu::always_inline]] static Vector3<P> no_step() {
+    const P nan(std::numeric_limits<double>::quiet_NaN());
+    return {nan, nan, nan};
+  }
+
+  const EllipsoidPair<P>& pair_;
+  int limit_;
+  P floor_, asked_, enough_;
+  DirectionPoint<P> at_;
+  Lanes settled_ = Lanes(false);
+  Vector3<P> last_step_ = no_step();  ///< NaN where the last was one like any other
+  Vector3<P> normal_;
+  P overlap_;
+  P iterations_ = P(0.0), evaluations_ = P(1.0);
+};
+
+}  // namespace plumb

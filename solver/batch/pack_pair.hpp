@@ -1,0 +1,175 @@
+// Pairs of a chunk in the lanes of packs, each in its own frame (as pose.hpp places a single one), and their answers.
+#pragma once
+
+#include <array>
+#include <cstring>
+
+#include "solver/batch/chunk.hpp"
+#include "solver/batch/pack.hpp"
+
+namespace plumb {
+
+/// The pairs of a pack. Lanes without a pair of their own hold the last one's again: what they write is that one's answer.
+template <class P>
+struct PackIndex {
+  static constexpr std::size_t width = P::size();
+  std::array<std::size_t, width> pair;
+  bool contiguous;
+
+  PackIndex(const std::uint8_t* offsets, std::size_t count, std::size_t first) {
+    for (std::size_t lane = 0; lane < width; ++lane) pair[lane] = first + offsets[std::min(lane, count - 1)];
+    contiguous = count >= width && pair[width - 1] - pair[0] == width - 1;
+  }
+
+  [[nodiscard, gnu::always_inline]] P load(const std::span<const double>& from) const {
+    if (contiguous) return P(&from[pair[0]], std::experimental::element_aligned);
+    return P([&](auto lane) { return from[pair[lane]]; });
+  }
+  [[nodiscard, gnu::always_inline]] Vector3<P> load(const std::array<std::span<const double>, 3>& from) const {
+    return {load(from[0]), load(from[1]), load(from[2])};
+  }
+  [[gnu::always_inline]] void store(const P& value, const std::span<double>& to) const {
+    if (to.empty()) return;
+    if (contiguous) return value.copy_to(&to[pair[0]], std::experimental::element_aligned);
+    for (std::size_t lane = 0; lane < width; ++lane) to[pair[lane]] = value[lane];
+  }
+  [[gnu::always_inline]] void store(const Vector3<P>& value, const std::array<std::span<double>, 3>& to) const {
+    store(value.x, to[0]);
+    store(value.y, to[1]);
+    store(value.z, to[2]);
+  }
+  /// As whole numbers, or enumerators.
+  template <class T>
+  [[gnu::always_inline]] void store_as(const P& value, const std::span<T>& to) const {
+    static_assert(sizeof(T) == sizeof(int));
+    if (to.empty()) return;
+    std::array<int, width> numbers;
+    std::experimental::static_simd_cast<int>(value).copy_to(numbers.data(), std::experimental::element_aligned);
+    if (contiguous) return void(std::memcpy(&to[pair[0]], numbers.data(), sizeof(numbers)));
+    for (std::size_t lane = 0; lane < width; ++lane) to[pair[lane]] = static_cast<T>(numbers[lane]);
+  }
+};
+
+template <class P>
+struct PackPair {
+  Vector3<Both<P>> semi_axes;
+  Matrix3<Both<P>> rotation;
+  Vector3<P> position1;         ///< world
+  Vector3<P> c;                 ///< from body 1's centre to body 2's
+  P size;                       ///< the longest semi-axis, in [1, 2)
+  P unit;                       ///< of length, the power of two that was divided by
+  typename P::mask_type valid;  ///< and in the range where a power of two is a number; other lanes hold anything
+};
+
+namespace detail {
+
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Matrix3<T> transposed(const Matrix3<T>& m) {
+  return {{m.row0.x, m.row1.x, m.row2.x}, {m.row0.y, m.row1.y, m.row2.y}, {m.row0.z, m.row1.z, m.row2.z}};
+}
+
+/// As rotation() of pose_impl.hpp.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Matrix3<T> rotation_of(const T& w, const T& x, const T& y, const T& z) {
+  const T ww = w * w, xx = x * x, yy = y * y, zz = z * z, norm = ww + xx + yy + zz, two(2.0);
+  const auto row = [&](const T& a, const T& b, const T& c) { return Vector3<T>{a / norm, b / norm, c / norm}; };
+  return {row(ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)),
+          row(two * (x * y + w * z), ww - xx + yy - zz, two * (y * z - w * x)),
+          row(two * (x * z - w * y), two * (y * z + w * x), ww - xx - yy + zz)};
+}
+
+/// Finite, and its power of two and the reciprocal of that normal.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline auto is_usual(const T& x) {
+  return x > T(1e-300) && x < T(1e300);
+}
+
+template <class P>
+[[nodiscard, gnu::always_inline]] inline Matrix3<Both<P>>
+load_rotation(const PackIndex<P>& index, const PairArrays& pairs, typename P::mask_type& valid) {
+  const auto component = [&](std::size_t k) {
+    return Both<P>(index.load(pairs.body1.quaternion[k]), index.load(pairs.body2.quaternion[k]));
+  };
+  const Both<P> w = component(0), x = component(1), y = component(2), z = component(3);
+  const Both<P> most = max(max(abs(w), abs(x)), max(abs(y), abs(z)));
+  const Both<P> zero = (w - w) + (x - x) + (y - y) + (z - z);  // NaN where one is not finite
+  const Mask<P> is_valid = is_usual(most) && zero == Both<P>(P(0.0));
+  valid = valid && is_valid.a && is_valid.b;
+  const Both<P> scale = Both<P>(P(0.5)) / Both<P>(power_below(most.a), power_below(most.b));
+  return rotation_of<Both<P>>(w * scale, x * scale, y * scale, z * scale);
+}
+
+template <class P>
+[[nodiscard, gnu::always_inline]] inline auto is_finite(const Vector3<P>& v) {
+  return (v.x - v.x) + (v.y - v.y) + (v.z - v.z) == P(0.0);
+}
+
+}  // namespace detail
+
+/// Large units are divided out before the subtraction, small ones after it (place(), pose_impl.hpp).
+template <class P>
+[[nodiscard, gnu::always_inline]] inline PackPair<P> load_pair(const PackIndex<P>& index, const PairArrays& pairs) {
+  PackPair<P> out;
+  const Vector3<Both<P>> axes = both(index.load(pairs.body1.semi_axes), index.load(pairs.body2.semi_axes));
+  const Both<P> longest = max(axes.x, max(axes.y, axes.z)), shortest = min(axes.x, min(axes.y, axes.z));
+  const P size = max(longest.a, longest.b), one(1.0);
+  out.position1 = index.load(pairs.body1.position);
+  const Vector3<P> position2 = index.load(pairs.body2.position);
+  const Vector3<Both<P>> finite_axes{axes.x - axes.x, axes.y - axes.y, axes.z - axes.z};
+  const Both<P> zero = finite_axes.x + finite_axes.y + finite_axes.z;
+  out.valid = detail::is_usual(size) && min(shortest.a, shortest.b) > P(0.0) && zero.a + zero.b == P(0.0) &&
+              detail::is_finite(out.position1) && detail::is_finite(position2);
+  out.rotation = detail::load_rotation(index, pairs, out.valid);
+  out.unit = power_below(size);
+  const P factor = one / out.unit, large = min(factor, one), small = max(factor, one);
+  out.semi_axes = axes * Both<P>(factor);
+  out.size = size * factor;
+  out.c = (position2 * large - out.position1 * large) * small;
+  return out;
+}
+
+template <class P>
+struct Exponents {
+  Both<P> n1, n2;
+};
+
+template <class P>
+[[nodiscard, gnu::always_inline]] inline Exponents<P> load_exponents(const PackIndex<P>& index,
+                                                                     const PairArrays& pairs) {
+  const auto load = [&](const std::span<const double>& n) { return n.empty() ? P(2.0) : index.load(n); };
+  return {Both<P>(load(pairs.body1.n1), load(pairs.body2.n1)), Both<P>(load(pairs.body1.n2), load(pairs.body2.n2))};
+}
+
+/// What a lane found, in the pair's frame.
+template <class P>
+struct PackContact {
+  typename P::mask_type settled;
+  Vector3<P> normal, point1, point2;
+  P overlap, iterations, evaluations;
+};
+
+/// The values of Verdict; the floor is contact_of()'s in automatic_impl.hpp.
+template <class P>
+[[nodiscard, gnu::always_inline]] inline P verdict_of(const P& overlap, const P& size) {
+  const P floor = P(8 * std::numeric_limits<double>::epsilon()) * size;
+  const auto value = [](Verdict verdict) { return P(static_cast<double>(verdict)); };
+  return blend(overlap > floor, value(Verdict::overlapping),
+               blend(overlap < -floor, value(Verdict::separated), value(Verdict::undecided)));
+}
+
+template <class P>
+[[gnu::always_inline]] inline void store_contact(const PackIndex<P>& index, const PackPair<P>& pair,
+                                                 const PackContact<P>& found, const ContactArrays& to) {
+  const auto world = [&](const Vector3<P>& x) { return x * pair.unit + pair.position1; };
+  index.store_as(P(static_cast<double>(Status::converged)), to.status);
+  index.store_as(verdict_of(found.overlap, pair.size), to.verdict);
+  index.store(found.overlap * pair.unit, to.overlap);
+  index.store(found.normal, to.normal);
+  index.store(world(found.point1), to.point1);
+  index.store(world(found.point2), to.point2);
+  index.store(world((found.point1 + found.point2) * P(0.5)), to.contact_point);
+  index.store_as(found.iterations, to.iterations);
+  index.store_as(found.evaluations, to.evaluations);
+}
+
+}  // namespace plumb
