@@ -46,7 +46,7 @@ class DirectionSearch {
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
   [[nodiscard]] Answer lowest() {
     if (best_.status == Status::converged) take(best_);
-    for (int face = 0; face < faces; ++face) push({face, 0, S(0), S(0), S(1), Vector3<S>{S(0), S(0), S(0)}});
+    for (int face = 0; face < faces; ++face) push({face, 0, S(0), S(0), S(1)});
     while (depth_ > 0 && level() > S(0) && best_.evaluations < most_evaluations)
       look_at(stack_[static_cast<std::size_t>(--depth_)]);
     if (!complete() || lowest_seen_ < level() - rounding()) best_.status = Status::stalled;
@@ -58,6 +58,7 @@ class DirectionSearch {
   static constexpr int deepest = 24;    // 2^-24 of a face: what is left is at the rounding of o
   static constexpr int solve_each = 3;  // levels between two local solves
   static constexpr int most_known = 16;
+  static constexpr int most_witnesses = 8;  // more save no more time than they take
   static constexpr int most_fruitless = 4;  // solves in a row that find what is known
   static constexpr double explained_reach = 4,
                           longest_reach = 0.4;  // half edges of a cell, of the cube: see no further
@@ -67,7 +68,6 @@ class DirectionSearch {
   struct Cell {
     int face, level;
     S u, v, half;
-    Vector3<S> witness;  ///< g of the cell above; zero for a face
   };
 
   struct Sample {
@@ -125,10 +125,17 @@ class DirectionSearch {
     return true;
   }
 
+  /// By one of the last g, latest first: mostly that of the cell above or beside.
+  [[nodiscard]] bool is_excluded(const Corners& corners) const {
+    for (int k = seen_; k-- > std::max(0, seen_ - most_witnesses);)
+      if (is_excluded(corners, witnesses_[static_cast<std::size_t>(k % most_witnesses)])) return true;
+    return false;
+  }
+
   void look_at(const Cell cell) {  // a copy: its place in the stack is taken by its parts
     const Corners around = corners(cell);
     if (is_mirrored(around)) return;
-    if (is_excluded(around, cell.witness)) return;
+    if (is_excluded(around)) return;
     const Vector3<S> middle = on_face(cell, cell.u, cell.v);
     const Vector3<S> g = farthest(middle);
     if (is_excluded(around, g)) return;
@@ -139,18 +146,18 @@ class DirectionSearch {
     if (cell.level >= form_.least_level() && is_explained(cell, around, {middle, slope(middle, g)})) return;
     const bool is_due = !is_lower && cell.level > 0 && cell.level % solve_each == 0;
     if (is_due && fruitless_ < most_fruitless && !is_known_near(cell, middle)) explore_from(middle);
-    if (cell.level < deepest) divide(cell, g);
+    if (cell.level < deepest) divide(cell);
   }
 
-  void divide(const Cell& c, const Vector3<S>& g) {
+  void divide(const Cell& c) {
     const S half = c.half / 2;
     for (const S& u : {c.u - half, c.u + half})
-      for (const S& v : {c.v - half, c.v + half}) push({c.face, c.level + 1, u, v, half, g});
+      for (const S& v : {c.v - half, c.v + half}) push({c.face, c.level + 1, u, v, half});
   }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     ++best_.evaluations;
-    return form_.farthest(v);
+    return witnesses_[static_cast<std::size_t>(seen_++ % most_witnesses)] = form_.farthest(v);
   }
 
   [[nodiscard]] Vector3<S> slope(const Vector3<S>& v, const Vector3<S>& g) const {
@@ -237,7 +244,8 @@ class DirectionSearch {
   Vector3<S> forwards_;
   std::array<Vector3<S>, 3> axes_{{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}}};
   std::array<Known, most_known> known_;
-  int known_count_ = 0, fruitless_ = 0;
+  int known_count_ = 0, fruitless_ = 0, seen_ = 0;
+  std::array<Vector3<S>, most_witnesses> witnesses_;
   std::array<Cell, faces + 3 * deepest + 4> stack_;
   int depth_ = 0;
 };

@@ -58,7 +58,7 @@ template <class S>
 
 /// A last step, so short that points follow it linearly.
 template <class S>
-inline void follow(DirectionPoint<S>& at, const Symmetric3<Both<S>>& h, const Vector3<S>& step) {
+[[gnu::always_inline]] inline void follow(DirectionPoint<S>& at, const Symmetric3<Both<S>>& h, const Vector3<S>& step) {
   const Vector3<Both<S>> d = twice(step);
   at.n = at.n + step;
   at.touch.h += dot(at.touch.p, d);
