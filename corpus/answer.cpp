@@ -54,8 +54,8 @@ void put_curvature(Json& out, const Contact<double>& contact) {
   if (!first.empty() || !second.empty()) out["curvature"] = {first, second};
 }
 
-Json matrix_json(const Mat3<double>& m) {
-  return {vector_json(m.row(0)), vector_json(m.row(1)), vector_json(m.row(2))};
+void put(Json& out, const char* key, const Mat3<double>& m) {
+  if (m.allFinite()) out[key] = {vector_json(m.row(0)), vector_json(m.row(1)), vector_json(m.row(2))};
 }
 
 /// Of body 1 and body 2; matrices by rows.
@@ -63,11 +63,12 @@ void put_derivatives(Json& out, const Contact<double>& contact) {
   if (!contact.derivatives) return;
   Json bodies = Json::array();
   for (const PoseDerivative<double>& d : *contact.derivatives) {
-    if (!d.normal_by_shift.allFinite() || !d.normal_by_turn.allFinite()) return;
-    bodies.push_back({{"overlap_by_shift", vector_json(d.overlap_by_shift)},
-                      {"overlap_by_turn", vector_json(d.overlap_by_turn)},
-                      {"normal_by_shift", matrix_json(d.normal_by_shift)},
-                      {"normal_by_turn", matrix_json(d.normal_by_turn)}});
+    Json body = Json::object();
+    put(body, "overlap_by_shift", d.overlap_by_shift);
+    put(body, "overlap_by_turn", d.overlap_by_turn);
+    put(body, "normal_by_shift", d.normal_by_shift);
+    put(body, "normal_by_turn", d.normal_by_turn);
+    bodies.push_back(body);
   }
   out["derivatives"] = bodies;
 }

@@ -57,7 +57,8 @@ void add_derivatives(std::string& out, const Json& fields) {
     add_vector(out, fmt::format("do/dx{}", i + 1), of_body, "overlap_by_shift");
     add_vector(out, fmt::format("do/dw{}", i + 1), of_body, "overlap_by_turn");
     for (const auto& [label, key] : {std::pair{"dn/dx", "normal_by_shift"}, {"dn/dw", "normal_by_turn"}})
-      for (const Json& row : of_body[key]) add_row(out, fmt::format("{}{}", label, i + 1), vector_text(row));
+      for (const Json& row : of_body.value(key, Json::array()))
+        add_row(out, fmt::format("{}{}", label, i + 1), vector_text(row));
   }
 }
 

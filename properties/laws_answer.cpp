@@ -27,10 +27,10 @@ double angle_between_normals(const Vec3<Wide>& a, const Vec3<Wide>& b) {
   return static_cast<double>(2 * std::atan2((a - b).norm(), (a + b).norm()));
 }
 
-/// By the sharpest curvature there, and by the corners of a box of that half width: beside the tip of an exponent below 2 a
-/// curvature says nothing of the next step of a double.
+/// To the corners of a box of that half width. The curvature would say the same where it is smooth; at a tip it is infinite, and
+/// beside one it says nothing of the next step of a double.
 double turn_within(const Superellipsoid<Wide>& shape, const Vec3<Wide>& x, const Vec3<Wide>& normal, double half) {
-  double most = half / static_cast<double>(principal_curvature<Wide>(shape, x).radius1);
+  double most = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3<Wide> sides((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5);
     most = std::max(most, angle_between_normals(normal, outward_normal<Wide>(shape, x + 2 * Wide(half) * sides)));

@@ -82,6 +82,7 @@ Pair moved(Pair pair, const Options& options) {
 /// Whether normal and points are a common normal's: opposite, along the line between points of the surfaces. No reference is
 /// asked for that.
 bool is_common_normal(const Pair& pair, const Contact<double>& answer, const Reference& reference) {
+  if (!answer.normal.allFinite() || !answer.point1.allFinite() || !answer.point2.allFinite()) return false;
   const Evidence evidence{pair, Problem::common_normal, answer, reference, reference.common_normal, {}, false};
   const std::array<Finding (*)(const Evidence&), 5> laws{law::answers_are_finite, law::normals_are_opposite,
                                                          law::points_lie_on_the_normal, law::agrees_with_itself,

@@ -108,9 +108,14 @@ int lanes(InstructionSet set) {
 BatchReport solve_batch(const PairArrays& pairs, const Want& want, const ContactArrays& contacts, InstructionSet set) {
   BatchReport report{find_error(pairs, contacts, set), 0};
   if (report.error != BatchError::none) return report;
+  const auto is_asked_for = [](const auto& spans) {
+    return !spans[0].empty() || !spans[1].empty() || !spans[2].empty();
+  };
   Want alone = want;
-  alone.points = true;
-  alone.curvature = false;
+  alone.overlap = !contacts.overlap.empty();
+  alone.normal = is_asked_for(contacts.normal);
+  alone.points = is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
+  alone.curvature = alone.derivatives = false;
   for (std::size_t first = 0; first < pairs.size(); first += Chunk::capacity) {
     const std::size_t count = std::min(Chunk::capacity, pairs.size() - first);
     for (Unsettled left = kernel(set).solve({pairs, want, contacts, first, count}); left != 0; left &= left - 1) {

@@ -63,7 +63,8 @@ struct BatchReport {
   std::size_t alone = 0;                ///< pairs that were handed to `auto` one by one
 };
 
-/// `want` as for a single pair; which fields are paid for is what the spans say, and curvature is not offered.
+/// Of `want` the iteration limit and the tolerance; what is paid for is what the spans say, and curvature and derivatives are not
+/// offered. The spans of `contacts` must not share memory with those of `pairs`.
 [[nodiscard]] BatchReport solve_batch(const PairArrays& pairs, const Want& want, const ContactArrays& contacts,
                                       InstructionSet set = InstructionSet::best);
 

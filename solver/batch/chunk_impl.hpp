@@ -51,8 +51,9 @@ class ChunkSolver {
     const std::size_t count = std::min<std::size_t>(width, chunk_.count - from);
     const PackIndex<P> index(offsets.data(), count, chunk_.first);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);
-    const auto two = n.n1 == Both<P>(P(2.0)) && n.n2 == Both<P>(P(2.0)),
-               smooth = n.n1 >= Both<P>(P(2.0)) && n.n2 >= Both<P>(P(2.0));
+    const Both<P> two_p(P(2.0)), greatest(P(std::numeric_limits<double>::max()));
+    const auto two = n.n1 == two_p && n.n2 == two_p,
+               smooth = n.n1 >= two_p && n.n2 >= two_p && n.n1 <= greatest && n.n2 <= greatest;
     const auto are_ellipsoids = two.a && two.b, are_surfaces = smooth.a && smooth.b && !are_ellipsoids;
     if (all_of(are_ellipsoids)) return ellipsoids_.add(offsets, count);
     for (std::size_t lane = 0; lane < count; ++lane) {
@@ -78,7 +79,7 @@ class ChunkSolver {
   }
 
   [[gnu::always_inline]] void store(const PackIndex<P>& index, const PackPair<P>& placed, const PackContact<P>& found) {
-    store_contact(index, placed, found, chunk_.contacts);
+    store_contact(index, placed, found, chunk_.want.tolerance, chunk_.contacts);
     keep_unsettled(index, found.settled && placed.valid);
   }
 

@@ -150,8 +150,8 @@ struct PackContact {
 
 /// The values of Verdict; the floor is contact_of()'s in automatic_impl.hpp.
 template <class P>
-[[nodiscard, gnu::always_inline]] inline P verdict_of(const P& overlap, const P& size) {
-  const P floor = P(8 * std::numeric_limits<double>::epsilon()) * size;
+[[nodiscard, gnu::always_inline]] inline P verdict_of(const P& overlap, const P& size, double tolerance) {
+  const P floor = P(8 * std::numeric_limits<double>::epsilon() + tolerance) * size;
   const auto value = [](Verdict verdict) { return P(static_cast<double>(verdict)); };
   return blend(overlap > floor, value(Verdict::overlapping),
                blend(overlap < -floor, value(Verdict::separated), value(Verdict::undecided)));
@@ -159,10 +159,11 @@ template <class P>
 
 template <class P>
 [[gnu::always_inline]] inline void store_contact(const PackIndex<P>& index, const PackPair<P>& pair,
-                                                 const PackContact<P>& found, const ContactArrays& to) {
+                                                 const PackContact<P>& found, double tolerance,
+                                                 const ContactArrays& to) {
   const auto world = [&](const Vector3<P>& x) { return x * pair.unit + pair.position1; };
   index.store_as(P(static_cast<double>(Status::converged)), to.status);
-  index.store_as(verdict_of(found.overlap, pair.size), to.verdict);
+  index.store_as(verdict_of(found.overlap, pair.size, tolerance), to.verdict);
   index.store(found.overlap * pair.unit, to.overlap);
   index.store(found.normal, to.normal);
   index.store(world(found.point1), to.point1);

@@ -70,8 +70,9 @@ template <class S>
   out.status = found.status;
   out.iterations = found.iterations;
   out.evaluations = found.evaluations;
-  const double undecided = 8;  // epsilon: what rounding may do to the overlap (properties/allowance.hpp)
-  out.verdict = verdict_of<S>(found.overlap, placed.size(), undecided);
+  // What rounding may do to the overlap (properties/allowance.hpp), and a residual that was allowed to be larger.
+  const S undecided = S(8) + S(want.tolerance) / epsilon<S>();
+  out.verdict = verdict_of<S>(found.overlap, placed.size(), static_cast<double>(undecided));
   out.chart1 = found.chart1.eigen();
   out.chart2 = found.chart2.eigen();
   if (want.overlap) out.overlap = placed.to_world_length(found.overlap);

@@ -51,10 +51,10 @@ template <class S>
   using std::isinf;
   Sliding<S> out;
   const auto set = [&](int k, const S& radius, const Vec3<S>& direction) {
-    const S share = isinf(radius) ? S(1) : radius / (S(1) + radius);
+    const S turning = S(1) / (S(1) + radius), share = isinf(radius) ? S(1) : radius * turning;
     const Eigen::Matrix<S, 2, 1> e = across.transpose() * direction;
     out.point.col(k) = share * e;
-    out.normal.col(k) = (S(1) - share) * e;
+    out.normal.col(k) = turning * e;
   };
   set(0, c.radius1, c.direction1);
   set(1, c.radius2, c.direction2);

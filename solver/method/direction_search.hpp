@@ -5,13 +5,13 @@
 //
 // Half      the bodies are their own mirror images through their centres, so that o(-n) = o(n) + 2 n.c: the lowest common normal
 //           has n.c >= 0, and only such directions are looked at (c from body 1's centre to body 2's)
-// Cells     a quadtree on the faces of a cube of directions, depth first; the cube is turned so that the common normal at hand
-//           is the middle of a cell of the second level, which explains its surroundings
+// Cells     a quadtree on the faces of a cube of directions, level by level; the cube is turned so that the common normal at hand
+//           is the middle of a cell of the level that first explains
 // Excluded  f(v) >= g.v for any g = p1 - p2, wherever it was found, and g.v - o |v| is concave: where it is not negative
 //           at a cell's four corners s is not negative on the cell
-// Explained s looks convex on the hull of the cell and of a common normal n already known (its gradients at the corners, at
-//           the middle and there are monotone in pairs). Its tangent plane at n is (o(n) - o) n.v, not negative where n.v is
-//           not, and s lies above it
+// Explained s looks convex on the hull of the cell and of a common normal n already known: of its values at the corners, at
+//           the middle and there none lies below a tangent plane at another. The plane at n is (o(n) - o) n.v, not negative
+//           where n.v is not, and s lies above it
 // Else      the cell is divided. A local solve starts from its middle where o is lower there, and every third level anyway:
 //           what it finds becomes known
 //
@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include "solver/method/vector3.hpp"
@@ -46,28 +47,34 @@ class DirectionSearch {
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
   [[nodiscard]] Answer lowest() {
     if (best_.status == Status::converged) take(best_);
-    for (int face = 0; face < faces; ++face) push({face, 0, S(0), S(0), S(1)});
-    while (depth_ > 0 && level() > S(0) && best_.evaluations < most_evaluations)
-      look_at(stack_[static_cast<std::size_t>(--depth_)]);
+    for (int face = 0; face < faces; ++face) push({0, 0, static_cast<std::int8_t>(face), 0, -1});
+    while (!complete() && best_.evaluations < most_evaluations)
+      look_at(queue_[static_cast<std::size_t>(looked_at_++ % longest_queue)]);
     if (!complete() || lowest_seen_ < level() - rounding()) best_.status = Status::stalled;
     return best_;
   }
 
  private:
   static constexpr int faces = 6;
-  static constexpr int deepest = 24;    // 2^-24 of a face: what is left is at the rounding of o
+  static constexpr int deepest = 22;    // 2^-22 of a face
   static constexpr int solve_each = 3;  // levels between two local solves
   static constexpr int most_known = 16;
-  static constexpr int most_witnesses = 8;  // more save no more time than they take
+  static constexpr int last_witnesses = 8;  // more save no more time than they take
   static constexpr int most_fruitless = 4;  // solves in a row that find what is known
   static constexpr double explained_reach = 4,
                           longest_reach = 0.4;  // half edges of a cell, of the cube: see no further
   static constexpr int most_evaluations = 980;  // a Newton below the 1000 that the laws call slow
-  static constexpr double noise = 64;           // epsilon times this and the size: rounding of a gradient
+  static constexpr int last_insisting = 700;    // a descent below
+  static constexpr int most_seen = most_evaluations + 8, longest_queue = 4096;  // four parts of each that was seen
+  static constexpr double noise = 64;  // epsilon times this and the size: rounding of a gradient
 
+  /// Small, for there may be thousands. u and v have no more than `deepest` binary digits.
   struct Cell {
-    int face, level;
-    S u, v, half;
+    float u, v;  ///< the middle
+    std::int8_t face, level;
+    std::int16_t witness;  ///< of the cell above; -1 for a face
+
+    [[nodiscard]] S half() const { return S(1) / static_cast<S>(1 << level); }
   };
 
   struct Sample {
@@ -88,15 +95,15 @@ class DirectionSearch {
   }
 
   /// Whether every cell is settled. Bodies apart need none: a common normal with o <= 0 is the lowest.
-  [[nodiscard]] bool complete() const { return depth_ == 0 || !(level() > S(0)); }
+  [[nodiscard]] bool complete() const { return looked_at_ == pushed_ || !(level() > S(0)); }
 
   /// Of o.
   [[nodiscard]] S rounding() const { return S(noise) * epsilon<S>() * size_; }
 
   /// Turns the cube.
   void centre_on(const Vector3<S>& n) {
-    const S q(0.25), length_of_middle = S(1.0606601717798212);  // a cell of level 2 has its middle at (1, 1/4, 1/4)
-    const Vec3<S> middle = Vec3<S>(S(1), q, q) / length_of_middle;
+    const S half = S(1) / static_cast<S>(1 << form_.least_level());
+    const Vec3<S> middle = Vec3<S>(S(1), S(3) * half, S(3) * half).normalized();
     const Tangent<S> from = tangent_basis<S>(middle), to = tangent_basis<S>(n.eigen());
     const Mat3<S> turn = to * from.transpose() + n.eigen() * middle.transpose();
     for (int k = 0; k < 3; ++k) axes_[static_cast<std::size_t>(k)] = Vector3<S>::of(turn.col(k));
@@ -109,11 +116,11 @@ class DirectionSearch {
   }
 
   [[nodiscard]] Corners corners(const Cell& c) const {
-    return {on_face(c, c.u - c.half, c.v - c.half), on_face(c, c.u + c.half, c.v - c.half),
-            on_face(c, c.u - c.half, c.v + c.half), on_face(c, c.u + c.half, c.v + c.half)};
+    const S u(c.u), v(c.v), h = c.half();
+    return {on_face(c, u - h, v - h), on_face(c, u + h, v - h), on_face(c, u - h, v + h), on_face(c, u + h, v + h)};
   }
 
-  void push(const Cell& cell) { stack_[static_cast<std::size_t>(depth_++)] = cell; }
+  void push(const Cell& cell) { queue_[static_cast<std::size_t>(pushed_++ % longest_queue)] = cell; }
 
   [[nodiscard]] bool is_mirrored(const Corners& corners) const {
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(v, forwards_) <= S(0); });
@@ -125,39 +132,45 @@ class DirectionSearch {
     return true;
   }
 
-  /// By one of the last g, latest first: mostly that of the cell above or beside.
-  [[nodiscard]] bool is_excluded(const Corners& corners) const {
-    for (int k = seen_; k-- > std::max(0, seen_ - most_witnesses);)
-      if (is_excluded(corners, witnesses_[static_cast<std::size_t>(k % most_witnesses)])) return true;
+  /// By what was seen of the cell above, or by one of the last.
+  [[nodiscard]] bool is_excluded(const Corners& corners, int above) const {
+    if (above >= 0 && is_excluded(corners, seen_[static_cast<std::size_t>(above)])) return true;
+    for (int k = seen_count_; k-- > std::max(0, seen_count_ - last_witnesses);)
+      if (is_excluded(corners, seen_[static_cast<std::size_t>(k)])) return true;
     return false;
   }
 
-  void look_at(const Cell cell) {  // a copy: its place in the stack is taken by its parts
+  void look_at(const Cell cell) {  // a copy: its place in the queue may be taken
     const Corners around = corners(cell);
-    if (is_mirrored(around)) return;
-    if (is_excluded(around)) return;
-    const Vector3<S> middle = on_face(cell, cell.u, cell.v);
-    const Vector3<S> g = farthest(middle);
+    if (is_mirrored(around) || is_excluded(around, cell.witness)) return;
+    const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v)), g = farthest(middle);
+    const int witness = seen_count_ - 1;
     if (is_excluded(around, g)) return;
-    const S here = dot(g, middle) / length(middle);
-    lowest_seen_ = std::min(lowest_seen_, here);
-    const bool is_lower = here < level() - rounding();
-    if (is_lower) solve_from(middle, true);
+    const bool is_lower = see(middle, g) < level() - rounding();
+    if (is_lower) solve_from(middle, best_.evaluations < last_insisting);
     if (cell.level >= form_.least_level() && is_explained(cell, around, {middle, slope(middle, g)})) return;
     const bool is_due = !is_lower && cell.level > 0 && cell.level % solve_each == 0;
     if (is_due && fruitless_ < most_fruitless && !is_known_near(cell, middle)) explore_from(middle);
-    if (cell.level < deepest) divide(cell);
+    if (cell.level < deepest) divide(cell, witness);
   }
 
-  void divide(const Cell& c) {
-    const S half = c.half / 2;
-    for (const S& u : {c.u - half, c.u + half})
-      for (const S& v : {c.v - half, c.v + half}) push({c.face, c.level + 1, u, v, half});
+  /// o along v.
+  S see(const Vector3<S>& v, const Vector3<S>& g) {
+    const S here = dot(g, v) / length(v);
+    lowest_seen_ = std::min(lowest_seen_, here);
+    return here;
+  }
+
+  void divide(const Cell& c, int witness) {
+    const auto level = static_cast<std::int8_t>(c.level + 1);
+    const float half = static_cast<float>(c.half()) / 2;
+    for (const float u : {c.u - half, c.u + half})
+      for (const float v : {c.v - half, c.v + half}) push({u, v, c.face, level, static_cast<std::int16_t>(witness)});
   }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     ++best_.evaluations;
-    return witnesses_[static_cast<std::size_t>(seen_++ % most_witnesses)] = form_.farthest(v);
+    return seen_[static_cast<std::size_t>(seen_count_++)] = form_.farthest(v);
   }
 
   [[nodiscard]] Vector3<S> slope(const Vector3<S>& v, const Vector3<S>& g) const {
@@ -168,8 +181,12 @@ class DirectionSearch {
     Samples samples;
     samples[0] = middle;
     std::size_t n = 1;
-    for (const Vector3<S>& v : around) samples[n++] = {v, slope(v, farthest(v))};
-    if (!are_monotone(samples, n)) return false;
+    for (const Vector3<S>& v : around) {
+      const Vector3<S> g = farthest(v);
+      if (see(v, g) < level() - rounding()) return false;
+      samples[n++] = {v, slope(v, g)};
+    }
+    if (!looks_convex(samples, n)) return false;
     const Vector3<S> outwards = on_face(cell, S(0), S(0));
     for (int k = 0; k < known_count_; ++k) {
       const Known& known = known_[static_cast<std::size_t>(k)];
@@ -177,9 +194,9 @@ class DirectionSearch {
       const bool is_beside = height > S(0.25);  // and not beyond a neighbouring face
       if (!is_beside || !is_on_this_side(around, known.normal)) continue;
       samples[n] = {known.normal * (S(1) / height), known.normal * (known.overlap - level())};
-      const S reach = std::min(S(longest_reach), S(explained_reach) * cell.half);
+      const S reach = std::min(S(longest_reach), S(explained_reach) * cell.half());
       if (largest(samples[n].v - middle.v) > reach) continue;
-      if (are_monotone(samples, n + 1)) return true;
+      if (looks_convex(samples, n + 1)) return true;
     }
     return false;
   }
@@ -188,14 +205,14 @@ class DirectionSearch {
     return std::all_of(around.begin(), around.end(), [&](const Vector3<S>& v) { return dot(n, v) >= S(0); });
   }
 
-  /// Pairwise, to rounding; a corner or middle that is the known normal itself says nothing.
-  [[nodiscard]] bool are_monotone(const Samples& samples, std::size_t n) const {
+  /// s(v) = slope.v, and above all tangent planes, to rounding. A corner or middle that is the known normal says nothing.
+  [[nodiscard]] bool looks_convex(const Samples& samples, std::size_t n) const {
     constexpr double same = 1e-12;
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const Vector3<S> along = samples[i].v - samples[j].v;
-        const S distance = length(along), rise = dot(samples[i].slope - samples[j].slope, along);
-        if (distance > S(same) && !(rise >= -rounding() * distance)) return false;
+      for (std::size_t j = 0; j < n; ++j) {
+        const S distance = length(samples[i].v - samples[j].v);
+        const S above = dot(samples[i].slope - samples[j].slope, samples[i].v);
+        if (distance > S(same) && !(above >= -rounding())) return false;
       }
     return true;
   }
@@ -220,8 +237,9 @@ class DirectionSearch {
   /// A local solve would find that one again.
   [[nodiscard]] bool is_known_near(const Cell& cell, const Vector3<S>& v) const {
     const Vector3<S> n = v * (S(1) / length(v));
-    return std::any_of(known_.begin(), known_.begin() + known_count_,
-                       [&](const Known& known) { return largest(known.normal - n) < S(explained_reach) * cell.half; });
+    return std::any_of(known_.begin(), known_.begin() + known_count_, [&](const Known& known) {
+      return largest(known.normal - n) < S(explained_reach) * cell.half();
+    });
   }
 
   void explore_from(const Vector3<S>& v) {
@@ -244,10 +262,10 @@ class DirectionSearch {
   Vector3<S> forwards_;
   std::array<Vector3<S>, 3> axes_{{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}}};
   std::array<Known, most_known> known_;
-  int known_count_ = 0, fruitless_ = 0, seen_ = 0;
-  std::array<Vector3<S>, most_witnesses> witnesses_;
-  std::array<Cell, faces + 3 * deepest + 4> stack_;
-  int depth_ = 0;
+  int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;
+  std::array<Vector3<S>, most_seen> seen_;  ///< every g
+  std::array<Cell, longest_queue> queue_;
+  int looked_at_ = 0, pushed_ = 0;
 };
 
 }  // namespace plumb

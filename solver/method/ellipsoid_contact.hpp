@@ -12,7 +12,7 @@ struct EllipsoidForm {
   const EllipsoidPair<S>& pair;
   const Want& want;
 
-  [[nodiscard]] int least_level() const { return 2; }
+  [[nodiscard]] int least_level() const { return 3; }
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start, bool /*insists*/ = true) const {

@@ -27,7 +27,8 @@ template <class S>
   using std::min;
   const Vector3<Both<S>>& a = pair.semi_axes;
   const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
-  return overlap < sum<S>(least * least / longest);
+  const S touching = S(1) + S(8) * epsilon<S>();  // concentric spheres: o is the ball's own radius
+  return overlap <= sum<S>(least * least / longest) * touching;
 }
 
 namespace detail {

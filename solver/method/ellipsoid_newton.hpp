@@ -34,9 +34,10 @@ class EllipsoidNewton {
     evaluate(out, start);
     out.status = Status::converged;
     while (!is_small_enough(out.at)) {
+      if (is_yes_or_no_ && is_apart(out.at)) break;
       if (!(out.at.error < std::numeric_limits<S>::infinity())) out.status = Status::not_finite;
-      if (out.iterations == limit_) out.status = Status::iteration_limit;
-      if (out.status != Status::converged || (is_yes_or_no_ && is_apart(out.at))) break;
+      if (out.iterations >= limit_) out.status = Status::iteration_limit;
+      if (out.status != Status::converged) break;
       ++out.iterations;
       if (descend(out)) break;
     }

@@ -141,7 +141,7 @@ struct SurfaceForm {
   const SurfaceSolver<S>& solver;
 
   /// A point of exponent n < 2 has no radius of curvature: o folds there within a narrow cone.
-  [[nodiscard]] int least_level() const { return solver.pair().any_dual ? 5 : 2; }
+  [[nodiscard]] int least_level() const { return solver.pair().any_dual ? 7 : 4; }
   [[nodiscard]] Vector3<S> centre() const { return solver.pair().c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
 
@@ -165,6 +165,8 @@ template <class S>
   ++out.evaluations;
   const S overlap = dot(form.farthest(n), n), surely_apart = S(16) * pair.greatest_nu * epsilon<S>() * pair.reach;
   if (!(overlap < -surely_apart)) return false;
+  out.point1 = out.point2 = absent<S>();
+  out.chart = twice(absent<S>());
   out.status = Status::converged;
   out.minimum = true;
   out.normal = n;

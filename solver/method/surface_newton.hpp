@@ -15,12 +15,18 @@
 
 namespace plumb {
 
+template <class S>
+[[nodiscard]] inline Vector3<S> absent() {
+  constexpr S nan = std::numeric_limits<S>::quiet_NaN();
+  return {nan, nan, nan};
+}
+
 /// A common normal of two superellipsoids in the pair's frame.
 template <class S>
 struct SurfaceContact {
   Status status = Status::stalled;
-  Vector3<S> normal, point1, point2;
-  Vector3<Both<S>> chart;
+  Vector3<S> normal = absent<S>(), point1 = absent<S>(), point2 = absent<S>();
+  Vector3<Both<S>> chart = twice(absent<S>());
   S overlap = std::numeric_limits<S>::quiet_NaN();
   bool minimum = false;
   int iterations = 0;

@@ -35,7 +35,8 @@ template <class S>
   const Vector3<Both<S>>& a = pair.semi_axes;
   const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
   const Both<S> radius = min(pair.outer.inverse, pair.inner.inverse) * least * least / longest;
-  return sum<S>(select<S>(pair.outer.dual || pair.inner.dual, S(0), radius));
+  const S touching = S(1) + S(8) * epsilon<S>();  // concentric spheres: o is the ball's own radius
+  return sum<S>(select<S>(pair.outer.dual || pair.inner.dual, S(0), radius)) * touching;
 }
 
 }  // namespace detail

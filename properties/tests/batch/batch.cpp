@@ -89,6 +89,7 @@ TEST(Batch, OtherExponentsHaveTheOverlapOfAutoToRounding) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const Contact<double> alone = solved_alone(pairs[i]);
       ASSERT_EQ(batch.status[i], alone.status) << i;
+      if (alone.status != Status::converged) continue;
       const double reach = std::max(size_of(pairs[i]), (pairs[i].body2.position - pairs[i].body1.position).norm());
       EXPECT_NEAR(batch.overlap[i], alone.overlap, 8 * std::numeric_limits<double>::epsilon() * reach) << i;
     }
@@ -130,7 +131,7 @@ std::vector<Pair> mixed_pairs() {
       case 0: invalid.body1.shape.semi_axes[1] = std::numeric_limits<double>::quiet_NaN(); break;
       case 1: invalid.body2.quaternion = {0, 0, 0, 0}; break;
       case 2: invalid.body2.position[0] = std::numeric_limits<double>::infinity(); break;
-      case 3: invalid.body1.shape.n1 = 1; break;
+      case 3: invalid.body1.shape.n1 = i % 2 == 0 ? 1 : std::numeric_limits<double>::infinity(); break;
       default: invalid.body2.shape.semi_axes[2] = -1;
     }
     out.push_back(invalid);

@@ -261,5 +261,40 @@ TEST(Automatic, TheContactPointFollowsATiltByItsRoot) {
   }
 }
 
+/// A yes or no leaves no charts that a warm start would take for points.
+TEST(Automatic, AYesOrNoLeavesNothingBehind) {
+  Pair pair;
+  pair.body1.shape.n1 = pair.body1.shape.n2 = pair.body2.shape.n1 = pair.body2.shape.n2 = 4;
+  pair.body2.position << 0.3, 0.2, 4;
+  const Contact<double> asked = find_method("auto")->solve(pair, {false, false, false, false, false}, nullptr);
+  EXPECT_EQ(asked.verdict, Verdict::separated);
+  EXPECT_TRUE(asked.chart1.hasNaN() && asked.chart2.hasNaN());
+}
+
+TEST(Automatic, ConcentricSpheres) {
+  for (const double radius : {1.0, 0.5, 1.0 / 3, 3 / 7.0})
+    for (const double apart : {0.0, 1e-300, 1e-17, 1e-16, 1e-12}) {
+      Pair pair;
+      pair.body2.shape.semi_axes *= radius;
+      pair.body2.position << 0, 0, apart;
+      const Contact<double> c = solve_auto(pair);
+      EXPECT_EQ(c.status, Status::converged) << radius << ", " << apart;
+      EXPECT_NEAR(c.overlap, 1 + radius - apart, 1e-15);
+    }
+}
+
+/// A residual that was allowed decides nothing: bodies 1e-9 apart are not called overlapping.
+TEST(Automatic, AToleranceLeavesTheVerdictOpen) {
+  Want rough;
+  rough.tolerance = 1e-3;
+  for (const std::string_view family : {"ellipsoid", "superquadric"})
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      Pair pair = generate(family, 19, i).pair;
+      const Contact<double> whole = solve_auto(pair);
+      pair.body2.position += (whole.overlap + 1e-9 * size_of(pair)) * whole.normal;
+      EXPECT_NE(find_method("auto")->solve(pair, rough, nullptr).verdict, Verdict::overlapping) << family << i;
+    }
+}
+
 }  // namespace
 }  // namespace plumb
