@@ -51,7 +51,8 @@ class ChunkSolver {
     const std::size_t count = std::min<std::size_t>(width, chunk_.count - from);
     const PackIndex<P> index(offsets.data(), count, chunk_.first);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);
-    const Both<P> two_p(P(2.0)), greatest(P(std::numeric_limits<double>::max()));
+    const P most = std::numeric_limits<double>::max();  // an infinite one is `auto`'s to refuse
+    const Both<P> two_p = Both<P>(P(2.0)), greatest = Both<P>(most);
     const auto two = n.n1 == two_p && n.n2 == two_p,
                smooth = n.n1 >= two_p && n.n2 >= two_p && n.n1 <= greatest && n.n2 <= greatest;
     const auto are_ellipsoids = two.a && two.b, are_surfaces = smooth.a && smooth.b && !are_ellipsoids;
