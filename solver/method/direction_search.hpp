@@ -46,7 +46,7 @@ class DirectionSearch {
 
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
   [[nodiscard]] Answer lowest() {
-    if (best_.status == Status::converged) take(best_);
+    if (const Answer first = best_; first.status == Status::converged) take(first);
     for (int face = 0; face < faces; ++face) push({0, 0, static_cast<std::int8_t>(face), 0, -1});
     while (!complete() && best_.evaluations < most_evaluations)
       look_at(queue_[static_cast<std::size_t>(looked_at_++ % longest_queue)]);
@@ -223,7 +223,7 @@ class DirectionSearch {
     if (found.status == Status::converged) take(found);
   }
 
-  void take(const Answer found) {  // a copy: it may be best_
+  void take(const Answer& found) {
     remember(found);
     if (best_.status != Status::converged || found.overlap < best_.overlap) {
       const int evaluations = best_.evaluations;
