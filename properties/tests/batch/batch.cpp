@@ -5,25 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <set>
 
 #include "properties/columns.hpp"
 #include "properties/families.hpp"
 #include "properties/laws.hpp"
+#include "properties/tests/allocations.hpp"
 #include "solver/method/methods.hpp"
-
-#if !defined(__SANITIZE_ADDRESS__)
-extern "C" void* __libc_malloc(std::size_t);  // NOLINT(bugprone-reserved-identifier)
-namespace {
-thread_local long allocations = 0;
-}
-extern "C" void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-#endif
 
 namespace plumb {
 namespace {

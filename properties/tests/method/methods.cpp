@@ -4,23 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cstdlib>
 
 #include "properties/families.hpp"
+#include "properties/tests/allocations.hpp"
 #include "solver/method/common_normal_impl.hpp"
 #include "solver/method/geometric_potential_impl.hpp"
-
-#if !defined(__SANITIZE_ADDRESS__)
-// glibc's own entry points: counting here sees every allocation of the program, Eigen's included.
-extern "C" void* __libc_malloc(std::size_t);  // NOLINT(bugprone-reserved-identifier)
-namespace {
-thread_local long allocations = 0;
-}
-extern "C" void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-#endif
 
 namespace plumb {
 namespace {
