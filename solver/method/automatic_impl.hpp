@@ -104,7 +104,7 @@ template <class S>
   EllipsoidContact<S> found = local_contact(pair, want, first_direction(pair, last));
   const auto point2 = [&] { return pair.c - second(found.at.touch.p); };
   const bool is_answered = want.is_yes_or_no() && share_middle<S>(placed, first(found.at.touch.p), point2());
-  if (!is_answered) found = lowest_contact(pair, want, found);
+  if (!is_answered) found = lowest_contact(placed, pair, want, found);
   const Touch<S>& touch = found.at.touch;
   return {found.status,   found.overlap,           found.normal,     first(touch.p),   point2(),
           first(touch.u), second(touch.u) * S(-1), found.iterations, found.evaluations};
@@ -118,7 +118,7 @@ template <class S>
   if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
   SurfaceContact<S> found = local_contact(pair, want, is_warm ? &warm : nullptr);
   const bool is_answered = want.is_yes_or_no() && share_middle<S>(placed, found.point1, found.point2);
-  if (!is_answered) found = lowest_contact(pair, want, found);
+  if (!is_answered) found = lowest_contact(placed, pair, want, found);
   return {found.status,       found.overlap,       found.normal,     found.point1,     found.point2,
           first(found.chart), second(found.chart), found.iterations, found.evaluations};
 }

@@ -23,38 +23,32 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 
-#include "solver/method/vector3.hpp"
-#include "solver/scalar.hpp"
+#include "solver/method/lowest.hpp"
 #include "solver/shape/tangent.hpp"
 
 namespace plumb {
 
-/// `Form` offers   Vector3<S> farthest(v): g(v) for any v but zero
-///                 Answer solve(v, insists): a local solve, by all means where it insists; Answer has status, overlap,
-///                 normal, iterations, evaluations
-///                 Vector3<S> centre(): c
-///                 int least_level(): of a cell that six points can explain; higher where o has narrow folds
 template <class S, class Form, class Answer>
 class DirectionSearch {
  public:
-  DirectionSearch(const Form& form, const S& size, const Answer& first) : form_(form), size_(size), best_(first) {
-    if (first.status == Status::converged) centre_on(first.normal);
+  DirectionSearch(const Form& form, const S& size, const Answer& first) : form_(form), found_(form, size, first) {
+    if (found_.is_found()) centre_on(first.normal);
     forwards_ = largest(form.centre()) > S(0) ? form.centre() : axes_[0];
   }
 
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
   [[nodiscard]] Answer lowest() {
-    if (const Answer first = best_; first.status == Status::converged) take(first);
+    if (const Answer first = found_.best(); found_.is_found()) take(first);
     for (int face = 0; face < faces; ++face) push({0, 0, static_cast<std::int8_t>(face), 0, -1});
-    while (!complete() && best_.evaluations < most_evaluations)
+    while (!is_complete() && found_.may_go_on())
       look_at(queue_[static_cast<std::size_t>(looked_at_++ % longest_queue)]);
-    if (!complete() || lowest_seen_ < level() - rounding()) best_.status = Status::stalled;
-    return best_;
+    return found_.answer(is_complete() && !is_too_deep_);
   }
 
  private:
+  using Found = Lowest<S, Form, Answer>;
+
   static constexpr int faces = 6;
   static constexpr int deepest = 22;    // 2^-22 of a face
   static constexpr int solve_each = 3;  // levels between two local solves
@@ -63,10 +57,9 @@ class DirectionSearch {
   static constexpr int most_fruitless = 4;  // solves in a row that find what is known
   static constexpr double explained_reach = 4,
                           longest_reach = 0.4;  // half edges of a cell, of the cube: see no further
-  static constexpr int most_evaluations = 980;  // a Newton below the 1000 that the laws call slow
   static constexpr int last_insisting = 700;    // a descent below
-  static constexpr int most_seen = most_evaluations + 8, longest_queue = 4096;  // four parts of each that was seen
-  static constexpr double noise = 64;  // epsilon times this and the size: rounding of a gradient
+  static constexpr int most_seen = Found::most_evaluations + 8,
+                       longest_queue = 4096;  // four parts of each that was seen
 
   /// Small, for there may be thousands. u and v have no more than `deepest` binary digits.
   struct Cell {
@@ -90,15 +83,7 @@ class DirectionSearch {
     S overlap;
   };
 
-  [[nodiscard]] S level() const {
-    return best_.status == Status::converged ? best_.overlap : std::numeric_limits<S>::infinity();
-  }
-
-  /// Whether every cell is settled. Bodies apart need none: a common normal with o <= 0 is the lowest.
-  [[nodiscard]] bool complete() const { return looked_at_ == pushed_ || !(level() > S(0)); }
-
-  /// Of o.
-  [[nodiscard]] S rounding() const { return S(noise) * epsilon<S>() * size_; }
+  [[nodiscard]] bool is_complete() const { return looked_at_ == pushed_ || found_.is_settled(); }
 
   /// Turns the cube.
   void centre_on(const Vector3<S>& n) {
@@ -128,7 +113,7 @@ class DirectionSearch {
 
   [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>& g) const {
     for (const Vector3<S>& v : corners)
-      if (!(dot(g, v) >= level() * length(v))) return false;
+      if (!(dot(g, v) >= found_.level() * length(v))) return false;
     return true;
   }
 
@@ -146,19 +131,15 @@ class DirectionSearch {
     const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v)), g = farthest(middle);
     const int witness = seen_count_ - 1;
     if (is_excluded(around, g)) return;
-    const bool is_lower = see(middle, g) < level() - rounding();
-    if (is_lower) solve_from(middle, best_.evaluations < last_insisting);
+    const bool is_lower = found_.sees_lower(middle, g);
+    if (is_lower) solve_from(middle, found_.best().evaluations < last_insisting);
     if (cell.level >= form_.least_level() && is_explained(cell, around, {middle, slope(middle, g)})) return;
     const bool is_due = !is_lower && cell.level > 0 && cell.level % solve_each == 0;
     if (is_due && fruitless_ < most_fruitless && !is_known_near(cell, middle)) explore_from(middle);
-    if (cell.level < deepest) divide(cell, witness);
-  }
-
-  /// o along v.
-  S see(const Vector3<S>& v, const Vector3<S>& g) {
-    const S here = dot(g, v) / length(v);
-    lowest_seen_ = std::min(lowest_seen_, here);
-    return here;
+    if (cell.level < deepest)
+      divide(cell, witness);
+    else
+      is_too_deep_ = true;
   }
 
   void divide(const Cell& c, int witness) {
@@ -169,12 +150,11 @@ class DirectionSearch {
   }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
-    ++best_.evaluations;
-    return seen_[static_cast<std::size_t>(seen_count_++)] = form_.farthest(v);
+    return seen_[static_cast<std::size_t>(seen_count_++)] = found_.farthest(v);
   }
 
   [[nodiscard]] Vector3<S> slope(const Vector3<S>& v, const Vector3<S>& g) const {
-    return g - v * (level() / length(v));
+    return g - v * (found_.level() / length(v));
   }
 
   [[nodiscard]] bool is_explained(const Cell& cell, const Corners& around, const Sample& middle) {
@@ -183,7 +163,7 @@ class DirectionSearch {
     std::size_t n = 1;
     for (const Vector3<S>& v : around) {
       const Vector3<S> g = farthest(v);
-      if (see(v, g) < level() - rounding()) return false;
+      if (found_.sees_lower(v, g)) return false;
       samples[n++] = {v, slope(v, g)};
     }
     if (!looks_convex(samples, n)) return false;
@@ -193,7 +173,7 @@ class DirectionSearch {
       const S height = dot(known.normal, outwards);
       const bool is_beside = height > S(0.25);  // and not beyond a neighbouring face
       if (!is_beside || !is_on_this_side(around, known.normal)) continue;
-      samples[n] = {known.normal * (S(1) / height), known.normal * (known.overlap - level())};
+      samples[n] = {known.normal * (S(1) / height), known.normal * (known.overlap - found_.level())};
       const S reach = std::min(S(longest_reach), S(explained_reach) * cell.half());
       if (largest(samples[n].v - middle.v) > reach) continue;
       if (looks_convex(samples, n + 1)) return true;
@@ -212,26 +192,21 @@ class DirectionSearch {
       for (std::size_t j = 0; j < n; ++j) {
         const S distance = length(samples[i].v - samples[j].v);
         const S above = dot(samples[i].slope - samples[j].slope, samples[i].v);
-        if (distance > S(same) && !(above >= -rounding())) return false;
+        if (distance > S(same) && !(above >= -found_.rounding())) return false;
       }
     return true;
   }
 
-  void solve_from(const Vector3<S>& v, bool is_lower) {
-    const Answer found = form_.solve(v, is_lower);
-    best_.evaluations += found.evaluations;
+  void solve_from(const Vector3<S>& v, bool insists) {
+    const Answer found = found_.solve(v, insists);
     if (found.status == Status::converged) take(found);
   }
 
   void take(const Answer& found) {
     remember(found);
-    if (best_.status != Status::converged || found.overlap < best_.overlap) {
-      const int evaluations = best_.evaluations;
-      best_ = found;
-      best_.evaluations = evaluations;
-    }
-    const bool is_backwards = dot(found.normal, form_.centre()) < -rounding();  // then -n is as much lower
-    if (is_backwards && found.overlap <= best_.overlap) solve_from(found.normal * S(-1), true);
+    found_.take(found);
+    const bool is_backwards = dot(found.normal, form_.centre()) < -found_.rounding();  // then -n is as much lower
+    if (is_backwards && found.overlap <= found_.level()) solve_from(found.normal * S(-1), true);
   }
 
   /// A local solve would find that one again.
@@ -256,9 +231,7 @@ class DirectionSearch {
   }
 
   const Form& form_;
-  S size_;
-  Answer best_;
-  S lowest_seen_ = std::numeric_limits<S>::infinity();
+  Found found_;
   Vector3<S> forwards_;
   std::array<Vector3<S>, 3> axes_{{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}}};
   std::array<Known, most_known> known_;
@@ -266,6 +239,7 @@ class DirectionSearch {
   std::array<Vector3<S>, most_seen> seen_;  ///< every g
   std::array<Cell, longest_queue> queue_;
   int looked_at_ = 0, pushed_ = 0;
+  bool is_too_deep_ = false;
 };
 
 }  // namespace plumb

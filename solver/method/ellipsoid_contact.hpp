@@ -1,9 +1,9 @@
 // The contact of two ellipsoids: start, Newton, guard.
 #pragma once
 
-#include "solver/method/direction_search.hpp"
 #include "solver/method/ellipsoid_guard.hpp"
 #include "solver/method/ellipsoid_newton.hpp"
+#include "solver/method/search.hpp"
 
 namespace plumb {
 
@@ -11,13 +11,14 @@ template <class S>
 struct EllipsoidForm {
   const EllipsoidPair<S>& pair;
   const Want& want;
+  Vector3<S> axis{S(0), S(0), S(0)};  ///< as for EllipsoidNewton
 
   [[nodiscard]] int least_level() const { return 3; }
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start, bool /*insists*/ = true) const {
     EllipsoidContact<S> out;
-    EllipsoidNewton<S>(pair, want).solve(out, start);
+    EllipsoidNewton<S>(pair, want, axis).solve(out, start);
     return out;
   }
 };
@@ -40,12 +41,13 @@ inline constexpr int few_iterations = 14;
 
 /// `found` where it is surely the lowest, else the lowest of a search.
 template <class S>
-[[nodiscard]] inline EllipsoidContact<S> lowest_contact(const EllipsoidPair<S>& pair, const Want& want,
-                                                        const EllipsoidContact<S>& found) {
+[[nodiscard]] inline EllipsoidContact<S> lowest_contact(const PlacedPair<S>& placed, const EllipsoidPair<S>& pair,
+                                                        const Want& want, const EllipsoidContact<S>& found) {
   if (is_surely_lowest<S>(pair, found)) return found;
   if (found.status != Status::converged && want.iteration_limit < few_iterations) return found;  // asked to stop
-  const EllipsoidForm<S> form{pair, want};
-  return DirectionSearch<S, EllipsoidForm<S>, EllipsoidContact<S>>(form, pair.size, found).lowest();
+  const std::optional<Vector3<S>> axis = common_axis(placed);
+  const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
+  return lowest_of_search(axis, form, pair.size, found);
 }
 
 }  // namespace plumb

@@ -27,6 +27,14 @@ template <class S>
   return sum<S>(traces) / sqrt(at.inverse_square);
 }
 
+/// H1 + H2 with a second derivative about `axis` as well, where o has none: there is nothing to be gained along a ring. No
+/// axis, zero, changes no bit.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Symmetric3<S> held(const Symmetric3<S>& h, const DirectionPoint<S>& at,
+                                                            const Vector3<S>& axis) {
+  return h + square(cross(axis, at.n)) * (h.trace() * at.inverse_square);
+}
+
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at) {
   const StepMatrix<S> m = step_matrix(h, at);
@@ -82,15 +90,15 @@ template <class S>
   return {n, slope, twist, max(largest(slope), S(largest(twist) * pair.size))};
 }
 
-/// The points u1 and u2 after a Newton step.
+/// The points u1 and u2 after a Newton step; `axis`: as for `held`.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> moved_points(const EllipsoidPair<S>& pair,
-                                                                       DirectionPoint<S>& at, const Settling<S>& now) {
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>>
+moved_points(const EllipsoidPair<S>& pair, DirectionPoint<S>& at, const Settling<S>& now, const Vector3<S>& axis) {
   using std::sqrt;
   const Vector3<S> twist = now.twist * (S(1) / sqrt(at.inverse_square)), none{S(0), S(0), S(0)};
   const Symmetric3<Both<S>> h = radii(pair, at.touch);
   at.slope = now.slope + second(h * twice(twist));
-  const Vector3<S> step = newton_step(sum(h), at);
+  const Vector3<S> step = newton_step(held(sum(h), at, axis), at);
   const Vector3<Both<S>> d = pair.map * (twice(step) + both(none, twist)) * at.touch.inverse_h;
   const Vector3<Both<S>> u = at.touch.u + d - at.touch.u * dot(at.touch.u, d);
   return u * (Both<S>(S(1)) / sqrt(dot(u, u)));

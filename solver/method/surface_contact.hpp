@@ -7,7 +7,6 @@
 //         in 15 000 pairs of exponents 2..8 needs the second, one in 2000 of exponents 8..40
 #pragma once
 
-#include "solver/method/direction_search.hpp"
 #include "solver/method/surface_newton.hpp"
 
 namespace plumb {
@@ -72,15 +71,17 @@ struct SurfaceStart {
 template <class S>
 class SurfaceSolver {
  public:
-  SurfaceSolver(const SuperellipsoidPair<S>& pair, const Want& want) : pair_(pair), want_(want) {}
+  /// `axis`: as for SurfaceNewton.
+  SurfaceSolver(const SuperellipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
+      : pair_(pair), want_(want), axis_(axis) {}
 
   [[nodiscard]] const SuperellipsoidPair<S>& pair() const { return pair_; }
 
   void newton(Surfaces<S>& at, const Attempt& attempt, SurfaceContact<S>& out) const {
     if (pair_.any_dual)
-      SurfaceNewton<S, true>(pair_, want_, attempt).solve(at, out);
+      SurfaceNewton<S, true>(pair_, want_, axis_, attempt).solve(at, out);
     else
-      SurfaceNewton<S, false>(pair_, want_, attempt).solve(at, out);
+      SurfaceNewton<S, false>(pair_, want_, axis_, attempt).solve(at, out);
   }
 
   void attempt(const Vector3<S>& n, StartKind kind, const Attempt& attempt, SurfaceContact<S>& out) const {
@@ -103,6 +104,7 @@ class SurfaceSolver {
  private:
   const SuperellipsoidPair<S>& pair_;
   const Want& want_;
+  Vector3<S> axis_;
   SurfaceStart<S> start_{pair_};
 };
 

@@ -4,6 +4,7 @@
 // on the points where o is convex and the gradient small enough to stay in that basin.
 #pragma once
 
+#include "solver/method/search.hpp"
 #include "solver/method/surface_contact.hpp"
 
 namespace plumb {
@@ -197,13 +198,13 @@ template <class S>
 
 /// `found` where it is surely the lowest, else the lowest of a search.
 template <class S>
-[[nodiscard]] inline SurfaceContact<S> lowest_contact(const SuperellipsoidPair<S>& pair, const Want& want,
-                                                      const SurfaceContact<S>& found) {
+[[nodiscard]] inline SurfaceContact<S> lowest_contact(const PlacedPair<S>& placed, const SuperellipsoidPair<S>& pair,
+                                                      const Want& want, const SurfaceContact<S>& found) {
   if (found.minimum && found.overlap <= pair.rolling_ball) return found;
   if (found.status == Status::iteration_limit) return found;  // asked to stop
-  const SurfaceSolver<S> solver(pair, want);
-  const SurfaceForm<S> form{solver};
-  return DirectionSearch<S, SurfaceForm<S>, SurfaceContact<S>>(form, pair.reach, found).lowest();
+  const std::optional<Vector3<S>> axis = common_axis(placed);
+  const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
+  return lowest_of_search(axis, SurfaceForm<S>{solver}, pair.reach, found);
 }
 
 }  // namespace plumb

@@ -79,6 +79,12 @@ template <class S>
 struct PlaneHessian {
   S xx, xy, yy;
 
+  /// Along (x, y) of any length; zero: along the first axis.
+  [[nodiscard]] S along(const S& x, const S& y) const {
+    const S square = x * x + y * y;
+    return square > S(0) ? (xx * x * x + 2 * xy * x * y + yy * y * y) / square : xx;
+  }
+
   [[nodiscard]] S lower_eigenvalue() const {
     using std::sqrt;
     const S half = (xx - yy) / 2, upper = (xx + yy) / 2 + sqrt(half * half + xy * xy);

@@ -4,14 +4,18 @@
 //         eigenvalue of H1 + H2 the Jacobian takes o = 0: the step then descends, and saddles and maxima do not attract
 // Flats   once the twist is at its rounding its right-hand side is zero: between flats the Jacobian is all but singular, and
 //         would blow the noise up
+// Rings   bodies of revolution about one line that holds both centres may turn about it, and the Jacobian is singular: a fifth
+//         equation says that the step has no such turn
 // End     residual below 4 epsilon (or what was asked for), or below 16 and no longer halved; a last step that is short
 //         enough is taken along the tangents, and measured like any other
 #pragma once
 
 #include <algorithm>
 
+#include "solver/least_squares.hpp"
 #include "solver/method/surface_equations.hpp"
 #include "solver/method/surface_step.hpp"
+#include "solver/method/surface_turn.hpp"
 
 namespace plumb {
 
@@ -44,8 +48,9 @@ struct Attempt {
 template <class S, bool any_dual>
 class SurfaceNewton {
  public:
-  SurfaceNewton(const SuperellipsoidPair<S>& pair, const Want& want, const Attempt& attempt)
-      : pair_(pair), attempt_(attempt), limit_(std::min(attempt.limit, want.iteration_limit)),
+  /// `axis`: unit, the line about which both bodies are of revolution; zero where there is none.
+  SurfaceNewton(const SuperellipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis, const Attempt& attempt)
+      : pair_(pair), axis_(axis), attempt_(attempt), limit_(std::min(attempt.limit, want.iteration_limit)),
         last_limit_(std::min(std::max(limit_, 60), want.iteration_limit)),
         tolerance_(std::max(S(4) * epsilon<S>(), S(want.tolerance))), cap_(attempt.cap) {}
 
@@ -82,19 +87,43 @@ class SurfaceNewton {
       if (i >= (is_promising ? last_limit_ : limit_)) return Status::iteration_limit;
       last = now;
       ++out.iterations;
-      const std::array<S, 4> x = cleaned(solve4(system()));
+      const std::array<S, 4> x = cleaned(step());
       if (is_exact() && f_->opposite && now < S(1e-7) && follow(x)) return Status::converged;
       move(x, out);
     }
   }
 
+  [[nodiscard]] std::array<S, 4> step() const { return largest(axis_) > S(0) ? step_without_turn() : solve4(system()); }
+
+  [[nodiscard]] std::array<S, 4> step_without_turn() const {
+    const std::array<Equation4<S>, 4> m = system();
+    const std::array<S, 4> turn = turn_about(pair_, *here_, axis_);
+    DenseMatrix<S> matrix(5, 4);
+    DenseRightSides<S> right(5, 1);
+    for (int k = 0; k < 4; ++k) {
+      const Equation4<S>& equation = m[static_cast<std::size_t>(k)];
+      for (int j = 0; j < 4; ++j) matrix(k, j) = equation.row[static_cast<std::size_t>(j)];
+      matrix(4, k) = turn[static_cast<std::size_t>(k)];
+      right(k, 0) = equation.right;
+    }
+    right(4, 0) = S(0);
+    const LeastSquares<S> step = least_squares<S>(matrix, right);
+    return {step.x(0, 0), step.x(1, 0), step.x(2, 0), step.x(3, 0)};
+  }
+
   [[nodiscard]] std::array<Equation4<S>, 4> system() const {
     const SurfaceEquations<S>& f = *f_;
     S o = f.overlap;
-    if (o > pair_.rolling_ball && o > hessian_of(pair_, f).lower_eigenvalue()) o = S(0);
+    if (o > pair_.rolling_ball && o > bend(f)) o = S(0);
     std::array<Equation4<S>, 4> m = newton_system(f, o);
     if (f.twist < tolerance_) m[0].right = m[1].right = S(0);
     return m;
+  }
+
+  /// The least second derivative of o, without its own part: on a ring across it, for along it that is zero.
+  [[nodiscard]] S bend(const SurfaceEquations<S>& f) const {
+    const PlaneHessian<S> h = hessian_of(pair_, f);
+    return largest(axis_) > S(0) ? h.along(dot(axis_, f.across[0]), dot(axis_, f.across[1])) : h.lower_eigenvalue();
   }
 
   [[nodiscard]] static S squared_length(const std::array<S, 4>& x) {
@@ -155,6 +184,7 @@ class SurfaceNewton {
   }
 
   const SuperellipsoidPair<S>& pair_;
+  const Vector3<S>& axis_;
   Attempt attempt_;
   int limit_, last_limit_;  ///< the second where the residual is small and falling
   S tolerance_;

@@ -34,6 +34,10 @@ template <class T>
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class T>
+[[nodiscard, gnu::always_inline]] inline Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T>
 [[nodiscard, gnu::always_inline]] inline T length(const Vector3<T>& a) {
   using std::sqrt;
   return sqrt(dot(a, a));

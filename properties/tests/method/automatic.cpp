@@ -52,7 +52,7 @@ TEST(Automatic, TheGuardsLetNoHigherMinimumPass) {
     const PlacedPair<double> placed = place<double>(pair);
     const EllipsoidPair<double> ellipsoids = ellipsoid_pair(placed);
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
-    const EllipsoidForm<double> form{ellipsoids, {}};
+    const EllipsoidForm<double> form{ellipsoids, {}, {}};
     for (const Vector3<double>& start :
          {Vector3<double>{1, 0.1, 0}, {-1, 0, 0.1}, {0, 1, 0.1}, {0, -1, -0.1}, {0.1, 0, 1}}) {
       const EllipsoidContact<double> found = form.solve(start);
@@ -74,7 +74,7 @@ TEST(Automatic, TheSearchFindsTheLowestFromAnyOther) {
     const Pair pair = deep_ellipsoids(i);
     const PlacedPair<double> placed = place<double>(pair);
     const EllipsoidPair<double> ellipsoids = ellipsoid_pair(placed);
-    const EllipsoidForm<double> form{ellipsoids, {}};
+    const EllipsoidForm<double> form{ellipsoids, {}, {}};
     const EllipsoidContact<double> first = form.solve({0.1, 0, 1});
     DirectionSearch<double, EllipsoidForm<double>, EllipsoidContact<double>> search(form, ellipsoids.size, first);
     const EllipsoidContact<double> found = search.lowest();
