@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "solver/contact.hpp"
+#include "solver/power_of_two.hpp"
 
 namespace plumb {
 
@@ -34,18 +34,40 @@ struct PlacedBody {
   [[nodiscard]] Vec3<S> to_pair_direction(const Vec3<S>& u) const { return rotation * u; }
 };
 
-/// The pair in its own frame: world axes (the published equations name x, y and z), origin at body 1's centre (so that
-/// the distance from the world's origin costs nothing), lengths divided by 2^exponent (so that the larger body's longest
+/// A pair's own frame: world axes (the published equations name x, y and z), origin at body 1's centre (so that the
+/// distance from the world's origin costs nothing), lengths divided by 2^exponent (so that the larger body's longest
 /// semi-axis lies in [1, 2) and a change of unit by a power of two changes no bit).
 template <class S>
-struct PlacedPair {
-  PlacedBody<S> body1;
-  PlacedBody<S> body2;
+struct PairFrame {
   int exponent = 0;
 
-  [[nodiscard]] S to_world_length(const S& length) const;
-  [[nodiscard]] Vec3<S> to_world_point(const Vec3<S>& x, const Pair& pair) const;
-  [[nodiscard]] Vec3<S> to_pair_point(const Vec3<S>& world, const Pair& pair) const;
+  PairFrame() = default;
+  explicit PairFrame(const Pair& pair) : exponent(detail::exponent_above(size_of(pair)) - 1) {}
+
+  [[nodiscard]] S to_world_length(const S& length) const { return detail::PowerOfTwo<S>(exponent)(length); }
+  [[nodiscard]] Vec3<S> to_world_point(const Vec3<S>& x, const Pair& pair) const {
+    return detail::PowerOfTwo<S>(exponent)(x) + pair.body1.position.cast<S>();
+  }
+  [[nodiscard]] Vec3<S> to_pair_point(const Vec3<S>& world, const Pair& pair) const {
+    return detail::PowerOfTwo<S>(-exponent)(world - pair.body1.position.cast<S>());
+  }
+  /// From body 1's centre to body 2's. Large units are divided out before the subtraction, small ones after it: huge positions
+  /// of opposite signs have no difference before, and small ones lose no bit.
+  [[nodiscard]] Vec3<S> to_centre(const Pair& pair) const {
+    const int before = std::max(exponent, 0), after = exponent - before;
+    const detail::PowerOfTwo<S> large(-before), small(-after);
+    const Vec3<S> position1 = large(Vec3<S>(pair.body1.position.cast<S>()));
+    const Vec3<S> position2 = large(Vec3<S>(pair.body2.position.cast<S>()));
+    return small(Vec3<S>(position2 - position1));
+  }
+};
+
+/// The pair in its own frame.
+template <class S>
+struct PlacedPair : PairFrame<S> {
+  PlacedBody<S> body1;
+  PlacedBody<S> body2;
+
   /// The longest semi-axis, in [1, 2).
   [[nodiscard]] S size() const;
 };

@@ -2,53 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "solver/pose.hpp"
 
 namespace plumb {
-
-namespace detail {
-
-/// x = f 2^exponent with f in [1/2, 1), x >= 0. frexp is a call into the library; a normal double shows its exponent.
-[[nodiscard]] inline int exponent_above(double x) {
-  const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52U);
-  if (biased != 0 && biased != 0x7ff) return biased - 1022;
-  int exponent = 0;
-  (void)std::frexp(x, &exponent);
-  return exponent;
-}
-
-/// 2^exponent, for normal doubles.
-[[nodiscard]] inline double normal_power(int exponent) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52U);
-}
-
-/// Multiplies by a power of two, rounding once; by ldexp only where the factor itself is no normal double.
-template <class S>
-class PowerOfTwo {
- public:
-  explicit PowerOfTwo(int exponent)
-      : exponent_(exponent), is_normal_(std::abs(exponent) < 1000), factor_(is_normal_ ? normal_power(exponent) : 0) {}
-
-  [[nodiscard]] S operator()(const S& x) const {
-    using std::ldexp;
-    return is_normal_ ? S(x * factor_) : S(ldexp(x, exponent_));
-  }
-  [[nodiscard]] Vec3<S> operator()(const Vec3<S>& v) const {
-    if (is_normal_) return v * factor_;
-    return {(*this)(v[0]), (*this)(v[1]), (*this)(v[2])};
-  }
-
- private:
-  int exponent_;
-  bool is_normal_;
-  S factor_;
-};
-
-}  // namespace detail
 
 template <class S>
 Mat3<S> rotation(const std::array<double, 4>& quaternion) {
@@ -93,21 +51,6 @@ PlacedBody<S> place_body(const Body& body, const Vec3<S>& placed_centre, const P
 }  // namespace detail
 
 template <class S>
-S PlacedPair<S>::to_world_length(const S& length) const {
-  return detail::PowerOfTwo<S>(exponent)(length);
-}
-
-template <class S>
-Vec3<S> PlacedPair<S>::to_world_point(const Vec3<S>& x, const Pair& pair) const {
-  return detail::PowerOfTwo<S>(exponent)(x) + pair.body1.position.cast<S>();
-}
-
-template <class S>
-Vec3<S> PlacedPair<S>::to_pair_point(const Vec3<S>& world, const Pair& pair) const {
-  return detail::PowerOfTwo<S>(-exponent)(world - pair.body1.position.cast<S>());
-}
-
-template <class S>
 S PlacedPair<S>::size() const {
   const S size1 = body1.shape.semi_axes.maxCoeff(), size2 = body2.shape.semi_axes.maxCoeff();
   return size1 > size2 ? size1 : size2;
@@ -115,16 +58,10 @@ S PlacedPair<S>::size() const {
 
 template <class S>
 PlacedPair<S> place(const Pair& pair) {
-  PlacedPair<S> placed;
-  placed.exponent = detail::exponent_above(size_of(pair)) - 1;
-  // Large units are divided out before the subtraction, small ones after it: huge positions of opposite signs have no
-  // difference before, and small ones lose no bit.
-  const int before = std::max(placed.exponent, 0), after = placed.exponent - before;
-  const detail::PowerOfTwo<S> unit(-placed.exponent), large(-before), small(-after);
-  const Vec3<S> position1 = large(Vec3<S>(pair.body1.position.cast<S>()));
-  const Vec3<S> position2 = large(Vec3<S>(pair.body2.position.cast<S>()));
+  PlacedPair<S> placed{PairFrame<S>(pair), {}, {}};
+  const detail::PowerOfTwo<S> unit(-placed.exponent);
   placed.body1 = detail::place_body<S>(pair.body1, Vec3<S>::Zero(), unit);
-  placed.body2 = detail::place_body<S>(pair.body2, small(Vec3<S>(position2 - position1)), unit);
+  placed.body2 = detail::place_body<S>(pair.body2, placed.to_centre(pair), unit);
   return placed;
 }
 

@@ -66,16 +66,13 @@ class ChunkSolver {
 
   void solve_ellipsoids(const PackIndex<P>& index) {
     const PackPair<P> placed = load_pair(index, chunk_.pairs);
-    const EllipsoidPair<P> pair =
-        ellipsoid_pair<P>(placed.semi_axes, transposed(placed.rotation), placed.c, placed.size);
-    store(index, placed, EllipsoidPack<P>(pair, chunk_.want).solve());
+    store(index, placed, EllipsoidPack<P>(ellipsoid_pair<P>(placed), chunk_.want).solve());
   }
 
   void solve_surfaces(const PackIndex<P>& index) {
     const PackPair<P> placed = load_pair(index, chunk_.pairs);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);
-    const SuperellipsoidPair<P> pair =
-        superellipsoid_pair<P>(placed.semi_axes, placed.rotation, n.n1, n.n2, placed.c, placed.size);
+    const SuperellipsoidPair<P> pair = superellipsoid_pair<P>(placed, n.n1, n.n2);
     store(index, placed, SurfacePack<P>(pair, chunk_.want).solve());
   }
 

@@ -39,7 +39,7 @@ class EllipsoidPack {
   /// Lanes of coinciding centres get NaN, and are not settled.
   [[nodiscard, gnu::always_inline]] static Vector3<P> start(const EllipsoidPair<P>& pair) {
     const Vector3<P> n = start_by_centres(pair);
-    return n * (P(1.0) / largest(n));
+    return cold_start(pair, n * (P(1.0) / largest(n)));
   }
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough() const {
@@ -160,7 +160,7 @@ class EllipsoidPack {
   Vector3<P> last_step_ = no_step();  ///< NaN where the last was one like any other
   Vector3<P> normal_;
   P overlap_;
-  P iterations_ = P(0.0), evaluations_ = P(1.0);
+  P iterations_ = P(0.0), evaluations_ = P(1.0 + start_corrections);
 };
 
 }  // namespace plumb

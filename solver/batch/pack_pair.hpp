@@ -6,6 +6,7 @@
 
 #include "solver/batch/chunk.hpp"
 #include "solver/batch/pack.hpp"
+#include "solver/method/framed_pair.hpp"
 
 namespace plumb {
 
@@ -51,32 +52,13 @@ struct PackIndex {
 };
 
 template <class P>
-struct PackPair {
-  Vector3<Both<P>> semi_axes;
-  Matrix3<Both<P>> rotation;
+struct PackPair : FramedPair<P> {
   Vector3<P> position1;         ///< world
-  Vector3<P> c;                 ///< from body 1's centre to body 2's
-  P size;                       ///< the longest semi-axis, in [1, 2)
   P unit;                       ///< of length, the power of two that was divided by
   typename P::mask_type valid;  ///< and in the range where a power of two is a number; other lanes hold anything
 };
 
 namespace detail {
-
-template <class T>
-[[nodiscard, gnu::always_inline]] inline Matrix3<T> transposed(const Matrix3<T>& m) {
-  return {{m.row0.x, m.row1.x, m.row2.x}, {m.row0.y, m.row1.y, m.row2.y}, {m.row0.z, m.row1.z, m.row2.z}};
-}
-
-/// As rotation() of pose_impl.hpp.
-template <class T>
-[[nodiscard, gnu::always_inline]] inline Matrix3<T> rotation_of(const T& w, const T& x, const T& y, const T& z) {
-  const T ww = w * w, xx = x * x, yy = y * y, zz = z * z, norm = ww + xx + yy + zz, two(2.0);
-  const auto row = [&](const T& a, const T& b, const T& c) { return Vector3<T>{a / norm, b / norm, c / norm}; };
-  return {row(ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)),
-          row(two * (x * y + w * z), ww - xx + yy - zz, two * (y * z - w * x)),
-          row(two * (x * z - w * y), two * (y * z + w * x), ww - xx - yy + zz)};
-}
 
 /// Finite, and its power of two and the reciprocal of that normal.
 template <class T>

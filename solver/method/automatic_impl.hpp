@@ -10,9 +10,8 @@
 namespace plumb {
 namespace detail {
 
-template <class S>
-[[nodiscard]] bool is_ellipsoid(const Superellipsoid<S>& shape) {
-  return shape.n1 == S(2) && shape.n2 == S(2);
+[[nodiscard]] inline bool is_ellipsoid(const Superellipsoid<double>& shape) {
+  return shape.n1 == 2 && shape.n2 == 2;
 }
 
 template <class S>
@@ -20,19 +19,22 @@ template <class S>
   return last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
 }
 
-/// The mean of the normals at the last points.
+/// The mean of the normals at the last points; zero, or short, where there is none.
 template <class S>
-[[nodiscard]] Vector3<S> warm_direction(const EllipsoidPair<S>& pair, const Contact<S>& last) {
-  return sum(normals_at(pair, both(Vector3<S>::of(last.chart1), Vector3<S>::of(Vec3<S>(-last.chart2)))));
+[[nodiscard]] Vector3<S> warm_direction(const EllipsoidPair<S>& pair, const Contact<S>* last) {
+  if (!has_charts(last)) return {S(0), S(0), S(0)};
+  return sum(normals_at(pair, both(Vector3<S>::of(last->chart1), Vector3<S>::of(Vec3<S>(-last->chart2)))));
 }
 
+/// The common normal that the last contact leads to, or the cold start.
 template <class S>
-[[nodiscard]] Vector3<S> first_direction(const EllipsoidPair<S>& pair, const Contact<S>* last) {
-  if (has_charts(last)) {
-    const Vector3<S> warm = warm_direction(pair, *last);
-    if (largest(warm) > S(0.5)) return warm;
-  }
-  return ellipsoid_start(pair);
+[[nodiscard]] EllipsoidContact<S> first_contact(const EllipsoidPair<S>& pair, const Want& want,
+                                                const Contact<S>* last) {
+  const Vector3<S> warm = warm_direction(pair, last);
+  if (largest(warm) > S(0.5)) return local_contact(pair, want, warm);
+  EllipsoidContact<S> out = local_contact(pair, want, cold_start(pair, ellipsoid_start(pair)));
+  out.evaluations += start_corrections;
+  return out;
 }
 
 /// What both forms found, in the pair's frame.
@@ -46,7 +48,8 @@ struct Found {
 
 /// What differs along the surfaces: curvature and derivatives, of a contact that is found.
 template <class S>
-void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, const PlacedPair<S>& placed) {
+void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, const Pair& pair) {
+  const PlacedPair<S> placed = place<S>(pair);
   const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
   const PlacedContact<S> at{found.overlap,
                             found.normal.eigen(),
@@ -63,7 +66,7 @@ void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, 
 }
 
 template <class S>
-[[nodiscard]] Contact<S> contact_of(const Found<S>& found, const Want& want, const PlacedPair<S>& placed,
+[[nodiscard]] Contact<S> contact_of(const Found<S>& found, const Want& want, const PairFrame<S>& frame, const S& size,
                                     const Pair& pair) {
   Contact<S> out;
   out.method = "auto";
@@ -72,25 +75,26 @@ template <class S>
   out.evaluations = found.evaluations;
   // What rounding may do to the overlap (properties/allowance.hpp), and a residual that was allowed to be larger.
   const S undecided = S(8) + S(want.tolerance) / epsilon<S>();
-  out.verdict = verdict_of<S>(found.overlap, placed.size(), static_cast<double>(undecided));
+  out.verdict = verdict_of<S>(found.overlap, size, static_cast<double>(undecided));
   out.chart1 = found.chart1.eigen();
   out.chart2 = found.chart2.eigen();
-  if (want.overlap) out.overlap = placed.to_world_length(found.overlap);
+  if (want.overlap) out.overlap = frame.to_world_length(found.overlap);
   if (want.normal) out.normal = found.normal.eigen();
   if (want.points) {
     const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
-    out.point1 = placed.to_world_point(x1, pair);
-    out.point2 = placed.to_world_point(x2, pair);
-    out.contact_point = placed.to_world_point((x1 + x2) / S(2), pair);
+    out.point1 = frame.to_world_point(x1, pair);
+    out.point2 = frame.to_world_point(x2, pair);
+    out.contact_point = frame.to_world_point((x1 + x2) / S(2), pair);
   }
   if ((want.curvature || want.derivatives) && found.status == Status::converged)
-    set_second_order<S>(out, found, want, placed);
+    set_second_order<S>(out, found, want, pair);
   return out;
 }
 
 /// Whether both bodies hold the middle of two of their points: they overlap then, whatever else is true.
 template <class S>
-[[nodiscard]] bool share_middle(const PlacedPair<S>& placed, const Vector3<S>& point1, const Vector3<S>& point2) {
+[[nodiscard]] bool share_middle(const Pair& pair, const Vector3<S>& point1, const Vector3<S>& point2) {
+  const PlacedPair<S> placed = place<S>(pair);
   const Vec3<S> middle = ((point1 + point2) * S(0.5)).eigen();
   const auto holds = [&](const PlacedBody<S>& body) {
     return gauge<S>(body.shape, body.to_body(middle)) < S(1) - power_noise<S>(placed) * S(16) * epsilon<S>();
@@ -99,26 +103,32 @@ template <class S>
 }
 
 template <class S>
-[[nodiscard]] Found<S> solve_ellipsoids(const PlacedPair<S>& placed, const Want& want, const Contact<S>* last) {
-  const EllipsoidPair<S> pair = ellipsoid_pair(placed);
-  EllipsoidContact<S> found = local_contact(pair, want, first_direction(pair, last));
+[[nodiscard]] Found<S> solve_ellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
+                                        const Contact<S>* last) {
+  const EllipsoidPair<S> pair = ellipsoid_pair(framed);
+  EllipsoidContact<S> found = first_contact(pair, want, last);
   const auto point2 = [&] { return pair.c - second(found.at.touch.p); };
-  const bool is_answered = want.is_yes_or_no() && share_middle<S>(placed, first(found.at.touch.p), point2());
-  if (!is_answered) found = lowest_contact(placed, pair, want, found);
+  const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, first(found.at.touch.p), point2());
+  if (!is_answered) found = lowest_contact(bodies, pair, want, found);
   const Touch<S>& touch = found.at.touch;
   return {found.status,   found.overlap,           found.normal,     first(touch.p),   point2(),
           first(touch.u), second(touch.u) * S(-1), found.iterations, found.evaluations};
 }
 
 template <class S>
-[[nodiscard]] Found<S> solve_superellipsoids(const PlacedPair<S>& placed, const Want& want, const Contact<S>* last) {
-  const SuperellipsoidPair<S> pair = superellipsoid_pair(placed);
+[[nodiscard]] Found<S> solve_superellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
+                                             const Contact<S>* last) {
+  const auto exponents = [&](double Superellipsoid<double>::* n) {
+    return both<S>(S(bodies.body1.shape.*n), S(bodies.body2.shape.*n));
+  };
+  const SuperellipsoidPair<S> pair =
+      superellipsoid_pair(framed, exponents(&Superellipsoid<double>::n1), exponents(&Superellipsoid<double>::n2));
   const bool is_warm = has_charts(last);
   Vector3<Both<S>> warm;
   if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
   SurfaceContact<S> found = local_contact(pair, want, is_warm ? &warm : nullptr);
-  const bool is_answered = want.is_yes_or_no() && share_middle<S>(placed, found.point1, found.point2);
-  if (!is_answered) found = lowest_contact(placed, pair, want, found);
+  const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, found.point1, found.point2);
+  if (!is_answered) found = lowest_contact(bodies, pair, want, found);
   return {found.status,       found.overlap,       found.normal,     found.point1,     found.point2,
           first(found.chart), second(found.chart), found.iterations, found.evaluations};
 }
@@ -127,10 +137,11 @@ template <class S>
 
 template <class S>
 Contact<S> automatic(const Pair& pair, const Want& want, const Contact<S>* last) {
-  const PlacedPair<S> placed = place<S>(pair);
-  const bool are_ellipsoids = detail::is_ellipsoid(placed.body1.shape) && detail::is_ellipsoid(placed.body2.shape);
+  const PairFrame<S> frame(pair);
+  const FramedPair<S> framed = framed_pair<S>(pair, frame);
+  const bool are_ellipsoids = detail::is_ellipsoid(pair.body1.shape) && detail::is_ellipsoid(pair.body2.shape);
   const auto solve = are_ellipsoids ? detail::solve_ellipsoids<S> : detail::solve_superellipsoids<S>;
-  return detail::contact_of<S>(solve(placed, want, last), want, placed, pair);
+  return detail::contact_of<S>(solve(pair, framed, want, last), want, frame, framed.size, pair);
 }
 
 }  // namespace plumb

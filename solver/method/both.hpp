@@ -4,6 +4,7 @@
 // double as well, and makes the same instructions here (two doubles in an SSE2 register, `sqrtpd`, `divpd`).
 #pragma once
 
+#include <concepts>
 #include <experimental/simd>
 #include <limits>
 
@@ -13,8 +14,11 @@ namespace plumb {
 
 /// S is a scalar, or a register with a number of each of several pairs (batch/pack.hpp, which has a BothOf of its own).
 template <class S>
-struct BothOf {
-  using type = std::experimental::fixed_size_simd<S, 2>;
+struct BothOf {};
+/// Not fixed_size_simd, whose masks are sets of bits and cost exponents an eighth of their instructions.
+template <std::floating_point S>
+struct BothOf<S> {
+  using type = std::experimental::simd<S, std::experimental::simd_abi::deduce_t<S, 2>>;
 };
 template <class S>
 using Both = typename BothOf<S>::type;
@@ -22,8 +26,8 @@ using Both = typename BothOf<S>::type;
 /// The S of a Both<S>.
 template <class B>
 struct SingleOf;
-template <class S>
-struct SingleOf<std::experimental::fixed_size_simd<S, 2>> {
+template <class S, class Abi>
+struct SingleOf<std::experimental::simd<S, Abi>> {
   using type = S;
 };
 template <class B>

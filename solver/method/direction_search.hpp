@@ -136,10 +136,9 @@ class DirectionSearch {
     if (cell.level >= form_.least_level() && is_explained(cell, around, {middle, slope(middle, g)})) return;
     const bool is_due = !is_lower && cell.level > 0 && cell.level % solve_each == 0;
     if (is_due && fruitless_ < most_fruitless && !is_known_near(cell, middle)) explore_from(middle);
-    if (cell.level < deepest)
-      divide(cell, witness);
-    else
-      is_too_deep_ = true;
+    if (cell.level < deepest) return divide(cell, witness);
+    solve_from(middle, true);
+    is_too_deep_ = is_too_deep_ || !is_explained(cell, around, {middle, slope(middle, g)});
   }
 
   void divide(const Cell& c, int witness) {

@@ -41,11 +41,11 @@ inline constexpr int few_iterations = 14;
 
 /// `found` where it is surely the lowest, else the lowest of a search.
 template <class S>
-[[nodiscard]] inline EllipsoidContact<S> lowest_contact(const PlacedPair<S>& placed, const EllipsoidPair<S>& pair,
+[[nodiscard]] inline EllipsoidContact<S> lowest_contact(const Pair& bodies, const EllipsoidPair<S>& pair,
                                                         const Want& want, const EllipsoidContact<S>& found) {
   if (is_surely_lowest<S>(pair, found)) return found;
   if (found.status != Status::converged && want.iteration_limit < few_iterations) return found;  // asked to stop
-  const std::optional<Vector3<S>> axis = common_axis(placed);
+  const std::optional<Vector3<S>> axis = common_axis(place<S>(bodies));
   const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
   return lowest_of_search(axis, form, pair.size, found);
 }

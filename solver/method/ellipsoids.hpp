@@ -14,9 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "solver/method/both.hpp"
-#include "solver/pose.hpp"
+#include "solver/method/framed_pair.hpp"
 
 namespace plumb {
 
@@ -30,27 +30,15 @@ struct EllipsoidPair {
   S size;  ///< the larger body's, or the centre distance where that is more: what rounding is relative to
 };
 
-/// `body_size`: the larger body's.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const Vector3<Both<S>>& semi_axes,
-                                                                         const Matrix3<Both<S>>& transposed_rotation,
-                                                                         const Vector3<S>& c, const S& body_size) {
+[[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const FramedPair<S>& framed) {
   using std::max;
-  const Vector3<Both<S>>& a = semi_axes;
-  const Matrix3<Both<S>>& r = transposed_rotation;
-  EllipsoidPair<S> out{a, {r.row0 * a.x, r.row1 * a.y, r.row2 * a.z}, {}, c, max(body_size, largest(c))};
-  out.square = gram(out.map);
-  return out;
-}
-
-template <class S>
-[[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const PlacedPair<S>& placed) {
-  const auto column = [&](int j) {
-    return both(Vector3<S>::of(placed.body1.rotation.col(j)), Vector3<S>::of(placed.body2.rotation.col(j)));
-  };
-  return ellipsoid_pair<S>(
-      both(Vector3<S>::of(placed.body1.shape.semi_axes), Vector3<S>::of(placed.body2.shape.semi_axes)),
-      {column(0), column(1), column(2)}, Vector3<S>::of(placed.body2.centre), placed.size());
+  const Vector3<Both<S>>& a = framed.semi_axes;
+  const Matrix3<Both<S>>& r = framed.rotation;
+  const Matrix3<Both<S>> map{{r.row0.x * a.x, r.row1.x * a.x, r.row2.x * a.x},
+                             {r.row0.y * a.y, r.row1.y * a.y, r.row2.y * a.y},
+                             {r.row0.z * a.z, r.row1.z * a.z, r.row2.z * a.z}};
+  return {a, map, gram(map), framed.c, max(framed.size, largest(framed.c))};
 }
 
 /// Where the support planes along n touch.
@@ -151,12 +139,36 @@ template <class S>
   return adjugate(sum(pair.square)).matrix * pair.c;
 }
 
-/// The same, largest component 1; the thinnest direction for coinciding centres.
+/// The same, largest component 1; the thinnest direction for centres that coincide, or whose distance has no reciprocal.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
   const Vector3<S> n = start_by_centres(pair);
-  const S length = largest(n);
-  return length > S(0) ? n * (S(1) / length) : smallest_eigenvector(sum(pair.square));
+  const S scale = S(1) / largest(n);
+  return scale < std::numeric_limits<S>::infinity() ? n * scale : smallest_eigenvector(sum(pair.square));
+}
+
+/// How often a cold start is corrected. Triaxial ellipsoids then take 3.3 steps in the mean (4.7 without, 3.9 after one), spheroids
+/// 2.1 (3.2, 2.6); a third takes more time than it saves.
+inline constexpr int start_corrections = 2;
+
+/// The common normal's equation p1 + p2 - c = o n with p = A'A n / h: n <- (A1'A1 / h1 + A2'A2 / h2 - o)^-1 c with h and o of
+/// the direction before. Where the matrix is not positive, or says nothing, n stays.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> corrected_start(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
+  const Vector3<Both<S>> q = pair.map * twice(n);
+  const Both<S> h = sqrt(dot(q, q));
+  const S ratio = (sum<S>(h) - dot(n, pair.c)) * (S(1) / dot(n, n));  // o / |n|
+  const Symmetric3<S> m = sum(pair.square * (Both<S>(S(1)) / h)).shifted(-ratio);
+  const Adjugate<S> inverse = adjugate(m);
+  const Vector3<S> next = inverse.matrix * pair.c * (S(1) / inverse.determinant);
+  const S size = largest(next);
+  return blend(is_positive(m, inverse) && size > S(0.01) && size < S(100), next, n);
+}
+
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> cold_start(const EllipsoidPair<S>& pair, Vector3<S> n) {
+  for (int i = 0; i < start_corrections; ++i) n = corrected_start(pair, n);
+  return n;
 }
 
 /// The outward unit normals at the surface points u.

@@ -198,11 +198,11 @@ template <class S>
 
 /// `found` where it is surely the lowest, else the lowest of a search.
 template <class S>
-[[nodiscard]] inline SurfaceContact<S> lowest_contact(const PlacedPair<S>& placed, const SuperellipsoidPair<S>& pair,
+[[nodiscard]] inline SurfaceContact<S> lowest_contact(const Pair& bodies, const SuperellipsoidPair<S>& pair,
                                                       const Want& want, const SurfaceContact<S>& found) {
   if (found.minimum && found.overlap <= pair.rolling_ball) return found;
   if (found.status == Status::iteration_limit) return found;  // asked to stop
-  const std::optional<Vector3<S>> axis = common_axis(placed);
+  const std::optional<Vector3<S>> axis = common_axis(place<S>(bodies));
   const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
   return lowest_of_search(axis, SurfaceForm<S>{solver}, pair.reach, found);
 }

@@ -7,8 +7,8 @@
 // N             the normal times any length
 #pragma once
 
+#include "solver/method/framed_pair.hpp"
 #include "solver/method/level.hpp"
-#include "solver/pose.hpp"
 
 namespace plumb {
 
@@ -41,34 +41,25 @@ template <class S>
 
 }  // namespace detail
 
-/// `body_size`: the larger body's.
+/// n1, n2: of both bodies.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline SuperellipsoidPair<S>
-superellipsoid_pair(const Vector3<Both<S>>& semi_axes, const Matrix3<Both<S>>& rotation, const Both<S>& n1,
-                    const Both<S>& n2, const Vector3<S>& c, const S& body_size) {
+superellipsoid_pair(const FramedPair<S>& framed, const Both<S>& n1, const Both<S>& n2) {
   using std::max;
   SuperellipsoidPair<S> out;
-  out.semi_axes = semi_axes;
-  out.inverse_axes = {S(1) / semi_axes.x, S(1) / semi_axes.y, S(1) / semi_axes.z};
-  out.rotation = rotation;
+  const Vector3<Both<S>>& a = framed.semi_axes;
+  out.semi_axes = a;
+  out.inverse_axes = {S(1) / a.x, S(1) / a.y, S(1) / a.z};
+  out.rotation = framed.rotation;
   out.outer = level_of_exponents<S>(n1);
   out.inner = level_of_exponents<S>(n2);
-  out.c = c;
-  out.size = body_size;
-  out.reach = max(out.size, largest(c));
+  out.c = framed.c;
+  out.size = framed.size;
+  out.reach = max(out.size, largest(out.c));
   out.any_dual = any_of(out.inner.dual) || any_of(out.outer.dual);
   out.greatest_nu = hmax(max(out.inner.nu, out.outer.nu));
   out.rolling_ball = detail::rolling_ball(out);
   return out;
-}
-
-template <class S>
-[[nodiscard]] inline SuperellipsoidPair<S> superellipsoid_pair(const PlacedPair<S>& placed) {
-  const PlacedBody<S>&b1 = placed.body1, &b2 = placed.body2;
-  const auto row = [&](int i) { return both(Vector3<S>::of(b1.rotation.row(i)), Vector3<S>::of(b2.rotation.row(i))); };
-  return superellipsoid_pair<S>(both(Vector3<S>::of(b1.shape.semi_axes), Vector3<S>::of(b2.shape.semi_axes)),
-                                {row(0), row(1), row(2)}, both<S>(b1.shape.n1, b2.shape.n1),
-                                both<S>(b1.shape.n2, b2.shape.n2), Vector3<S>::of(b2.centre), placed.size());
 }
 
 /// Body axes; the derivatives by d1 have no z component.

@@ -49,15 +49,15 @@ TEST(Automatic, TheGuardsLetNoHigherMinimumPass) {
   int passed = 0, rejected = 0;
   for (std::uint64_t i = 0; i < 60; ++i) {
     const Pair pair = deep_ellipsoids(i);
-    const PlacedPair<double> placed = place<double>(pair);
-    const EllipsoidPair<double> ellipsoids = ellipsoid_pair(placed);
+    const PairFrame<double> frame(pair);
+    const EllipsoidPair<double> ellipsoids = ellipsoid_pair(framed_pair(pair, frame));
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
     const EllipsoidForm<double> form{ellipsoids, {}, {}};
     for (const Vector3<double>& start :
          {Vector3<double>{1, 0.1, 0}, {-1, 0, 0.1}, {0, 1, 0.1}, {0, -1, -0.1}, {0.1, 0, 1}}) {
       const EllipsoidContact<double> found = form.solve(start);
       if (found.status != Status::converged) continue;
-      const bool is_higher = placed.to_world_length(found.overlap) > lowest + 1e-12 * size_of(pair);
+      const bool is_higher = frame.to_world_length(found.overlap) > lowest + 1e-12 * size_of(pair);
       const bool passes = is_surely_lowest(ellipsoids, found);
       EXPECT_FALSE(is_higher && passes) << i;
       passed += passes ? 1 : 0;
@@ -72,15 +72,15 @@ TEST(Automatic, TheSearchFindsTheLowestFromAnyOther) {
   int improved = 0;
   for (std::uint64_t i = 0; i < 60; ++i) {
     const Pair pair = deep_ellipsoids(i);
-    const PlacedPair<double> placed = place<double>(pair);
-    const EllipsoidPair<double> ellipsoids = ellipsoid_pair(placed);
+    const PairFrame<double> frame(pair);
+    const EllipsoidPair<double> ellipsoids = ellipsoid_pair(framed_pair(pair, frame));
     const EllipsoidForm<double> form{ellipsoids, {}, {}};
     const EllipsoidContact<double> first = form.solve({0.1, 0, 1});
     DirectionSearch<double, EllipsoidForm<double>, EllipsoidContact<double>> search(form, ellipsoids.size, first);
     const EllipsoidContact<double> found = search.lowest();
     ASSERT_EQ(found.status, Status::converged) << i;
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
-    EXPECT_LE(placed.to_world_length(found.overlap), lowest + 1e-13 * size_of(pair)) << i;
+    EXPECT_LE(frame.to_world_length(found.overlap), lowest + 1e-13 * size_of(pair)) << i;
     improved += found.overlap < first.overlap - 1e-9 ? 1 : 0;
   }
   EXPECT_GT(improved, 10);
@@ -209,20 +209,27 @@ TEST(Automatic, LimitsAndTolerancesAreKept) {
   EXPECT_GT(ended_earlier, 50);
 }
 
+SuperellipsoidPair<double> surfaces_of(const Pair& pair) {
+  const auto exponents = [&](double Superellipsoid<double>::* n) {
+    return both<double>(pair.body1.shape.*n, pair.body2.shape.*n);
+  };
+  return superellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)), exponents(&Superellipsoid<double>::n1),
+                             exponents(&Superellipsoid<double>::n2));
+}
+
 /// The radius of a ball that rolls inside both bodies together: below the least radius of curvature anywhere.
 TEST(Automatic, TheRollingBallIsSmallerThanEveryRadiusOfCurvature) {
   double sharpest = std::numeric_limits<double>::infinity();
   for (std::uint64_t i = 0; i < 40; ++i) {
-    const PlacedPair<double> placed = place<double>(generate("superquadric", 18, i).pair);
-    const SuperellipsoidPair<double> pair = superellipsoid_pair(placed);
-    if (pair.any_dual) {
-      EXPECT_GE(pair.rolling_ball, 0);
+    const Pair pair = generate("superquadric", 18, i).pair;
+    if (const SuperellipsoidPair<double> surfaces = surfaces_of(pair); surfaces.any_dual) {
+      EXPECT_GE(surfaces.rolling_ball, 0);
       continue;
     }
-    for (const PlacedBody<double>* body : {&placed.body1, &placed.body2}) {
-      PlacedPair<double> twin = placed;
-      twin.body1 = twin.body2 = *body;
-      const double ball = superellipsoid_pair(twin).rolling_ball / 2;  // of one of them
+    for (const Body* body : {&pair.body1, &pair.body2}) {
+      const Pair twin{*body, *body};
+      const PairFrame<double> frame(twin);
+      const double ball = frame.to_world_length(surfaces_of(twin).rolling_ball / 2);  // of one of them
       Stream stream("rolling ball", 1, i);
       for (int k = 0; k < 400; ++k) {
         // Powers gather the directions at edges and corners, where the radii are least.
@@ -268,7 +275,7 @@ TEST(Automatic, AYesOrNoLeavesNothingBehind) {
 
 TEST(Automatic, ConcentricSpheres) {
   for (const double radius : {1.0, 0.5, 1.0 / 3, 3 / 7.0})
-    for (const double apart : {0.0, 1e-300, 1e-17, 1e-16, 1e-12}) {
+    for (const double apart : {0.0, 5e-324, 1e-310, 1e-300, 1e-17, 1e-16, 1e-12}) {
       Pair pair;
       pair.body2.shape.semi_axes *= radius;
       pair.body2.position << 0, 0, apart;

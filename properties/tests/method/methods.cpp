@@ -82,7 +82,7 @@ TEST(Methods, IllegalInputIsRefusedAndNothingElse) {
 }
 
 TEST(Methods, EveryExitHasItsOwnStatus) {
-  const Case c = generate("spheroid", 1, 7);
+  const Case c = generate("ellipsoid", 1, 7);
   for (const Method& method : methods()) {
     Want one_step;
     one_step.iteration_limit = 1;
