@@ -55,7 +55,7 @@ struct Want {
   bool points = true;
   bool curvature = false;
   bool derivatives = false;
-  int iteration_limit = 100;
+  int iteration_limit = 100;  ///< of each local solve: the last resorts of `auto` are several
   /// Residual, relative to the pair's size, at which a method may stop; 0 asks for all that rounding allows.
   double tolerance = 0;
 
@@ -63,8 +63,8 @@ struct Want {
   [[nodiscard]] bool is_yes_or_no() const { return !(overlap || normal || points || curvature || derivatives); }
 };
 
-/// Each value says which inequality ended the solve; only `converged` vouches for the residual, and not
-/// even that vouches for the answer: see reference/.
+/// Each value says which inequality ended the solve; only `converged` vouches for the residual (in a yes
+/// or no, for the verdict alone), and not even that vouches for the answer: see reference/.
 enum class Status {
   converged,        ///< residual <= max(Want::tolerance, the method's rounding floor)
   iteration_limit,  ///< Want::iteration_limit steps were taken and the residual is still larger

@@ -147,17 +147,13 @@ class EllipsoidPack {
   }
 
   [[nodiscard, gnu::always_inline]] static Vector3<P> stay() { return {P(-0.0), P(-0.0), P(-0.0)}; }
-  [[nodiscard, gnu::always_inline]] static Vector3<P> no_step() {
-    const P nan(std::numeric_limits<double>::quiet_NaN());
-    return {nan, nan, nan};
-  }
 
   const EllipsoidPair<P>& pair_;
   int limit_;
   P floor_, asked_, enough_;
   DirectionPoint<P> at_;
   Lanes settled_ = Lanes(false);
-  Vector3<P> last_step_ = no_step();  ///< NaN where the last was one like any other
+  Vector3<P> last_step_ = absent<P>();  ///< NaN where the last was one like any other
   Vector3<P> normal_;
   P overlap_;
   P iterations_ = P(0.0), evaluations_ = P(1.0 + start_corrections);

@@ -130,10 +130,10 @@ struct PackContact {
   P overlap, iterations, evaluations;
 };
 
-/// The values of Verdict; the floor is contact_of()'s in automatic_impl.hpp.
+/// The values of Verdict.
 template <class P>
 [[nodiscard, gnu::always_inline]] inline P verdict_of(const P& overlap, const P& size, double tolerance) {
-  const P floor = P(8 * std::numeric_limits<double>::epsilon() + tolerance) * size;
+  const P floor = P(undecided_multiple * std::numeric_limits<double>::epsilon() + tolerance) * size;
   const auto value = [](Verdict verdict) { return P(static_cast<double>(verdict)); };
   return blend(overlap > floor, value(Verdict::overlapping),
                blend(overlap < -floor, value(Verdict::separated), value(Verdict::undecided)));

@@ -73,8 +73,7 @@ template <class S>
   out.status = found.status;
   out.iterations = found.iterations;
   out.evaluations = found.evaluations;
-  // What rounding may do to the overlap (properties/allowance.hpp), and a residual that was allowed to be larger.
-  const S undecided = S(8) + S(want.tolerance) / epsilon<S>();
+  const S undecided = S(undecided_multiple) + S(want.tolerance) / epsilon<S>();  // a residual that was allowed counts
   out.verdict = verdict_of<S>(found.overlap, size, static_cast<double>(undecided));
   out.chart1 = found.chart1.eigen();
   out.chart2 = found.chart2.eigen();

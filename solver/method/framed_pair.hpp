@@ -14,6 +14,9 @@ struct FramedPair {
   S size;        ///< the longest semi-axis, in [1, 2)
 };
 
+/// |o| up to this many epsilon of the size leaves the verdict open: what rounding may do to it (properties/allowance.hpp).
+inline constexpr double undecided_multiple = 8;
+
 /// Of a quaternion with a largest component near 1: rotation() of pose_impl.hpp.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Matrix3<T> rotation_of(const T& w, const T& x, const T& y, const T& z) {

@@ -21,13 +21,17 @@ void withhold(Contact<S>& answer) {
   answer = out;
 }
 
+template <class S>
+Contact<S> refusal() {
+  Contact<S> out;
+  out.status = Status::invalid_input;
+  return out;
+}
+
 /// What every method does alike: refuse illegal input, and hand out nothing that its status does not vouch for.
 template <class S, SolveFunction<S> method>
 Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
-  Contact<S> out;
-  out.status = Status::invalid_input;
-  if (!is_valid(pair)) return out;
-  out = method(pair, want, last);
+  Contact<S> out = is_valid(pair) ? method(pair, want, last) : refusal<S>();  // in place: a contact is no small thing
   if (out.status != Status::converged) withhold<S>(out);
   return out;
 }

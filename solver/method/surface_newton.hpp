@@ -19,12 +19,6 @@
 
 namespace plumb {
 
-template <class S>
-[[nodiscard]] inline Vector3<S> absent() {
-  constexpr S nan = std::numeric_limits<S>::quiet_NaN();
-  return {nan, nan, nan};
-}
-
 /// A common normal of two superellipsoids in the pair's frame.
 template <class S>
 struct SurfaceContact {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "solver/contact.hpp"
 
@@ -16,6 +17,13 @@ struct Vector3 {
   [[nodiscard]] static Vector3 of(const Vec3<T>& v) { return {v[0], v[1], v[2]}; }
   [[nodiscard, gnu::always_inline]] Vec3<T> eigen() const { return {x, y, z}; }
 };
+
+/// NaN: a vector that is not there.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Vector3<T> absent() {
+  const T nan(std::numeric_limits<double>::quiet_NaN());
+  return {nan, nan, nan};
+}
 
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Vector3<T> operator+(const Vector3<T>& a, const Vector3<T>& b) {

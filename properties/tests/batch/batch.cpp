@@ -246,6 +246,7 @@ std::set<std::string> weak_symbols(bool of_avx2) {
 /// One of two functions of the same name goes into the program: it must not be one that a machine without AVX2 cannot run.
 TEST(Batch, NoFunctionIsSharedBetweenInstructionSets) {
   const std::set<std::string> of_avx2 = weak_symbols(true), others = weak_symbols(false);
+  ASSERT_FALSE(of_avx2.empty());
   ASSERT_FALSE(others.empty());
   for (const std::string& symbol : of_avx2)
     EXPECT_TRUE(symbol.find("_VecBuiltinILi32") != std::string::npos ||
