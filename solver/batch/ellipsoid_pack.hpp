@@ -130,8 +130,7 @@ class EllipsoidPack {
       const Lanes moving = lanes && now.error > floor_;
       if (none_of(moving)) break;
       where(moving, evaluations_) += P(1.0);
-      at_.touch.u = blend(TwinMask<P>(moving, moving),
-                          moved_points(pair_, at_, now, Vector3<P>{P(0.0), P(0.0), P(0.0)}), at_.touch.u);
+      at_.touch.u = blend(TwinMask<P>(moving, moving), moved_points(pair_, at_, now), at_.touch.u);
       now = settling(pair_, at_);
     }
     settled_ = settled_ && (!lanes || now.error <= P(newton::settled_multiple) * floor_);

@@ -44,6 +44,7 @@ struct Found {
   S overlap;
   Vector3<S> normal, point1, point2, chart1, chart2;
   int iterations, evaluations;
+  bool overlaps;  ///< whatever the overlap: both bodies hold one point
 };
 
 /// What differs along the surfaces: curvature and derivatives, of a contact that is found.
@@ -74,7 +75,8 @@ template <class S>
   out.iterations = found.iterations;
   out.evaluations = found.evaluations;
   const S undecided = S(undecided_multiple) + S(want.tolerance) / epsilon<S>();  // a residual that was allowed counts
-  out.verdict = verdict_of<S>(found.overlap, size, static_cast<double>(undecided));
+  out.verdict =
+      found.overlaps ? Verdict::overlapping : verdict_of<S>(found.overlap, size, static_cast<double>(undecided));
   out.chart1 = found.chart1.eigen();
   out.chart2 = found.chart2.eigen();
   if (want.overlap) out.overlap = frame.to_world_length(found.overlap);
@@ -110,8 +112,16 @@ template <class S>
   const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, first(found.at.touch.p), point2());
   if (!is_answered) found = lowest_contact(bodies, pair, want, found);
   const Touch<S>& touch = found.at.touch;
-  return {found.status,   found.overlap,           found.normal,     first(touch.p),   point2(),
-          first(touch.u), second(touch.u) * S(-1), found.iterations, found.evaluations};
+  return {is_answered ? Status::converged : found.status,
+          found.overlap,
+          found.normal,
+          first(touch.p),
+          point2(),
+          first(touch.u),
+          second(touch.u) * S(-1),
+          found.iterations,
+          found.evaluations,
+          is_answered};
 }
 
 template <class S>
@@ -125,11 +135,19 @@ template <class S>
   const bool is_warm = has_charts(last);
   Vector3<Both<S>> warm;
   if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
-  SurfaceContact<S> found = local_contact(pair, want, is_warm ? &warm : nullptr);
+  SurfaceContact<S> found = local_contact(bodies, pair, want, is_warm ? &warm : nullptr);
   const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, found.point1, found.point2);
   if (!is_answered) found = lowest_contact(bodies, pair, want, found);
-  return {found.status,       found.overlap,       found.normal,     found.point1,     found.point2,
-          first(found.chart), second(found.chart), found.iterations, found.evaluations};
+  return {is_answered ? Status::converged : found.status,
+          found.overlap,
+          found.normal,
+          found.point1,
+          found.point2,
+          first(found.chart),
+          second(found.chart),
+          found.iterations,
+          found.evaluations,
+          is_answered};
 }
 
 }  // namespace detail

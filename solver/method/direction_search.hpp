@@ -7,8 +7,7 @@
 //           has n.c >= 0, and only such directions are looked at (c from body 1's centre to body 2's)
 // Cells     a quadtree on the faces of a cube of directions, level by level; the cube is turned so that the common normal at hand
 //           is the middle of a cell of the level that first explains
-// Excluded  f(v) >= g.v for any g = p1 - p2, wherever it was found, and g.v - o |v| is concave: where it is not negative
-//           at a cell's four corners s is not negative on the cell
+// Excluded  where a witness (lowest.hpp) says so at a cell's four corners
 // Explained s looks convex on the hull of the cell and of a common normal n already known: of its values at the corners, at
 //           the middle and there none lies below a tangent plane at another. The plane at n is (o(n) - o) n.v, not negative
 //           where n.v is not, and s lies above it
@@ -34,7 +33,8 @@ class DirectionSearch {
  public:
   DirectionSearch(const Form& form, const S& size, const Answer& first) : form_(form), found_(form, size, first) {
     if (found_.is_found()) centre_on(first.normal);
-    forwards_ = largest(form.centre()) > S(0) ? form.centre() : axes_[0];
+    const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
+    forwards_ = largest(forwards) <= S(1) ? forwards : axes_[0];  // else the centres coincide
   }
 
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
@@ -111,10 +111,9 @@ class DirectionSearch {
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(v, forwards_) <= S(0); });
   }
 
-  [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>& g) const {
-    for (const Vector3<S>& v : corners)
-      if (!(dot(g, v) >= found_.level() * length(v))) return false;
-    return true;
+  [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>& witness) const {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](const Vector3<S>& v) { return found_.excludes(witness, v); });
   }
 
   /// By what was seen of the cell above, or by one of the last.
@@ -130,15 +129,22 @@ class DirectionSearch {
     if (is_mirrored(around) || is_excluded(around, cell.witness)) return;
     const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v)), g = farthest(middle);
     const int witness = seen_count_ - 1;
-    if (is_excluded(around, g)) return;
+    if (is_excluded(around, seen_[static_cast<std::size_t>(witness)])) return;
     const bool is_lower = found_.sees_lower(middle, g);
     if (is_lower) solve_from(middle, found_.best().evaluations < last_insisting);
-    if (cell.level >= form_.least_level() && is_explained(cell, around, {middle, slope(middle, g)})) return;
+    if (may_be_explained(cell, around, middle) && is_explained(cell, around, {middle, slope(middle, g)})) return;
     const bool is_due = !is_lower && cell.level > 0 && cell.level % solve_each == 0;
     if (is_due && fruitless_ < most_fruitless && !is_known_near(cell, middle)) explore_from(middle);
     if (cell.level < deepest) return divide(cell, witness);
     solve_from(middle, true);
     is_too_deep_ = is_too_deep_ || !is_explained(cell, around, {middle, slope(middle, g)});
+  }
+
+  /// Whether it is small enough for six points.
+  [[nodiscard]] bool may_be_explained(const Cell& cell, const Corners& around, const Vector3<S>& middle) const {
+    constexpr double margin = 1.5;  // half diagonals: a fold not far past the cell counts as well
+    return cell.level >= form_.least_level() &&
+           cell.level >= form_.least_level(middle, length(around[0] - middle) * S(margin));
   }
 
   void divide(const Cell& c, int witness) {
@@ -149,7 +155,9 @@ class DirectionSearch {
   }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
-    return seen_[static_cast<std::size_t>(seen_count_++)] = found_.farthest(v);
+    const Vector3<S> g = found_.farthest(v);
+    seen_[static_cast<std::size_t>(seen_count_++)] = found_.witness(v, g);
+    return g;
   }
 
   [[nodiscard]] Vector3<S> slope(const Vector3<S>& v, const Vector3<S>& g) const {
@@ -235,7 +243,7 @@ class DirectionSearch {
   std::array<Vector3<S>, 3> axes_{{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}}};
   std::array<Known, most_known> known_;
   int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;
-  std::array<Vector3<S>, most_seen> seen_;  ///< every g
+  std::array<Vector3<S>, most_seen> seen_;  ///< every witness
   std::array<Cell, longest_queue> queue_;
   int looked_at_ = 0, pushed_ = 0;
   bool is_too_deep_ = false;

@@ -14,6 +14,8 @@ struct EllipsoidForm {
   Vector3<S> axis{S(0), S(0), S(0)};  ///< as for EllipsoidNewton
 
   [[nodiscard]] int least_level() const { return 3; }
+  [[nodiscard]] int least_level(const Vector3<S>& /*v*/, const S& /*reach*/) const { return least_level(); }
+  [[nodiscard]] S rolling_ball() const { return plumb::rolling_ball(pair); }
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start, bool /*insists*/ = true) const {

@@ -21,14 +21,20 @@
 
 namespace plumb {
 
+/// r.
 template <class S>
-[[nodiscard]] inline auto rolls(const EllipsoidPair<S>& pair, const S& overlap) {
+[[nodiscard]] inline S rolling_ball(const EllipsoidPair<S>& pair) {
   using std::max;
   using std::min;
   const Vector3<Both<S>>& a = pair.semi_axes;
   const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
+  return sum<S>(least * least / longest);
+}
+
+template <class S>
+[[nodiscard]] inline auto rolls(const EllipsoidPair<S>& pair, const S& overlap) {
   const S touching = S(1) + S(8) * epsilon<S>();  // concentric spheres: o is the ball's own radius
-  return overlap <= sum<S>(least * least / longest) * touching;
+  return overlap <= rolling_ball(pair) * touching;
 }
 
 namespace detail {

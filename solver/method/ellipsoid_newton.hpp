@@ -29,7 +29,7 @@ class EllipsoidNewton {
   EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
       : pair_(pair), axis_(axis), is_ring_(largest(axis) > S(0)), limit_(want.iteration_limit),
         is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.size),
-        floor_(S(newton::noise_multiple) * epsilon<S>() * pair.size) {}
+        floor_(S(is_ring_ ? newton::ring_multiple : newton::noise_multiple) * epsilon<S>() * pair.size) {}
 
   /// From any direction but zero.
   void solve(EllipsoidContact<S>& out, const Vector3<S>& start) {
@@ -67,7 +67,8 @@ class EllipsoidNewton {
   [[nodiscard, gnu::always_inline]] bool descend(EllipsoidContact<S>& out) const {
     using std::sqrt;
     const Symmetric3<Both<S>> h = radii(pair_, out.at.touch);
-    Vector3<S> step = newton_step(is_ring_ ? held(sum(h), out.at, axis_) : sum(h), out.at);
+    Vector3<S> step =
+        is_ring_ ? newton_step(held(sum(h), out.at, axis_), out.at, newton::tie_on_ring) : newton_step(sum(h), out.at);
     S turn = squared_turn(pair_, out.at, step);
     if (turn < S(newton::last_turn * newton::last_turn) && lands(sum(h), out.at, step))
       return follow(out.at, h, step), true;
@@ -98,7 +99,7 @@ class EllipsoidNewton {
     Settling<S> now = settling(pair_, out.at);
     for (int i = 0; i < newton::most_settling && now.error > floor_; ++i) {
       ++out.evaluations;
-      out.at.touch.u = moved_points(pair_, out.at, now, axis_);
+      out.at.touch.u = moved_points(pair_, out.at, now, is_ring_ ? &axis_ : nullptr);
       now = settling(pair_, out.at);
     }
     out.normal = now.n;

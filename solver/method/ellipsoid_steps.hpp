@@ -13,6 +13,9 @@ inline constexpr double short_turn = 1e-4;   // from here on o is too flat to te
 inline constexpr double last_turn = 1e-9;    // its square, the error of the linear step, is below rounding
 inline constexpr double shorter = 0.3;       // a step that does not lower o is cut to this
 inline constexpr double near = 1e-8;         // error, relative to the size, from which its floor is asked for
+inline constexpr double tie = 0.01;          // of o: the eigenvalue along a ring or between ties, made positive
+inline constexpr double tie_on_ring = 1e-9;  // the same where the ring is held anyway
+inline constexpr double ring_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
 inline constexpr double coarse = 4;          // settle where |H| exceeds the size by this factor
 inline constexpr double surely_apart = 16;   // epsilon, relative: o is below zero whatever its rounding
 inline constexpr int most_settling = 3;
@@ -27,21 +30,22 @@ template <class S>
   return sum<S>(traces) / sqrt(at.inverse_square);
 }
 
-/// H1 + H2 with a second derivative about `axis` as well, where o has none: there is nothing to be gained along a ring. No
-/// axis, zero, changes no bit.
+/// H1 + H2 with a second derivative about `axis` as well, where o has none: there is nothing to be gained along a ring.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Symmetric3<S> held(const Symmetric3<S>& h, const DirectionPoint<S>& at,
                                                             const Vector3<S>& axis) {
   return h + square(cross(axis, at.n)) * (h.trace() * at.inverse_square);
 }
 
+/// `tie`: the share of o that an eigenvalue of about 0 becomes.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at) {
+[[nodiscard, gnu::always_inline]] inline Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at,
+                                                                double tie = newton::tie) {
   const StepMatrix<S> m = step_matrix(h, at);
   Adjugate<S> inverse = adjugate(m.matrix);
   const auto positive = is_positive(m.matrix, inverse);
   if (any_of(!positive)) {
-    const S shift = blend(positive, S(0), convexifying_shift(m, inverse.determinant, at.ratio));
+    const S shift = blend(positive, S(0), convexifying_shift(m, inverse.determinant, S(at.ratio * S(tie))));
     inverse = adjugate(m.matrix.shifted(shift));
   }
   return inverse.matrix * at.slope * (S(-1) / inverse.determinant);
@@ -90,15 +94,17 @@ template <class S>
   return {n, slope, twist, max(largest(slope), S(largest(twist) * pair.size))};
 }
 
-/// The points u1 and u2 after a Newton step; `axis`: as for `held`.
+/// The points u1 and u2 after a Newton step; `axis`: as for `held`, or none.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>>
-moved_points(const EllipsoidPair<S>& pair, DirectionPoint<S>& at, const Settling<S>& now, const Vector3<S>& axis) {
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> moved_points(const EllipsoidPair<S>& pair,
+                                                                       DirectionPoint<S>& at, const Settling<S>& now,
+                                                                       const Vector3<S>* axis = nullptr) {
   using std::sqrt;
   const Vector3<S> twist = now.twist * (S(1) / sqrt(at.inverse_square)), none{S(0), S(0), S(0)};
   const Symmetric3<Both<S>> h = radii(pair, at.touch);
   at.slope = now.slope + second(h * twice(twist));
-  const Vector3<S> step = newton_step(held(sum(h), at, axis), at);
+  const Vector3<S> step =
+      axis == nullptr ? newton_step(sum(h), at) : newton_step(held(sum(h), at, *axis), at, newton::tie_on_ring);
   const Vector3<Both<S>> d = pair.map * (twice(step) + both(none, twist)) * at.touch.inverse_h;
   const Vector3<Both<S>> u = at.touch.u + d - at.touch.u * dot(at.touch.u, d);
   return u * (Both<S>(S(1)) / sqrt(dot(u, u)));

@@ -120,17 +120,17 @@ template <class S>
           lift};
 }
 
-/// What to add to the diagonal where the lower tangential eigenvalue l is not positive: it becomes |l|, or, on a ring or a
-/// tie, where l is about 0, a hundredth of o.
+/// What to add to the diagonal where the lower tangential eigenvalue l is not positive: it becomes |l|, or, where l is about 0,
+/// `least`.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline S convexifying_shift(const StepMatrix<S>& m, const S& determinant,
-                                                              const S& ratio) {
+                                                              const S& least) {
   using std::abs;
   using std::max;
   using std::sqrt;
   const S sum = m.matrix.trace() - m.lift, product = determinant / m.lift;
   const S lowest = (sum - sqrt(max(S(0), S(sum * sum - 4 * product)))) / 2;
-  return max(S(-2 * lowest), S(S(0.01) * abs(ratio) - lowest));
+  return max(S(-2 * lowest), S(abs(least) - lowest));
 }
 
 /// n = (A1'A1 + A2'A2)^-1 c, any length: the answer for one ellipsoid of the summed squares. Zero where the centres coincide.
@@ -139,10 +139,11 @@ template <class S>
   return adjugate(sum(pair.square)).matrix * pair.c;
 }
 
-/// The same, largest component 1; the thinnest direction for centres that coincide, or whose distance has no reciprocal.
+/// The same, largest component 1; the line of centres, which is the normal to rounding, for bodies 1e17 sizes apart; the thinnest
+/// direction for centres that coincide, or whose distance has no reciprocal.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
-  const Vector3<S> n = start_by_centres(pair);
+  const Vector3<S> n = pair.size > S(1e17) ? pair.c : start_by_centres(pair);
   const S scale = S(1) / largest(n);
   return scale < std::numeric_limits<S>::infinity() ? n * scale : smallest_eigenvector(sum(pair.square));
 }

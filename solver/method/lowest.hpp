@@ -4,7 +4,13 @@
 //                 Answer solve(v, insists): a local solve, by all means where it insists; Answer has status, overlap,
 //                 normal, iterations, evaluations
 //                 Vector3<S> centre(): from body 1's centre to body 2's
+//                 S rolling_ball(): radius of a ball that rolls inside the bodies' Minkowski sum K, or less
 //                 int least_level(): of a cell that six points can explain; higher where o has narrow folds
+//                 int least_level(v, reach): the same within that distance of v, of any length; not less
+//
+// Excluded        K = K' + (ball of radius r), so that o - r is the overlap with K'. f'(v) = (o - r)|v| >= g'.v for any g' of K',
+//                 wherever it was found, and g'.v - (level - r)|v| is concave: where it is not negative at some
+//                 directions nothing between them is lower
 #pragma once
 
 #include <algorithm>
@@ -20,7 +26,8 @@ class Lowest {
  public:
   static constexpr int most_evaluations = 980;  // a Newton below the 1000 that the laws call slow
 
-  Lowest(const Form& form, const S& size, const Answer& first) : form_(form), size_(size), best_(first) {}
+  Lowest(const Form& form, const S& size, const Answer& first)
+      : form_(form), size_(size), ball_(form.rolling_ball() * (S(1) - S(8) * epsilon<S>())), best_(first) {}
 
   [[nodiscard]] const Form& form() const { return form_; }
   [[nodiscard]] const Answer& best() const { return best_; }
@@ -30,8 +37,8 @@ class Lowest {
   /// o of the lowest.
   [[nodiscard]] S level() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }
 
-  /// Bodies apart have one common normal of o <= 0: nothing is lower.
-  [[nodiscard]] bool is_settled() const { return !(level() > S(0)); }
+  /// There is one common normal of o <= r: nothing is lower.
+  [[nodiscard]] bool is_settled() const { return !(level() > ball_); }
 
   /// Of o.
   [[nodiscard]] S rounding() const { return S(noise) * epsilon<S>() * size_; }
@@ -39,6 +46,16 @@ class Lowest {
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     ++best_.evaluations;
     return form_.farthest(v);
+  }
+
+  /// g' at v, from g = farthest(v).
+  [[nodiscard]] Vector3<S> witness(const Vector3<S>& v, const Vector3<S>& g) const {
+    return g - v * (ball_ / length(v));
+  }
+
+  /// Whether the witness shows that o along v is not below the level by more than `slack`.
+  [[nodiscard]] bool excludes(const Vector3<S>& witness, const Vector3<S>& v, const S& slack = S(0)) const {
+    return dot(witness, v) >= (level() - ball_ - slack) * length(v);
   }
 
   /// Whether o along v is below the level; g = farthest(v).
@@ -73,7 +90,7 @@ class Lowest {
   static constexpr double noise = 64;  // epsilon times this and the size: rounding of a gradient
 
   const Form& form_;
-  S size_;
+  S size_, ball_;
   Answer best_;
   S lowest_seen_ = std::numeric_limits<S>::infinity();
 };

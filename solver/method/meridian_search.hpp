@@ -4,10 +4,10 @@
 // meridian is looked at: o is the same on the other side of the line, and the half towards the other body is the lower one.
 //
 // Cells     halves of halves of the quarter's two straight pieces: the line + t across, and across + t the line, t in [0, 1]
-// Excluded  f(v) >= g.v, and g.v - (level) |v| is concave: where it is not negative at a cell's two ends, to rounding, nothing
-//           on the cell is lower. In one dimension that is all it takes: cells about the minimum end where they are
-//           shorter than the square root of the rounding
-// Else      the cell is halved; a local solve starts from its middle where o is lower there
+// Excluded  where a witness (lowest.hpp) says so at a cell's two ends, to rounding. In one dimension that is all it takes: cells
+//           about the minimum end where they are shorter than the square root of the rounding
+// Else      the cell is halved. Where o is lower at its middle, a golden section between its ends gives the start of a local
+//           solve: from afar those creep where o is all but constant, for a body 1e5 times the other's size
 #pragma once
 
 #include <array>
@@ -35,7 +35,8 @@ class MeridianSearch {
   }
 
  private:
-  static constexpr int deepest = 48;
+  static constexpr int deepest = std::numeric_limits<S>::digits - 5;
+  static constexpr double near_enough = 1e-6;  // rad, of a start
 
   struct Piece {
     Vector3<S> from, towards;
@@ -45,7 +46,7 @@ class MeridianSearch {
   struct Cell {
     int piece, level;
     S middle;
-    Vector3<S> witness;  ///< g of the cell above
+    Vector3<S> witness;  ///< of the cell above
   };
 
   [[nodiscard]] bool is_complete() const { return open_count_ == 0 || found_.is_settled(); }
@@ -58,23 +59,47 @@ class MeridianSearch {
     const S half = ldexp(S(0.5), -cell.level);
     const Vector3<S> from = piece.at(cell.middle - half), to = piece.at(cell.middle + half);
     if (cell.level > 0 && is_excluded(from, to, cell.witness)) return;
-    const Vector3<S> v = piece.at(cell.middle), g = found_.farthest(v);
-    if (is_excluded(from, to, g)) return;
+    const Vector3<S> v = piece.at(cell.middle), g = found_.farthest(v), witness = found_.witness(v, g);
+    if (is_excluded(from, to, witness)) return;
     if (found_.sees_lower(v, g)) {
-      const Answer there = found_.solve(v, true);
+      const Answer there = found_.solve(piece.at(descended(piece, cell.middle - half, cell.middle + half)), true);
       if (there.status == Status::converged) found_.take(there);
     }
     if (cell.level == deepest) {
       is_too_deep_ = true;
       return;
     }
-    push({cell.piece, cell.level + 1, cell.middle - half / 2, g});
-    push({cell.piece, cell.level + 1, cell.middle + half / 2, g});
+    push({cell.piece, cell.level + 1, cell.middle - half / 2, witness});
+    push({cell.piece, cell.level + 1, cell.middle + half / 2, witness});
   }
 
-  [[nodiscard]] bool is_excluded(const Vector3<S>& from, const Vector3<S>& to, const Vector3<S>& g) const {
-    const S level = found_.level() - found_.rounding();
-    return dot(g, from) >= level * length(from) && dot(g, to) >= level * length(to);
+  /// o along the piece at t.
+  [[nodiscard]] S overlap_at(const Piece& piece, const S& t) {
+    const Vector3<S> v = piece.at(t);
+    return dot(found_.farthest(v), v) / length(v);
+  }
+
+  /// By golden section.
+  [[nodiscard]] S descended(const Piece& piece, S from, S to) {
+    const S shrink(0.6180339887498949);
+    S t1 = to - (to - from) * shrink, t2 = from + (to - from) * shrink, o1 = overlap_at(piece, t1),
+      o2 = overlap_at(piece, t2);
+    while (to - from > S(near_enough) && found_.may_go_on()) {
+      if (o1 < o2) {
+        to = t2, t2 = t1, o2 = o1;
+        t1 = to - (to - from) * shrink;
+        o1 = overlap_at(piece, t1);
+      } else {
+        from = t1, t1 = t2, o1 = o2;
+        t2 = from + (to - from) * shrink;
+        o2 = overlap_at(piece, t2);
+      }
+    }
+    return o1 < o2 ? t1 : t2;
+  }
+
+  [[nodiscard]] bool is_excluded(const Vector3<S>& from, const Vector3<S>& to, const Vector3<S>& witness) const {
+    return found_.excludes(witness, from, found_.rounding()) && found_.excludes(witness, to, found_.rounding());
   }
 
   Lowest<S, Form, Answer> found_;

@@ -136,13 +136,32 @@ template <class S>
   return false;
 }
 
+/// An exponent below 2 makes edges and tips without a radius of curvature, and o folds there within a narrow band: x = 0 and
+/// y = 0 in body axes where n2 is below 2, z = 0 where n1 is. The narrower beside a body's own axis, where a flat leaves its
+/// normal all but as it is, and the narrowest where both bodies have one. Of a cell of directions within `reach` of v: the
+/// level that six points can explain, `least` far from folds.
+template <class S>
+[[nodiscard]] inline int level_of_folds(const SuperellipsoidPair<S>& pair, const Vector3<S>& v, const S& reach,
+                                        int least) {
+  const Vector3<Both<S>> w = pair.rotation.transposed_times(twice(v)), square = times(w, w);
+  const Both<S> limit(reach * reach), all = square.x + square.y + square.z;
+  const Mask<S> on_axis = all - square.x <= limit || all - square.y <= limit || all - square.z <= limit;
+  const Mask<S> on_edge =
+      (pair.inner.dual && (square.x <= limit || square.y <= limit)) || (pair.outer.dual && square.z <= limit);
+  if (all_of(on_axis)) return 21;
+  return any_of(on_axis) || any_of(on_edge) ? 12 : least;
+}
+
 /// What the search over directions asks of a form.
 template <class S>
 struct SurfaceForm {
   const SurfaceSolver<S>& solver;
 
-  /// A point of exponent n < 2 has no radius of curvature: o folds there within a narrow cone.
   [[nodiscard]] int least_level() const { return solver.pair().any_dual ? 7 : 4; }
+  [[nodiscard]] int least_level(const Vector3<S>& v, const S& reach) const {
+    return solver.pair().any_dual ? level_of_folds(solver.pair(), v, reach, least_level()) : least_level();
+  }
+  [[nodiscard]] S rolling_ball() const { return solver.pair().rolling_ball; }
   [[nodiscard]] Vector3<S> centre() const { return solver.pair().c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
 
@@ -177,8 +196,8 @@ template <class S>
 
 /// The common normal that the starts lead to: the earlier contact's, if any, then the cold ones.
 template <class S>
-[[nodiscard]] inline SurfaceContact<S> local_contact(const SuperellipsoidPair<S>& pair, const Want& want,
-                                                     const Vector3<Both<S>>* warm) {
+[[nodiscard]] inline SurfaceContact<S> local_contact(const Pair& bodies, const SuperellipsoidPair<S>& pair,
+                                                     const Want& want, const Vector3<Both<S>>* warm) {
   const SurfaceSolver<S> solver(pair, want);
   SurfaceContact<S> out;
   if (warm != nullptr) {
@@ -192,6 +211,10 @@ template <class S>
   solver.attempt(n, StartKind::mixed, Attempt{.limit = first_limit}, out);
   const bool is_asked_to_stop = want.iteration_limit < first_limit && out.status == Status::iteration_limit;
   if (out.minimum || is_asked_to_stop) return out;
+  if (common_axis(place<S>(bodies))) {  // the Jacobian may be singular all over a ring: the search's solves know that
+    out.status = Status::stalled;
+    return out;
+  }
   if (!(out.status == Status::converged && leave_saddle(solver, out))) climb_ladder(solver, n, out);
   return out;
 }

@@ -178,7 +178,7 @@ class SurfaceNewton {
   }
 
   const SuperellipsoidPair<S>& pair_;
-  const Vector3<S>& axis_;
+  Vector3<S> axis_;
   Attempt attempt_;
   int limit_, last_limit_;  ///< the second where the residual is small and falling
   S tolerance_;

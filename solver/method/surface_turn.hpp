@@ -28,8 +28,8 @@ template <class S>
                 r1 = products(point1, normal1, p, n), scale = S(1) / (m00 * m11 - m01 * m01);
   const Both<S> d0 = (m11 * r0 - m01 * r1) * scale, d1 = (m00 * r1 - m01 * r0) * scale;
   const S length = sqrt(sum<S>(d0 * d0 + d1 * d1));
-  const S inverse = length > S(0) ? S(1) / length : S(0);  // points on the line do not move
-  return {first<S>(d0) * inverse, first<S>(d1) * inverse, second<S>(d0) * inverse, second<S>(d1) * inverse};
+  if (!(length > S(0))) return {};  // points on the line do not move
+  return {first<S>(d0) / length, first<S>(d1) / length, second<S>(d0) / length, second<S>(d1) / length};
 }
 
 }  // namespace plumb

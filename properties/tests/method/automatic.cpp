@@ -217,6 +217,40 @@ SuperellipsoidPair<double> surfaces_of(const Pair& pair) {
                              exponents(&Superellipsoid<double>::n2));
 }
 
+/// The frame that auto works in is place()'s, to the bit.
+TEST(Automatic, ItsFrameIsThatOfEveryMethod) {
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const Pair pair = generate("hard", 20, i).pair;
+    const PlacedPair<double> placed = place<double>(pair);
+    const FramedPair<double> framed = framed_pair(pair, PairFrame<double>(pair));
+    EXPECT_EQ(framed.c.eigen(), placed.body2.centre) << i;
+    EXPECT_EQ(framed.size, placed.size()) << i;
+    EXPECT_EQ(first(framed.semi_axes).eigen(), placed.body1.shape.semi_axes) << i;
+    EXPECT_EQ(second(framed.semi_axes).eigen(), placed.body2.shape.semi_axes) << i;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3<Both<double>>& row = k == 0   ? framed.rotation.row0
+                                         : k == 1 ? framed.rotation.row1
+                                                  : framed.rotation.row2;
+      EXPECT_EQ(first(row).eigen(), placed.body1.rotation.row(k).transpose()) << i;
+      EXPECT_EQ(second(row).eigen(), placed.body2.rotation.row(k).transpose()) << i;
+    }
+  }
+}
+
+/// Bodies 1e150 sizes apart: the line of centres is the normal.
+TEST(Automatic, BodiesFarApartAreApart) {
+  for (const std::string_view family : {"ellipsoid", "superquadric"})
+    for (std::uint64_t i = 0; i < 40; ++i)
+      for (const double far : {1e16, 1e20, 1e150}) {
+        Pair pair = generate(family, 21, i).pair;
+        pair.body2.position =
+            pair.body1.position + far * size_of(pair) * (pair.body2.position - pair.body1.position).normalized();
+        const Contact<double> c = solve_auto(pair);
+        EXPECT_EQ(c.status, Status::converged) << family << i << ", " << far;
+        EXPECT_EQ(c.verdict, Verdict::separated) << family << i << ", " << far;
+      }
+}
+
 /// The radius of a ball that rolls inside both bodies together: below the least radius of curvature anywhere.
 TEST(Automatic, TheRollingBallIsSmallerThanEveryRadiusOfCurvature) {
   double sharpest = std::numeric_limits<double>::infinity();

@@ -47,6 +47,53 @@ TEST(Rings, TheLowestIsFoundOnEachOfThem) {
   EXPECT_GT(rings, 50);
 }
 
+/// What rounding takes from the axis does not make it another problem.
+TEST(Rings, AnOffsetOfAFewEpsilonIsNone) {
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Pair pair = random_coaxial_pair(i);
+    Stream stream("rings, beside", 1, i);
+    pair.body2.position += random_direction(stream) * (stream.uniform(0, 4) * 2.2e-16 * size_of(pair));
+    EXPECT_EQ(find_method("auto")->solve(pair, {}, nullptr).status, Status::converged) << i;
+  }
+}
+
+TEST(Rings, InLongDoubleAsWell) {
+  for (std::uint64_t i = 0; i < 60; ++i) {
+    Pair pair = random_coaxial_pair(i);
+    pair.body1.quaternion = {1, 0, 0, 0};  // an axis without rounding
+    pair.body2.quaternion = {0, 1, 0, 0};
+    pair.body2.position = Vec3<double>(0, 0, pair.body2.position.norm());
+    const Contact<long double> found = find_method("auto")->solve_long(pair, {}, nullptr);
+    ASSERT_EQ(found.status, Status::converged) << i;
+    const Reference reference = find_reference(pair, Effort::bounds);
+    EXPECT_LE(static_cast<double>(found.overlap), static_cast<double>(reference.overlap.upper) + 1e-12 * size_of(pair))
+        << i;
+  }
+}
+
+TEST(Rings, AYesOrNoIsAnswered) {
+  const Want yes_or_no{false, false, false, false, false};
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Pair pair = random_coaxial_pair(i);
+    const Contact<double> whole = find_method("auto")->solve(pair, {}, nullptr);
+    EXPECT_EQ(find_method("auto")->solve(pair, yes_or_no, nullptr).verdict, whole.verdict) << i;
+  }
+}
+
+/// A body of revolution inside a sphere up to 1000 times its size: o is all but constant.
+TEST(Rings, OfASmallBodyInALargeSphere) {
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Stream stream("rings, small", 1, i);
+    Pair pair = random_coaxial_pair(i);
+    const double radius = size_of(pair) * stream.log_uniform(2, 1000);
+    pair.body1.shape = {{radius, radius, radius}, 2, 2};
+    const Contact<double> found = find_method("auto")->solve(pair, {}, nullptr);
+    ASSERT_EQ(found.status, Status::converged) << i;
+    const Reference reference = find_reference(pair, Effort::bounds);
+    EXPECT_LE(found.overlap, static_cast<double>(reference.overlap.upper) + 1e-12 * size_of(pair)) << i;
+  }
+}
+
 TEST(Rings, AnAxisIsCommonToRoundingOrNotAtAll) {
   Pair pair;
   pair.body1.shape.semi_axes << 1, 1, 2;
