@@ -157,7 +157,10 @@ template <class S>
 struct SurfaceForm {
   const SurfaceSolver<S>& solver;
 
-  [[nodiscard]] int least_level() const { return solver.pair().any_dual ? 7 : 4; }
+  /// Exponents above 10 fold o where edges meet within a few degrees.
+  [[nodiscard]] int least_level() const {
+    return solver.pair().any_dual ? 7 : solver.pair().greatest_nu > S(10) ? 5 : 4;
+  }
   [[nodiscard]] int least_level(const Vector3<S>& v, const S& reach) const {
     return solver.pair().any_dual ? level_of_folds(solver.pair(), v, reach, least_level()) : least_level();
   }
