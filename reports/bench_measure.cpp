@@ -68,15 +68,6 @@ void take_turn(const Job& job, Samples& samples, const Turn& turn) {
   }
 }
 
-/// The least value that a share of the others does not exceed.
-double quantile(std::vector<double> x, double share) {
-  if (x.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const double rank = std::ceil(share * static_cast<double>(x.size()));
-  const auto at = x.begin() + static_cast<std::ptrdiff_t>(std::max(1.0, rank)) - 1;
-  std::nth_element(x.begin(), at, x.end());
-  return *at;
-}
-
 void hand_over(benchmark::State& state, const Samples& samples) {
   double total_ns = 0;
   for (const double ns : samples.ns) total_ns += ns;
@@ -120,6 +111,14 @@ Measurement measurement(const Job& job, benchmark::UserCounters& of) {
 }
 
 }  // namespace
+
+double quantile(std::vector<double> x, double share) {
+  if (x.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double rank = std::ceil(share * static_cast<double>(x.size()));
+  const auto at = x.begin() + static_cast<std::ptrdiff_t>(std::max(1.0, rank)) - 1;
+  std::nth_element(x.begin(), at, x.end());
+  return *at;
+}
 
 void solve(const Solver& solver, const Task& task) {
   benchmark::DoNotOptimize(answer(solver, task));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/bench_measure.hpp"
+
 namespace plumb::reports {
 namespace {
 
@@ -61,16 +63,7 @@ AnswerError error_of(const Contact<long double>& answer, const Truth& truth) {
 
 Spread spread(std::vector<double> values) {
   std::erase_if(values, [](double x) { return std::isnan(x); });
-  if (values.empty()) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan, nan};
-  }
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double share) {
-    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    return values[std::max<std::size_t>(rank, 1) - 1];
-  };
-  return {at(0.5), at(0.99), values.back()};
+  return {quantile(values, 0.5), quantile(values, 0.99), quantile(values, 1)};
 }
 
 }  // namespace plumb::reports

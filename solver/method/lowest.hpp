@@ -29,7 +29,6 @@ class Lowest {
   Lowest(const Form& form, const S& size, const Answer& first)
       : form_(form), size_(size), ball_(form.rolling_ball() * (S(1) - S(8) * epsilon<S>())), best_(first) {}
 
-  [[nodiscard]] const Form& form() const { return form_; }
   [[nodiscard]] const Answer& best() const { return best_; }
   [[nodiscard]] bool is_found() const { return best_.status == Status::converged; }
   [[nodiscard]] bool may_go_on() const { return best_.evaluations < most_evaluations; }

@@ -31,9 +31,9 @@ struct SurfaceStart {
     const Vector3<Both<S>> x = row(r.row0), y = row(r.row1), z = row(r.row2);
     const Symmetric3<S> squares =
         sum(Symmetric3<Both<S>>{dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)});
-    // Coinciding centres: a direction that favours no axis.
     // Bodies 1e17 sizes apart: the line of centres, which is the normal to rounding.
     const auto far = largest(pair.c) > S(1e17) * pair.size;
+    // Coinciding centres: a direction that favours no axis.
     const auto apart = largest(pair.c) > S(1e-14) * pair.size;
     const Vector3<S> near = adjugate(squares).matrix * blend(apart, pair.c, Vector3<S>{S(0.001), S(0.002), S(0.003)});
     const Vector3<S> v = blend(far, pair.c, near);
