@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -133,6 +134,16 @@ std::string regime(const Pair& pair, const Reference& reference) {
 
 std::string bucket(std::string_view finding, std::string_view method, const Pair& pair, const Reference& reference) {
   return fmt::format("{}-{}-{}-{}", finding, method, shape_class(pair), regime(pair, reference));
+}
+
+std::uint64_t digest(const Pair& pair) {
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a, by whole numbers and with a shift to spread the high bits
+  for (const auto& numbers : {numbers_of(pair.body1), numbers_of(pair.body2)})
+    for (const double number : numbers) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 1099511628211u;
+      hash ^= hash >> 32;
+    }
+  return hash;
 }
 
 Simplicity simplicity(const Pair& pair) {

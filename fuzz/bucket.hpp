@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ namespace plumb {
 /// "misaligned-original_cn-spheroids-shallow": a file name, the same on every host.
 [[nodiscard]] std::string bucket(std::string_view finding, std::string_view method, const Pair& pair,
                                  const Reference& reference);
+
+/// The same for the same bits, and hardly ever for others; the same on every host.
+[[nodiscard]] std::uint64_t digest(const Pair& pair);
 
 /// Smaller is simpler: the classes of the two bodies, whether they differ, how many of their numbers are not 0 or 1, and the
 /// decimal digits that it takes to write them.

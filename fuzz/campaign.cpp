@@ -8,6 +8,7 @@
 #include <exception>
 #include <thread>
 
+#include "corpus/build_info.hpp"
 #include "corpus/interrupt.hpp"
 #include "fuzz/judging.hpp"
 #include "fuzz/progress.hpp"
@@ -23,6 +24,7 @@ struct Round {
   const CampaignOptions& options;
   Case c;
   Judge judge;
+  Place place;
 };
 
 void keep(Round& round, const std::string& method, const Finding& finding) {
@@ -57,7 +59,7 @@ bool judge_answer(Round& round, const Solver& solver) {
   const std::string& method = solver.name;
   for (Tally* tally : tallies_of(round, method)) {
     tally->published = solver.published;
-    add_answer(*tally, judged.answer, judged.judgement, judged.nanoseconds);
+    add_answer(*tally, round.place, judged.answer, judged.judgement, judged.nanoseconds);
   }
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
   const double by = beats_reference(round.c.pair, judged.answer, round.judge.reference());
@@ -70,6 +72,7 @@ void judge_answers(Round& round) {
   for (const Solver& solver : round.options.solvers) beaten = judge_answer(round, solver) || beaten;
   FamilyResults& family = round.results.families[round.source.family];
   ++family.cases;
+  family.digest += digest(round.c.pair);
   family.reference_beaten += beaten ? 1 : 0;
   const Reference& reference = round.judge.reference();
   family.reference_unsolved += reference.common_normal.solved ? 0 : 1;
@@ -124,7 +127,8 @@ void judge_case(Results& results, const Source& source, std::uint64_t index, con
   try {
     Case c = source.at(index);
     Judge judge(c.pair, options.references);
-    Round round{results, source, options, std::move(c), std::move(judge)};
+    const Place place = place_in_atlas(c.pair, judge.reference());
+    Round round{results, source, options, std::move(c), std::move(judge), place};
     judge_answers(round);
   } catch (const std::exception& e) {
     ++results.harness_errors[fmt::format("{} {}: {}", source.family, index, e.what())];
@@ -154,6 +158,7 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   for (Results& part : parts) results.merge(std::move(part));
   results.asked = asked_of(sources, options);
   results.libraries = options.libraries;
+  results.hosts = {host_json().dump()};
   results.threads = static_cast<unsigned>(parts.size());
   results.seconds = progress.seconds();
   results.interrupted = done.load() < total;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "plumb/bins-4";
+constexpr const char* kFormat = "plumb/bins-5";
 
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
@@ -46,6 +46,7 @@ Json family_json(const FamilyResults& family) {
   Json generators = Json::object();
   for (const auto& [name, tallies] : family.generators) generators[name] = tallies_json(tallies);
   return {{"cases", family.cases},
+          {"digest", family.digest},
           {"reference_unsolved", family.reference_unsolved},
           {"not_proved_lowest", family.not_proved_lowest},
           {"needed", family.needed},
@@ -57,6 +58,7 @@ Json family_json(const FamilyResults& family) {
 FamilyResults read_family(const Json& json) {
   FamilyResults family;
   json.at("cases").get_to(family.cases);
+  json.at("digest").get_to(family.digest);
   json.at("reference_unsolved").get_to(family.reference_unsolved);
   json.at("not_proved_lowest").get_to(family.not_proved_lowest);
   json.at("needed").get_to(family.needed);
@@ -76,6 +78,7 @@ Json bins_json(const Results& results) {
           {"buckets", results.buckets},
           {"harness_errors", results.harness_errors},
           {"libraries", results.libraries},
+          {"hosts", results.hosts},
           {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
 }
 
@@ -89,6 +92,7 @@ Results parse_bins(const Json& json) {
   json.at("buckets").get_to(results.buckets);
   json.at("harness_errors").get_to(results.harness_errors);
   json.at("libraries").get_to(results.libraries);
+  json.at("hosts").get_to(results.hosts);
   json.at("timing").at("seconds").get_to(results.seconds);
   json.at("timing").at("threads").get_to(results.threads);
   return results;
@@ -107,6 +111,7 @@ void remove_old_results(const fs::path& folder) {
 
 void FamilyResults::merge(const FamilyResults& other) {
   cases += other.cases;
+  digest += other.digest;
   reference_unsolved += other.reference_unsolved;
   not_proved_lowest += other.not_proved_lowest;
   for (std::size_t i = 0; i < needed.size(); ++i) needed[i] += other.needed[i];
@@ -122,6 +127,7 @@ void Results::merge(Results&& other) {
   for (const auto& [message, n] : other.harness_errors) harness_errors[message] += n;
   libraries.insert(other.libraries.begin(), other.libraries.end());
   kept.merge(std::move(other.kept));
+  hosts.merge(other.hosts);
   seconds += other.seconds;
   threads = std::max(threads, other.threads);
 }
@@ -136,6 +142,12 @@ Tallies Results::methods() const {
   Tallies all;
   for (const auto& entry : families) merge_tallies(all, entry.second.methods);
   return all;
+}
+
+Json Results::hosts_json() const {
+  Json all = Json::array();
+  for (const std::string& host : hosts) all.push_back(Json::parse(host));
+  return all.size() == 1 ? all[0] : all;
 }
 
 int exit_code(const Results& results) {

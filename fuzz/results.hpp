@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ using Tallies = std::map<std::string, Tally>;  ///< by the method that answered
 
 struct FamilyResults {
   std::uint64_t cases = 0;
+  std::uint64_t digest = 0;               ///< of the pairs, in any order: whether two runs had the same cases
   std::uint64_t reference_unsolved = 0;   ///< no certified common normal: CN methods go unjudged
   std::uint64_t not_proved_lowest = 0;    ///< the bounds of the overlap are wider than 1e-12 of the size
   std::uint64_t reference_beaten = 0;     ///< an answer's normal proves a lower overlap than the reference's
@@ -41,12 +43,15 @@ struct Results {
   std::map<std::string, std::uint64_t> harness_errors;  ///< message -> cases
   std::map<std::string, std::string> libraries;         ///< foreign solver -> absolute path of its library
   KeptFailures kept;
-  double seconds = 0;  ///< wall clock, added up over merged runs
+  std::set<std::string> hosts;  ///< machine and build of each part, as JSON (corpus/build_info.hpp)
+  double seconds = 0;           ///< wall clock, added up over merged runs
   unsigned threads = 0;
 
   void merge(Results&& other);
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] Tallies methods() const;  ///< over all families
+  /// The one host, or a list where parts of several were merged.
+  [[nodiscard]] Json hosts_json() const;
   [[nodiscard]] bool incomplete() const { return interrupted || shards_missing; }
 };
 

@@ -1,8 +1,4 @@
 // The contract's summary.json; what goes beyond it has names that begin with "x_".
-#include <sys/utsname.h>
-
-#include <thread>
-
 #include "fuzz/results.hpp"
 
 namespace plumb {
@@ -91,15 +87,6 @@ Json timing_json(const Results& results) {
           {"ns_per_solve", methods}};
 }
 
-Json host_json() {
-  utsname host{};
-  uname(&host);
-  return {{"system", std::string(host.sysname) + " " + host.release},
-          {"machine", host.machine},
-          {"processors", std::thread::hardware_concurrency()},
-          {"compiler", __VERSION__}};
-}
-
 }  // namespace
 
 Json summary_json(const Results& results) {
@@ -115,7 +102,7 @@ Json summary_json(const Results& results) {
   json["x_generators"] = generators_json(results);
   json["x_buckets"] = results.buckets;
   json["timing"] = timing_json(results);
-  json["host"] = host_json();
+  json["host"] = results.hosts_json();
   return json;
 }
 

@@ -8,9 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "corpus/program_folder.hpp"
 #include "fuzz/progress.hpp"
-#include "fuzz/shell_word.hpp"
+#include "fuzz/ranked.hpp"
 
 namespace plumb {
 namespace {
@@ -116,50 +115,11 @@ std::string notes(const Results& results) {
   return text;
 }
 
-/// The plumb beside this program, as one would type it here.
-std::string plumb_command() {
-  const fs::path plumb = program_folder() / "plumb";
-  const std::string here = fs::proximate(plumb).string();
-  return shell_word(here.starts_with("..") ? plumb.string() : here);
-}
-
-struct Line {
-  bool own;  ///< of a method that is no published baseline, or of the reference
-  std::uint64_t count;
-  std::string bucket;
-  std::string library;  ///< of the foreign solver that failed; else empty
-};
-
-/// A case names a foreign solver but never its library: replay takes that from whoever runs it.
-std::string library_of(const Results& results, const std::string& method) {
-  const auto library = results.libraries.find(method);
-  return library == results.libraries.end() ? "" : library->second;
-}
-
-std::vector<Line> sorted_buckets(const Results& results) {
-  const Tallies methods = results.methods();
-  std::vector<Line> lines;
-  for (const auto& [bucket, kept] : results.kept.buckets()) {
-    const std::string name = kept.worst.kept.expect.method.value_or("reference");
-    const auto method = methods.find(name);
-    const auto count = results.buckets.find(bucket);
-    lines.push_back({method == methods.end() || !method->second.published,
-                     count == results.buckets.end() ? 1 : count->second, bucket, library_of(results, name)});
-  }
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const Line& a, const Line& b) { return std::pair(a.own, a.count) > std::pair(b.own, b.count); });
-  return lines;
-}
-
-std::string replay_command(const fs::path& cases, const std::string& library) {
-  return fmt::format("{} replay {}{}", plumb_command(), shell_word(cases.string()),
-                     library.empty() ? "" : " --solver " + shell_word(library));
-}
-
 /// One command replays the whole folder only when one library, or none, answers for all of it.
-std::string rest_of(const std::vector<Line>& lines, std::size_t shown, const fs::path& failures) {
+std::string rest_of(const std::vector<RankedBucket>& lines, std::size_t shown, const fs::path& failures) {
   const std::string& library = lines.front().library;
-  const bool alike = std::all_of(lines.begin(), lines.end(), [&](const Line& l) { return l.library == library; });
+  const bool alike =
+      std::all_of(lines.begin(), lines.end(), [&](const RankedBucket& l) { return l.library == library; });
   return fmt::format("           and {} more; all of them: {}\n", lines.size() - shown,
                      alike ? replay_command(failures, library) : failures.string());
 }
@@ -188,14 +148,14 @@ std::string table_text(const Results& results) {
 
 std::string kept_text(const Results& results, const fs::path& folder) {
   constexpr std::size_t shown = 24;
-  const auto lines = sorted_buckets(results);
+  const auto lines = ranked_buckets(results);
   if (lines.empty()) return "\nno failures.\n";
   const fs::path failures = folder / "failures";
   std::string text = fmt::format(
       "\nkept failures: {} buckets, the simplest and the worst case of each; count, then the command:\n", lines.size());
   for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
     text += fmt::format("{:>9}  {}\n", grouped(lines[i].count),
-                        replay_command(failures / (lines[i].bucket + "--worst.json"), lines[i].library));
+                        replay_command(failures / (lines[i].name + "--worst.json"), lines[i].library));
   return lines.size() > shown ? text + rest_of(lines, shown, failures) : text;
 }
 

@@ -100,6 +100,7 @@ void Tally::merge(const Tally& other) {
   overlap_error.merge(other.overlap_error);
   iterations.merge(other.iterations);
   evaluations.merge(other.evaluations);
+  atlas.merge(other.atlas);
   nanoseconds.merge(other.nanoseconds);
 }
 
@@ -115,6 +116,7 @@ Json Tally::to_json() const {
           {"overlap_error", overlap_error.to_json()},
           {"iterations", iterations.to_json()},
           {"evaluations", evaluations.to_json()},
+          {"atlas", atlas.to_json()},
           {"nanoseconds", nanoseconds.to_json()}};
 }
 
@@ -131,16 +133,21 @@ Tally Tally::from_json(const Json& json) {
   t.overlap_error.read(json.at("overlap_error"));
   t.iterations.read(json.at("iterations"));
   t.evaluations.read(json.at("evaluations"));
+  t.atlas.read(json.at("atlas"));
   t.nanoseconds.read(json.at("nanoseconds"));
   return t;
 }
 
-void add_answer(Tally& tally, const Contact<double>& answer, const Judgement& judgement, double nanoseconds) {
+void add_answer(Tally& tally, const Place& place, const Contact<double>& answer, const Judgement& judgement,
+                double nanoseconds) {
   const auto kind = static_cast<std::size_t>(judgement.finding.kind);
-  const bool converged = answer.status == Status::converged;
+  const bool converged = answer.status == Status::converged, broken = judgement.finding.kind != FindingKind::none;
+  const bool unjudged = !judgement.judged && !broken;
   ++tally.cases;
   ++tally.statuses[static_cast<std::size_t>(answer.status)];
-  if (!judgement.judged && judgement.finding.kind == FindingKind::none) {
+  tally.atlas.add(place, {1, unjudged ? 0u : 1u, broken ? 1u : 0u, converged ? 0u : 1u,
+                          static_cast<std::uint64_t>(std::max(0, answer.iterations))});
+  if (unjudged) {
     ++tally.unjudged;
   } else {
     ++tally.findings[kind];

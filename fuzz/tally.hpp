@@ -8,6 +8,7 @@
 #include <string>
 
 #include "corpus/case.hpp"
+#include "fuzz/atlas.hpp"
 #include "properties/laws.hpp"
 
 namespace plumb {
@@ -24,6 +25,8 @@ class Histogram {
   /// NaN when empty.
   [[nodiscard]] double percentile(double p) const;
   [[nodiscard]] double max() const { return max_; }
+  /// In the order of their values, with their counts.
+  [[nodiscard]] const std::map<int, std::uint64_t>& bins() const { return bins_; }
   /// { "p50", "p99", "max" }, null when empty.
   [[nodiscard]] Json summary() const;
   [[nodiscard]] Json to_json() const;
@@ -52,6 +55,7 @@ struct Tally {
   Histogram angle_error_deg;       ///< of the converged answers
   Histogram overlap_error;         ///< of the converged answers, relative to the size
   Histogram iterations{Histogram::Scale::whole}, evaluations{Histogram::Scale::whole};  ///< of all answers
+  Atlas atlas;                                                                          ///< of all answers
   Histogram nanoseconds;  ///< one solve, first call; the only field that is not reproducible
 
   void merge(const Tally& other);
@@ -63,7 +67,9 @@ struct Tally {
   [[nodiscard]] static Tally from_json(const Json& json);
 };
 
-void add_answer(Tally& tally, const Contact<double>& answer, const Judgement& judgement, double nanoseconds);
+/// `place`: of the pair, in the atlas.
+void add_answer(Tally& tally, const Place& place, const Contact<double>& answer, const Judgement& judgement,
+                double nanoseconds);
 
 /// Share k / n with its exact (Clopper-Pearson) 95 % interval.
 struct Share {

@@ -83,6 +83,27 @@ std::string_view name(FindingKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+std::string_view meaning(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::crash: return "the solver threw an exception";
+    case FindingKind::not_finite: return "a NaN or an infinity in what claims to be an answer";
+    case FindingKind::nonconverged: return "the solver says itself that it has no answer";
+    case FindingKind::false_contact: return "overlapping, it says; the bodies are apart";
+    case FindingKind::missed_contact: return "apart, it says; the bodies overlap";
+    case FindingKind::wrong_branch: return "a common normal, but not the one of lowest overlap";
+    case FindingKind::misaligned:
+      return "no solution of its own problem: normals not opposite, line not along them, or not the certified normal";
+    case FindingKind::off_surface: return "points off their surfaces";
+    case FindingKind::overlap_error: return "not the certified overlap";
+    case FindingKind::point_error: return "not the certified points";
+    case FindingKind::asymmetric: return "changes when the bodies are exchanged, moved or measured in another unit";
+    case FindingKind::nondeterministic: return "changes from call to call";
+    case FindingKind::slow: return "took more than 1000 evaluations";
+    case FindingKind::none: break;
+  }
+  return "breaks no law";
+}
+
 std::span<const Law> laws() {
   return all_laws;
 }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +34,8 @@ enum class FindingKind {
   none
 };
 [[nodiscard]] std::string_view name(FindingKind kind);
+/// In a line, for people.
+[[nodiscard]] std::string_view meaning(FindingKind kind);
 
 struct Finding {
   FindingKind kind = FindingKind::none;
@@ -61,7 +64,9 @@ struct Law {
   std::string_view name;
   std::string_view statement;
   Finding (*check)(const Evidence&);
+  int line = static_cast<int>(std::source_location::current().line());  ///< in its row of law_file
 };
+inline constexpr std::string_view law_file = "properties/laws.cpp";
 
 /// Every law, in the order of precedence.
 [[nodiscard]] std::span<const Law> laws();

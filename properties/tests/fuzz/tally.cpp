@@ -46,7 +46,7 @@ TEST(Tally, AnUnjudgedAnswerIsNotCalledRight) {
   answer.status = Status::converged;
   Judgement judgement;
   judgement.angle_error_deg = judgement.overlap_error = judgement.point_error = std::nan("");
-  add_answer(tally, answer, judgement, 100);
+  add_answer(tally, {}, answer, judgement, 100);
   EXPECT_EQ(tally.unjudged, 1u);
   EXPECT_EQ(tally.of(FindingKind::none), 0u);
   EXPECT_EQ(tally.judged(), 0u);
@@ -62,7 +62,7 @@ TEST(Tally, SurvivesItsFile) {
   judgement.finding = {FindingKind::misaligned, 1e6, "aligned", ""};
   judgement.angle_error_deg = 12.5;
   judgement.overlap_error = 1e-3;
-  add_answer(tally, answer, judgement, 1234);
+  add_answer(tally, {1, 2, 3, 4}, answer, judgement, 1234);
   EXPECT_EQ(tally.angles_wrong, 1u);
   EXPECT_EQ(Tally::from_json(tally.to_json()).to_json(), tally.to_json());
 }

@@ -1,3 +1,3 @@
-# Only what the program prints is looked at.
-target_link_libraries(test_reports PRIVATE fmt::fmt)
-add_dependencies(test_reports bench plumb plumb-solve)
+# The statistics of plumb report; of the other programs, only what they print is looked at.
+target_link_libraries(test_reports PRIVATE plumb_campaign_report fmt::fmt)
+add_dependencies(test_reports bench plumb plumb-solve plumb-campaign plumb-replay plumb-report)

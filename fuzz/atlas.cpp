@@ -1,0 +1,133 @@
+#include "fuzz/atlas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "solver/pose.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::array kAspectEdges{1.5, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 1000.0};
+// Apart to 1e-9, touching, and overlapping by decades.
+constexpr std::array kOverlapEdges{-1.0, -1e-1, -1e-2, -1e-3, -1e-9, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 1e-1, 0.5};
+constexpr std::array kExponentEdges{
+    1.1, 1.5, 2.0, std::bit_cast<double>(std::bit_cast<std::uint64_t>(2.0) + 1), 3.0, 4.0, 6.0, 8.0, 12.0, 20.0, 40.0};
+constexpr std::array kTiltEdges{1e-6, 1e-3, 0.1, 1.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 89.0, 89.999};
+
+double aspect_of(const Pair& pair) {
+  const auto of_body = [](const Body& b) { return b.shape.semi_axes.maxCoeff() / b.shape.semi_axes.minCoeff(); };
+  return std::max(of_body(pair.body1), of_body(pair.body2));
+}
+
+double overlap_of(const Pair& pair, const Reference& reference) {
+  const double smaller = std::min(pair.body1.shape.semi_axes.maxCoeff(), pair.body2.shape.semi_axes.maxCoeff());
+  return static_cast<double>(reference.overlap.lower + reference.overlap.upper) / 2 / smaller;
+}
+
+double exponent_of(const Pair& pair) {
+  const std::array all{pair.body1.shape.n1, pair.body1.shape.n2, pair.body2.shape.n1, pair.body2.shape.n2};
+  return *std::max_element(all.begin(), all.end(),
+                           [](double a, double b) { return std::abs(std::log(a / 2)) < std::abs(std::log(b / 2)); });
+}
+
+double tilt_of(const Pair& pair) {
+  const Vec3<double> z1 = rotation<double>(pair.body1.quaternion).col(2);
+  const Vec3<double> z2 = rotation<double>(pair.body2.quaternion).col(2);
+  return std::atan2(z1.cross(z2).norm(), std::abs(z1.dot(z2))) * 180 / std::numbers::pi;
+}
+
+double value_of(Property property, const Pair& pair, const Reference& reference) {
+  switch (property) {
+    case Property::aspect: return aspect_of(pair);
+    case Property::overlap: return overlap_of(pair, reference);
+    case Property::exponent: return exponent_of(pair);
+    case Property::tilt: break;
+  }
+  return tilt_of(pair);
+}
+
+Json cell_json(const std::pair<int, int>& at, const AtlasCell& c) {
+  return {at.first, at.second, c.answers, c.judged, c.failures, c.not_converged, c.iterations};
+}
+
+int read_cell(const Json& json, Property property) {
+  const int cell = json.get<int>();
+  if (cell < 0 || static_cast<std::size_t>(cell) >= scale_of(property).cells())
+    throw FieldError("atlas", json.dump() + " is no cell of " + scale_of(property).title);
+  return cell;
+}
+
+}  // namespace
+
+std::size_t Scale::cell_of(double x) const {
+  return static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), x) - edges.begin());
+}
+
+std::string Scale::label(std::size_t cell) const {
+  if (cell == 0) return fmt::format("below {:g}", edges.front());
+  if (cell == edges.size()) return fmt::format("{:g} and more", edges.back());
+  // One step above 2 prints as 2: the cell of 2 itself.
+  if (fmt::format("{:g}", edges[cell - 1]) == fmt::format("{:g}", edges[cell])) return fmt::format("{:g}", edges[cell]);
+  return fmt::format("{:g}..{:g}", edges[cell - 1], edges[cell]);
+}
+
+Scale scale_of(Property property) {
+  switch (property) {
+    case Property::aspect: return {"aspect (longest / shortest semi-axis)", kAspectEdges};
+    case Property::overlap: return {"overlap / smaller body's size (< 0: apart)", kOverlapEdges};
+    case Property::exponent: return {"exponent furthest from 2", kExponentEdges};
+    case Property::tilt: break;
+  }
+  return {"angle between the z axes, degrees", kTiltEdges};
+}
+
+Place place_in_atlas(const Pair& pair, const Reference& reference) {
+  Place place{};
+  for (std::size_t i = 0; i < kProperties; ++i) {
+    const auto property = static_cast<Property>(i);
+    place[i] = static_cast<std::uint8_t>(scale_of(property).cell_of(value_of(property, pair, reference)));
+  }
+  return place;
+}
+
+void AtlasCell::merge(const AtlasCell& other) {
+  answers += other.answers;
+  judged += other.judged;
+  failures += other.failures;
+  not_converged += other.not_converged;
+  iterations += other.iterations;
+}
+
+void Atlas::add(const Place& place, const AtlasCell& answer) {
+  for (std::size_t i = 0; i < maps_.size(); ++i)
+    maps_[i][{place[static_cast<std::size_t>(kAtlasMaps[i].x)], place[static_cast<std::size_t>(kAtlasMaps[i].y)]}]
+        .merge(answer);
+}
+
+void Atlas::merge(const Atlas& other) {
+  for (std::size_t i = 0; i < maps_.size(); ++i)
+    for (const auto& [at, cell] : other.maps_[i]) maps_[i][at].merge(cell);
+}
+
+Json Atlas::to_json() const {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < maps_.size(); ++i) {
+    Json& cells = json[std::string(kAtlasMaps[i].name)] = Json::array();
+    for (const auto& [at, cell] : maps_[i]) cells.push_back(cell_json(at, cell));
+  }
+  return json;
+}
+
+void Atlas::read(const Json& json) {
+  for (std::size_t i = 0; i < maps_.size(); ++i)
+    for (const Json& c : json.at(std::string(kAtlasMaps[i].name)))
+      maps_[i][{read_cell(c.at(0), kAtlasMaps[i].x), read_cell(c.at(1), kAtlasMaps[i].y)}] = {c.at(2), c.at(3), c.at(4),
+                                                                                              c.at(5), c.at(6)};
+}
+
+}  // namespace plumb

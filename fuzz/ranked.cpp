@@ -1,0 +1,52 @@
+#include "fuzz/ranked.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "corpus/program_folder.hpp"
+#include "fuzz/shell_word.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The plumb beside this program, as one would type it here.
+std::string plumb_command() {
+  const fs::path plumb = program_folder() / "plumb";
+  const std::string here = fs::proximate(plumb).string();
+  return shell_word(here.starts_with("..") ? plumb.string() : here);
+}
+
+/// A case names a foreign solver but never its library: replay takes that from whoever runs it.
+std::string library_of(const Results& results, const std::string& method) {
+  const auto library = results.libraries.find(method);
+  return library == results.libraries.end() ? "" : library->second;
+}
+
+}  // namespace
+
+std::vector<RankedBucket> ranked_buckets(const Results& results) {
+  const Tallies methods = results.methods();
+  std::vector<RankedBucket> lines;
+  for (const auto& [bucket, kept] : results.kept.buckets()) {
+    const std::string name = kept.worst.kept.expect.method.value_or("reference");
+    const auto method = methods.find(name);
+    const auto count = results.buckets.find(bucket);
+    lines.push_back({method == methods.end() || !method->second.published,
+                     count == results.buckets.end() ? 1 : count->second, bucket, library_of(results, name)});
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const RankedBucket& a, const RankedBucket& b) {
+    return std::pair(a.own, a.count) > std::pair(b.own, b.count);
+  });
+  return lines;
+}
+
+std::string replay_command(const fs::path& cases, const std::string& library) {
+  return fmt::format("{} replay {}{}", plumb_command(), shell_word(cases.string()),
+                     library.empty() ? "" : " --solver " + shell_word(library));
+}
+
+}  // namespace plumb

@@ -1,0 +1,26 @@
+// The buckets of a campaign in the order in which people should look at them, and the commands that replay them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fuzz/results.hpp"
+
+namespace plumb {
+
+struct RankedBucket {
+  bool own = false;  ///< of a method that is no published baseline, or of the reference
+  std::uint64_t count = 0;
+  std::string name;
+  std::string library;  ///< of the foreign solver that failed; else empty
+};
+
+/// Those with kept cases: plumb's own first, then the most frequent.
+[[nodiscard]] std::vector<RankedBucket> ranked_buckets(const Results& results);
+
+/// As one would type it here, with the plumb beside this program.
+[[nodiscard]] std::string replay_command(const std::filesystem::path& cases, const std::string& library);
+
+}  // namespace plumb

@@ -1,0 +1,37 @@
+// The document of plumb report, "plumb/report-1": what the page shows and what lies beside it as FILE.json. Its one description is
+// reports/page/src/data.ts.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fuzz/results.hpp"
+
+namespace plumb::reports {
+
+/// A campaign's folder, read.
+struct Run {
+  std::filesystem::path folder;
+  Results results;
+};
+
+/// What a Run holds and, of its kept failures, the first `most_failures` buckets' cases, each solved again and held against the
+/// reference's bounds.
+[[nodiscard]] Json run_json(const Run& run, std::size_t most_failures);
+
+/// Every kept case of the first buckets (fuzz/ranked.hpp) until there are `most`.
+[[nodiscard]] Json failures_json(const Run& run, std::size_t most);
+
+/// From the JSON lines of `plumb report-precision --out FILE`; throws InputFailure.
+[[nodiscard]] Json precision_json(const std::filesystem::path& file);
+
+/// The findings, their order and meaning, and the laws with their place in the source.
+[[nodiscard]] Json findings_json();
+[[nodiscard]] Json laws_json();
+
+/// A number that is not finite is null.
+[[nodiscard]] Json number_json(double x);
+[[nodiscard]] Json share_json(std::uint64_t count, std::uint64_t of);
+
+}  // namespace plumb::reports

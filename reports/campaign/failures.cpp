@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+#include "corpus/solver.hpp"
+#include "fuzz/ranked.hpp"
+#include "reports/campaign/document.hpp"
+#include "solver/diagnosis.hpp"
+
+namespace plumb::reports {
+namespace {
+
+Json vector_or_null(const Vec3<double>& v) {
+  return v.allFinite() ? Json{v[0], v[1], v[2]} : Json();
+}
+
+Json two_or_null(const Vec3<double>& a, const Vec3<double>& b) {
+  return a.allFinite() && b.allFinite() ? Json{vector_or_null(a), vector_or_null(b)} : Json();
+}
+
+/// The fields that an answer and the reference share.
+Json contact_json(const Pair& pair, Verdict verdict, double overlap, const Vec3<double>& normal,
+                  const Vec3<double>& point1, const Vec3<double>& point2) {
+  const auto normals = point1.allFinite() && point2.allFinite()
+                           ? normals_at(pair, point1, point2)
+                           : ContactNormals{not_valid<double>(), not_valid<double>()};
+  return {{"verdict", name(verdict)},
+          {"overlap", number_json(overlap)},
+          {"normal", vector_or_null(normal)},
+          {"points", two_or_null(point1, point2)},
+          {"normals", two_or_null(normals.normal1, normals.normal2)},
+          {"iterations", nullptr},
+          {"angle_error_deg", nullptr}};
+}
+
+Json reference_json(const Pair& pair, const Reference& reference) {
+  const Solution& found = reference.common_normal;
+  Json out = contact_json(pair, reference.verdict, static_cast<double>(found.overlap), found.normal.cast<double>(),
+                          found.point1.cast<double>(), found.point2.cast<double>());
+  out["status"] = found.solved ? "solved" : "not solved: " + found.reason;
+  return out;
+}
+
+/// Of the normals of lowest overlap, the nearest; NaN where there is none.
+double angle_to(const Reference& reference, const Vec3<double>& normal) {
+  double least = std::numeric_limits<double>::quiet_NaN();
+  const auto look_at = [&](const Solution& s) {
+    if (s.solved && normal.allFinite()) least = std::fmin(least, angle_deg(normal, s.normal.cast<double>()));
+  };
+  look_at(reference.common_normal);
+  for (const Solution& tied : reference.tied) look_at(tied);
+  return least;
+}
+
+Json answer_json(const Pair& pair, const Contact<double>& c, const Reference& reference) {
+  Json out = contact_json(pair, c.verdict, c.overlap, c.normal, c.point1, c.point2);
+  out["status"] = name(c.status);
+  out["iterations"] = c.iterations;
+  out["angle_error_deg"] = number_json(angle_to(reference, c.normal));
+  return out;
+}
+
+/// The solvers of a run by name, each loaded once.
+class Solvers {
+ public:
+  explicit Solvers(const std::map<std::string, std::string>& libraries) : libraries_(libraries) {}
+  const Solver& find(const std::string& method) {
+    const auto known = found_.find(method);
+    if (known != found_.end()) return known->second;
+    const auto library = libraries_.find(method);
+    return found_
+        .emplace(method, library == libraries_.end() ? find_solvers(method).front() : load_solver(library->second))
+        .first->second;
+  }
+
+ private:
+  std::map<std::string, std::string> libraries_;
+  std::map<std::string, Solver> found_;
+};
+
+/// Puts in "answer" and "reference", or null and the "reason".
+void solve_again(Json& failure, const Case& kept, Solvers& solvers) {
+  failure["answer"] = failure["reference"] = nullptr;
+  try {
+    const Reference reference = find_reference(kept.pair, Effort::bounds);
+    failure["reference"] = reference_json(kept.pair, reference);
+    if (!kept.expect.method || *kept.expect.method == "reference") {
+      failure["reason"] = "a finding of the reference itself: there is no answer of a method";
+      return;
+    }
+    const Contact<double> contact = solvers.find(*kept.expect.method).solve(kept.pair, {}, nullptr);
+    failure["answer"] = answer_json(kept.pair, contact, reference);
+  } catch (const std::exception& e) {
+    failure["reason"] = e.what();
+  }
+}
+
+/// What stands between finding, method and shapes of a bucket's name and its end.
+std::string regime_in(const RankedBucket& bucket, const std::string& before) {
+  return bucket.name.starts_with(before) ? bucket.name.substr(before.size()) : "";
+}
+
+Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& failure, const char* kept) {
+  const Case& c = failure.kept;
+  const Json& from = c.provenance;
+  const std::string finding = c.expect.finding.value_or(bucket.name.substr(0, bucket.name.find('-')));
+  const std::string method = c.expect.method.value_or("reference"), shapes = shape_class(c.pair);
+  const auto file =
+      run.folder / "failures" / (bucket.name + (std::string(kept) == "worst" ? "--worst" : "--simplest") + ".json");
+  return {{"bucket", bucket.name},
+          {"kept", kept},
+          {"count", bucket.count},
+          {"finding", finding},
+          {"method", method},
+          {"shapes", shapes},
+          {"regime", regime_in(bucket, finding + "-" + method + "-" + shapes + "-")},
+          {"family", from.value("family", "")},
+          {"own", bucket.own},
+          {"severity", from.at("severity")},
+          {"law", from.value("law", "")},
+          {"detail", from.value("detail", "")},
+          {"file", file.string()},
+          {"replay", replay_command(file, bucket.library)},
+          {"case", Json::parse(format_case(c))}};
+}
+
+bool are_one(const KeptBucket& kept) {
+  return format_case(kept.simplest.kept) == format_case(kept.worst.kept);
+}
+
+}  // namespace
+
+Json failures_json(const Run& run, std::size_t most) {
+  Solvers solvers(run.results.libraries);
+  Json out = Json::array();
+  const auto put = [&](const RankedBucket& bucket, const Failure& failure, const char* kept) {
+    if (out.size() >= most) return;
+    out.push_back(failure_json(run, bucket, failure, kept));
+    solve_again(out.back(), failure.kept, solvers);
+  };
+  for (const RankedBucket& bucket : ranked_buckets(run.results)) {
+    const KeptBucket& kept = run.results.kept.buckets().at(bucket.name);
+    const bool one = are_one(kept);
+    put(bucket, kept.simplest, one ? "only" : "simplest");
+    if (!one) put(bucket, kept.worst, "worst");
+  }
+  return out;
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,121 @@
+// plumb report: a campaign, or several, as one page, and as data beside it.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "corpus/build_info.hpp"
+#include "corpus/command.hpp"
+#include "corpus/program_folder.hpp"
+#include "fuzz/shell_word.hpp"
+#include "reports/campaign/compare.hpp"
+#include "reports/campaign/formats.hpp"
+
+namespace plumb::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::vector<std::string> folders;
+  std::string out, precision;
+  std::size_t failures = 500;
+};
+
+void declare(CLI::App& app, Arguments& args) {
+  app.add_option("DIR", args.folders, "folders of campaigns; the first is what the others are compared with")
+      ->required();
+  app.add_option("-o,--out", args.out, "the page, FILE.html")->required();
+  app.add_option("--precision", args.precision,
+                 "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
+  app.add_option("--failures", args.failures,
+                 "kept cases in the gallery of each run, plumb's own and the most frequent first")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100000));
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw InputFailure(file.string(), 0, "", "cannot be read");
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// In a <script>, no text can end it or open a comment.
+std::string inert(std::string json) {
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6) json.replace(at, 1, "\\u003c");
+  return json;
+}
+
+std::string page_of(const std::string& json) {
+  constexpr std::string_view place = "<!-- plumb:data -->";
+  const fs::path path = program_folder().parent_path() / "share" / "plumb" / "report.html";
+  std::string page = text_of(path);
+  const std::size_t at = page.find(place);
+  if (at == std::string::npos) throw InputFailure(path.string(), 0, "", fmt::format("holds no {}", place));
+  return page.replace(at, place.size(),
+                      "<script type=\"application/json\" id=\"plumb-data\">" + inert(json) + "</script>");
+}
+
+fs::path precision_file(const Arguments& args) {
+  if (!args.precision.empty()) return args.precision;
+  const fs::path beside = fs::path(args.folders.back()) / "precision.jsonl";
+  return fs::exists(beside) ? beside : fs::path();
+}
+
+std::string command_of(const Arguments& args) {
+  std::string out = "plumb report";
+  for (const std::string& folder : args.folders) out += " " + shell_word(folder);
+  if (!args.precision.empty()) out += " --precision " + shell_word(args.precision);
+  return out + " -o " + shell_word(args.out);
+}
+
+Json document(const Arguments& args, const std::vector<Run>& runs) {
+  const BuildInfo build = build_info();
+  Json out{
+      {"format", "plumb/report-1"},
+      {"made",
+       {{"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}, {"command", command_of(args)}}},
+      {"runs", Json::array()},
+      {"comparisons", Json::array()},
+      {"precision", nullptr},
+      {"findings", findings_json()},
+      {"laws", laws_json()}};
+  for (const Run& run : runs) out["runs"].push_back(run_json(run, args.failures));
+  for (std::size_t i = 1; i < runs.size(); ++i) out["comparisons"].push_back(comparison_json(runs[0], runs[i]));
+  if (const fs::path file = precision_file(args); !file.empty()) out["precision"] = precision_json(file);
+  return out;
+}
+
+int report(const Arguments& args) {
+  const fs::path page = args.out;
+  if (page.extension() != ".html")
+    throw InputFailure(args.out, 0, "--out", "must end in .html: the data lie beside it");
+  std::vector<Run> runs;
+  for (const std::string& folder : args.folders) runs.push_back({folder, read_results(folder)});
+  const Json whole = document(args, runs);
+  // A file name need not be UTF-8; what is not is replaced.
+  const std::string json = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const auto beside = [&](const char* extension) { return fs::path(page).replace_extension(extension); };
+  write_file(beside(".json"), json + "\n");
+  write_file(beside(".csv"), csv(runs));
+  write_file(beside(".md"), markdown(runs, whole));
+  write_file(beside(".junit.xml"), junit(runs.back()));
+  write_file(beside(".sarif"), sarif(runs.back()));
+  write_file(page, page_of(json));
+  print_line(page.string());
+  return exit_done;
+}
+
+}  // namespace
+}  // namespace plumb::reports
+
+int main(int argc, char** argv) {
+  plumb::reports::Arguments args;
+  CLI::App app("Campaigns as one self-contained page, with .json, .csv, .md, .junit.xml and .sarif beside it.",
+               "plumb report");
+  plumb::reports::declare(app, args);
+  return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(args); });
+}

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/solver.hpp"
+#include "fuzz/shell_word.hpp"
+#include "reports/campaign/document.hpp"
+
+namespace plumb::reports {
+namespace {
+
+template <class Word, std::size_t N>
+Json shares_json(const std::array<std::uint64_t, N>& counts, std::uint64_t of) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < N; ++i)
+    if (counts[i] > 0) out[std::string(name(static_cast<Word>(i)))] = share_json(counts[i], of);
+  return out;
+}
+
+Json spread_json(const Histogram& h) {
+  if (h.count() == 0) return nullptr;
+  return {
+      {"p50", number_json(h.percentile(0.5))}, {"p99", number_json(h.percentile(0.99))}, {"max", number_json(h.max())}};
+}
+
+Json method_json(const std::string& method, const Tally& t) {
+  return {{"method", method},
+          {"published", t.published},
+          {"answers", t.cases},
+          {"judged", t.judged()},
+          {"unjudged", t.unjudged},
+          {"converged", share_json(t.converged(), t.cases)},
+          {"findings", shares_json<FindingKind>(t.findings, t.judged())},
+          {"failures", share_json(t.failures(), t.judged())},
+          {"angle_above", share_json(t.angles_wrong, t.angle_error_deg.count())},
+          {"angle_error_deg", spread_json(t.angle_error_deg)},
+          {"overlap_error", spread_json(t.overlap_error)},
+          {"iterations", spread_json(t.iterations)},
+          {"evaluations", spread_json(t.evaluations)},
+          {"ns_per_solve", spread_json(t.nanoseconds)}};
+}
+
+Json needed_json(const FamilyResults& family) {
+  Json out = Json::object();
+  for (const Effort effort : efforts) out[std::string(name(effort))] = family.needed[static_cast<std::size_t>(effort)];
+  return out;
+}
+
+/// " --method A,B --solver L" as it was asked.
+std::string options_of(const Results& results) {
+  std::string methods, libraries;
+  bool all = true;
+  for (const Solver& solver : all_solvers()) {
+    const bool asked = results.asked.methods.contains(solver.name);
+    if (asked) methods += (methods.empty() ? "" : ",") + solver.name;
+    all = all && asked;
+  }
+  for (const auto& [method, library] : results.libraries) libraries += " --solver " + shell_word(library);
+  return (methods.empty() ? "" : " --method " + (all ? "all" : methods)) + libraries;
+}
+
+/// The pairs of corpus/cases/real come with ./fuzz/run alone.
+std::string command_of(const Results& results, const std::string& family) {
+  const auto asked = results.asked.cases.find(family);
+  if (family == "real" || asked == results.asked.cases.end()) return "plumb fuzz-run";
+  return fmt::format("plumb campaign --family {} --cases {} --seed {}{}", family, asked->second, results.asked.seed,
+                     options_of(results));
+}
+
+Json family_json(const Results& results, const std::string& family_name) {
+  const FamilyResults& family = results.families.at(family_name);
+  Json methods = Json::array();
+  for (const std::string& method : method_order(family.methods))
+    methods.push_back(method_json(method, family.methods.at(method)));
+  return {{"name", family_name},
+          {"cases", family.cases},
+          {"command", command_of(results, family_name)},
+          {"reference",
+           {{"unsolved", family.reference_unsolved},
+            {"not_proved_lowest", family.not_proved_lowest},
+            {"beaten", family.reference_beaten},
+            {"needed", needed_json(family)}}},
+          {"methods", methods}};
+}
+
+Json axis_json(Property property) {
+  const Scale scale = scale_of(property);
+  Json labels = Json::array();
+  for (std::size_t i = 0; i < scale.cells(); ++i) labels.push_back(scale.label(i));
+  return {{"title", scale.title}, {"labels", labels}};
+}
+
+Json cells_json(const Atlas::Cells& cells) {
+  Json out = Json::array();
+  for (const auto& [at, cell] : cells)
+    out.push_back({{"x", at.first},
+                   {"y", at.second},
+                   {"answers", cell.answers},
+                   {"judged", cell.judged},
+                   {"failures", cell.failures},
+                   {"not_converged", cell.not_converged},
+                   {"iterations", static_cast<double>(cell.iterations) / static_cast<double>(cell.answers)}});
+  return out;
+}
+
+Json atlases_json(const Results& results) {
+  Json out = Json::array();
+  for (const std::string& family : family_order(results))
+    for (const auto& [method, tally] : results.families.at(family).methods)
+      for (std::size_t i = 0; i < kAtlasMaps.size(); ++i)
+        out.push_back({{"family", family},
+                       {"method", method},
+                       {"map", kAtlasMaps[i].name},
+                       {"x", axis_json(kAtlasMaps[i].x)},
+                       {"y", axis_json(kAtlasMaps[i].y)},
+                       {"cells", cells_json(tally.atlas.map(i))}});
+  return out;
+}
+
+/// Of parts on several machines: each field's values, one after the other.
+Json host_of(const Results& results) {
+  Json all = results.hosts_json();
+  if (all.is_object()) return all;
+  Json out = all.empty() ? Json{{"commit", "unknown"}} : all[0];
+  for (std::size_t i = 1; i < all.size(); ++i)
+    for (const auto& [field, value] : all[i].items())
+      if (value != all[0][field] && value.is_string())
+        out[field] = out[field].get<std::string>() + ", " + value.get<std::string>();
+  return out;
+}
+
+std::string name_of(const Run& run) {
+  const std::filesystem::path plain = run.folder.lexically_normal();
+  return (plain.has_filename() ? plain.filename() : plain.parent_path().filename()).string();
+}
+
+}  // namespace
+
+Json number_json(double x) {
+  return std::isfinite(x) ? Json(x) : Json();
+}
+
+Json share_json(std::uint64_t count, std::uint64_t of) {
+  const Share s = share_of(count, of);
+  return {{"count", count}, {"of", of}, {"share", number_json(s.share)}, {"low", s.low}, {"high", s.high}};
+}
+
+Json run_json(const Run& run, std::size_t most_failures) {
+  const Results& results = run.results;
+  Json families = Json::array(), commands = Json::array();
+  for (const std::string& family : family_order(results)) {
+    families.push_back(family_json(results, family));
+    commands.push_back(families.back()["command"]);
+  }
+  const Json host = host_of(results);
+  const double seconds = results.seconds;
+  return {{"name", name_of(run)},
+          {"folder", run.folder.string()},
+          {"commit", host["commit"]},
+          {"seed", results.asked.seed},
+          {"cases", results.cases()},
+          {"incomplete", results.incomplete()},
+          {"commands", commands},
+          {"host", host},
+          {"harness_errors", results.harness_errors},
+          {"timing",
+           {{"seconds", seconds},
+            {"threads", results.threads},
+            {"cases_per_second", seconds > 0 ? static_cast<double>(results.cases()) / seconds : 0.0}}},
+          {"families", families},
+          {"atlases", atlases_json(results)},
+          {"buckets", results.kept.buckets().size()},
+          {"failures", failures_json(run, most_failures)}};
+}
+
+Json findings_json() {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < kFindingKinds; ++i) {
+    const auto kind = static_cast<FindingKind>(i);
+    out.push_back({{"word", name(kind)}, {"meaning", meaning(kind)}});
+  }
+  return out;
+}
+
+Json laws_json() {
+  Json out = Json::array();
+  for (const Law& law : laws())
+    out.push_back({{"name", law.name}, {"statement", law.statement}, {"file", law_file}, {"line", law.line}});
+  return out;
+}
+
+}  // namespace plumb::reports

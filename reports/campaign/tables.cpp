@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/solver.hpp"
+#include "reports/campaign/formats.hpp"
+
+namespace plumb::reports {
+namespace {
+
+/// A row of CSV while it grows.
+class Row {
+ public:
+  Row& add(const std::string& text) {
+    line_ += (line_.empty() ? "" : ",") + quoted(text);
+    return *this;
+  }
+  Row& add(double x) { return add(std::isfinite(x) ? shortest(x) : ""); }
+  Row& add(std::uint64_t n) { return add(std::to_string(n)); }
+  Row& add(const Share& s) { return add(s.share).add(s.low).add(s.high); }
+  [[nodiscard]] std::string line() const { return line_ + "\r\n"; }
+
+ private:
+  static std::string quoted(const std::string& text) {
+    if (text.find_first_of("\",\r\n") == std::string::npos) return text;
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+    return out + "\"";
+  }
+  std::string line_;
+};
+
+std::string heading() {
+  Row row;
+  for (const char* name : {"run",
+                           "commit",
+                           "seed",
+                           "family",
+                           "method",
+                           "published",
+                           "answers",
+                           "judged",
+                           "converged",
+                           "converged_low",
+                           "converged_high",
+                           "failures",
+                           "failures_low",
+                           "failures_high",
+                           "off_by_0.01_deg",
+                           "off_low",
+                           "off_high",
+                           "angle_deg_p50",
+                           "angle_deg_p99",
+                           "angle_deg_max",
+                           "overlap_error_p50",
+                           "overlap_error_p99",
+                           "overlap_error_max",
+                           "iterations_p50",
+                           "iterations_p99",
+                           "ns_p50",
+                           "ns_p99"})
+    row.add(std::string(name));
+  for (std::size_t i = 0; i < kFindingKinds; ++i) row.add(std::string(name(static_cast<FindingKind>(i))));
+  return row.line();
+}
+
+std::string method_line(const Run& run, const std::string& family, const std::string& method, const Tally& t) {
+  const Json hosts = run.results.hosts_json();
+  Row row;
+  row.add(run.folder.string())
+      .add(hosts.is_object() ? hosts.value("commit", "") : "several")
+      .add(run.results.asked.seed);
+  row.add(family).add(method).add(std::string(t.published ? "yes" : "no")).add(t.cases).add(t.judged());
+  row.add(share_of(t.converged(), t.cases)).add(share_of(t.failures(), t.judged()));
+  row.add(share_of(t.angles_wrong, t.angle_error_deg.count()));
+  for (const Histogram* h : {&t.angle_error_deg, &t.overlap_error})
+    row.add(h->percentile(0.5)).add(h->percentile(0.99)).add(h->count() > 0 ? h->max() : std::nan(""));
+  for (const Histogram* h : {&t.iterations, &t.nanoseconds}) row.add(h->percentile(0.5)).add(h->percentile(0.99));
+  for (const std::uint64_t n : t.findings) row.add(n);
+  return row.line();
+}
+
+std::string percent(const Share& s) {
+  if (std::isnan(s.share)) return "-";
+  return fmt::format("{:.4g} [{:.3g}, {:.3g}]", 100 * s.share, 100 * s.low, 100 * s.high);
+}
+
+std::string figure(double x) {
+  return std::isfinite(x) ? fmt::format("{:.2g}", x) : "-";
+}
+
+/// "misaligned 12, nonconverged 3"; the most frequent first.
+std::string findings_text(const Tally& t) {
+  std::vector<std::pair<std::uint64_t, std::string_view>> found;
+  for (std::size_t i = 0; i + 1 < kFindingKinds; ++i)
+    if (t.findings[i] > 0) found.emplace_back(t.findings[i], name(static_cast<FindingKind>(i)));
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string out;
+  for (const auto& [n, word] : found) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", word, n);
+  return out.empty() ? "none" : out;
+}
+
+std::string family_table(const std::string& name, const FamilyResults& family) {
+  std::string out = fmt::format("\n### {}: {} cases\n\n", name, family.cases);
+  out += "| method | right, % [95 %] | findings | angle p50, deg | p99 | max | iterations p50 "
+         "|\n|---|---|---|---|---|---|---|\n";
+  for (const std::string& method : method_order(family.methods)) {
+    const Tally& t = family.methods.at(method);
+    const Histogram& a = t.angle_error_deg;
+    out += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", method, t.published ? "" : " (plumb)",
+                       percent(share_of(t.of(FindingKind::none), t.judged())), findings_text(t),
+                       figure(a.percentile(0.5)), figure(a.percentile(0.99)),
+                       figure(a.count() > 0 ? a.max() : std::nan("")), figure(t.iterations.percentile(0.5)));
+  }
+  return out;
+}
+
+std::string changes(const Json& comparison) {
+  constexpr std::size_t shown = 20;
+  std::string out = fmt::format(
+      "\n### {} -> {}\n\n{}\n\n", comparison["before"].get<std::string>(), comparison["after"].get<std::string>(),
+      comparison["same_cases"].get<bool>() ? "The same cases: every difference is one of the code."
+                                           : "Other cases: what is not significant (Holm, 5 %) is left out.");
+  std::size_t count = 0;
+  for (const char* verdict : {"worse", "better"})
+    for (const Json& row : comparison["rows"]) {
+      if (row["verdict"] != verdict || ++count > shown) continue;
+      out += fmt::format("- **{}** {} {} {}: {} -> {}\n", verdict, row["family"].get<std::string>(),
+                         row["method"].get<std::string>(), row["measure"].get<std::string>(), row["before"].dump(),
+                         row["after"].dump());
+    }
+  if (count > shown) out += fmt::format("- and {} more\n", count - shown);
+  return count == 0 ? out + "Nothing changed.\n" : out;
+}
+
+}  // namespace
+
+std::string csv(const std::vector<Run>& runs) {
+  std::string out = heading();
+  for (const Run& run : runs)
+    for (const std::string& family : family_order(run.results)) {
+      const Tallies& methods = run.results.families.at(family).methods;
+      for (const std::string& method : method_order(methods))
+        out += method_line(run, family, method, methods.at(method));
+    }
+  return out;
+}
+
+std::string markdown(const std::vector<Run>& runs, const Json& report) {
+  const Results& results = runs.back().results;
+  const Json& last = report["runs"].back();
+  std::string out = fmt::format("## plumb: {} cases, seed {}, commit {}{}\n", results.cases(), results.asked.seed,
+                                last["commit"].get<std::string>(), results.incomplete() ? " - INCOMPLETE" : "");
+  for (const auto& [message, n] : results.harness_errors) out += fmt::format("\n- HARNESS ERROR {} ({})\n", message, n);
+  for (const std::string& family : family_order(results)) out += family_table(family, results.families.at(family));
+  for (const Json& comparison : report["comparisons"]) out += changes(comparison);
+  return out;
+}
+
+}  // namespace plumb::reports
