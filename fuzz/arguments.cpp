@@ -18,11 +18,10 @@ std::vector<std::string> find_families(const std::string& names) {
   std::stringstream list(names);
   for (std::string one; std::getline(list, one, ',');) {
     if (std::find(known.begin(), known.end(), one) == known.end())
-      throw InputFailure("plumb campaign", 0, "--family",
-                         fmt::format("no family '{}'; plumb families lists them", one));
+      throw InputFailure("--family", 0, one, "no such family; plumb families lists them");
     if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(one);
   }
-  if (found.empty()) throw InputFailure("plumb campaign", 0, "--family", "is empty; plumb families lists them");
+  if (found.empty()) throw InputFailure("--family", 0, "", "names no family; plumb families lists them");
   return found;
 }
 

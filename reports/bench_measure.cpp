@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "corpus/interrupt.hpp"
+#include "reports/quantile.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -111,14 +111,6 @@ Measurement measurement(const Job& job, benchmark::UserCounters& of) {
 }
 
 }  // namespace
-
-double quantile(std::vector<double> x, double share) {
-  if (x.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const double rank = std::ceil(share * static_cast<double>(x.size()));
-  const auto at = x.begin() + static_cast<std::ptrdiff_t>(std::max(1.0, rank)) - 1;
-  std::nth_element(x.begin(), at, x.end());
-  return *at;
-}
 
 void solve(const Solver& solver, const Task& task) {
   benchmark::DoNotOptimize(answer(solver, task));

@@ -31,9 +31,6 @@ struct Measurement {
   double not_converged = 0;  ///< share of the answers
 };
 
-/// The least value that a share of the others does not exceed; NaN where there is none.
-[[nodiscard]] double quantile(std::vector<double> x, double share);
-
 /// Solves, and throws the answer away where the compiler cannot see it.
 void solve(const Solver& solver, const Task& task);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/bench_measure.hpp"
+#include "reports/quantile.hpp"
 
 namespace plumb::reports {
 namespace {

@@ -1,0 +1,99 @@
+#include "reports/gate_measure.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "corpus/interrupt.hpp"
+#include "fuzz/judging.hpp"
+#include "properties/families.hpp"
+#include "reports/quantile.hpp"
+
+namespace plumb::reports {
+namespace {
+
+/// One case, and what was found of each solver.
+struct Task {
+  std::string family;
+  std::uint64_t index = 0;
+  std::vector<JudgedAnswer> answers;
+};
+
+std::vector<Task> tasks_of(const std::vector<std::string>& families, const GateTable& table) {
+  std::vector<Task> tasks;
+  for (const std::string& family : families)
+    for (std::uint64_t i = 0; i < table.cases.at(family); ++i) tasks.push_back({family, i, {}});
+  return tasks;
+}
+
+void judge(Task& task, const std::vector<Solver>& solvers, std::uint64_t seed) {
+  const Case c = generate(task.family, seed, task.index);
+  Judge judge(c.pair);
+  for (const Solver& solver : solvers) task.answers.push_back(solve_and_judge(judge, c.pair, solver));
+}
+
+void judge_all(std::vector<Task>& tasks, const std::vector<Solver>& solvers, std::uint64_t seed, unsigned count) {
+  std::atomic<std::size_t> next{0};
+  std::vector<std::jthread> threads;
+  for (unsigned thread = 0; thread < count; ++thread)
+    threads.emplace_back([&] {
+      for (std::size_t i = next++; i < tasks.size() && !interrupted(); i = next++) judge(tasks[i], solvers, seed);
+    });
+}
+
+/// The errors of a row's answers, unknown ones left out.
+class Samples {
+ public:
+  void add(const Judgement& judgement) {
+    put(angle_, std::min(180.0, judgement.angle_error_deg));
+    put(overlap_, judgement.overlap_error);
+    put(points_, judgement.point_error);
+  }
+  [[nodiscard]] Errors errors() const {
+    return {quantile(angle_, 0.5),    quantile(angle_, 0.99), quantile(overlap_, 0.5),
+            quantile(overlap_, 0.99), quantile(points_, 0.5), quantile(points_, 0.99)};
+  }
+
+ private:
+  static void put(std::vector<double>& to, double error) {
+    if (!std::isnan(error)) to.push_back(error);
+  }
+  std::vector<double> angle_, overlap_, points_;
+};
+
+GateRow row_of(const std::string& family, std::size_t solver, const std::vector<Task>& tasks) {
+  GateRow row;
+  Samples samples;
+  for (const Task& task : tasks) {
+    if (task.family != family) continue;
+    const auto& [answer, judgement, nanoseconds] = task.answers[solver];
+    const FindingKind kind = judgement.finding.kind;
+    row.judged += judgement.judged || kind != FindingKind::none ? 1 : 0;
+    if (kind != FindingKind::none) ++row.findings[kind];
+    if (answer.status != Status::converged) continue;
+    ++row.converged;
+    samples.add(judgement);
+  }
+  row.errors = samples.errors();
+  return row;
+}
+
+}  // namespace
+
+std::vector<GateRow> measure_rows(const std::vector<std::string>& families, const std::vector<Solver>& solvers,
+                                  const GateTable& table, unsigned threads) {
+  std::vector<Task> tasks = tasks_of(families, table);
+  judge_all(tasks, solvers, table.seed, threads);
+  std::vector<GateRow> rows;
+  if (interrupted()) return rows;
+  for (const std::string& family : families)
+    for (std::size_t i = 0; i < solvers.size(); ++i) {
+      rows.push_back(row_of(family, i, tasks));
+      rows.back().family = family;
+      rows.back().method = solvers[i].name;
+    }
+  return rows;
+}
+
+}  // namespace plumb::reports
