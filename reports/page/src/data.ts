@@ -1,0 +1,207 @@
+/**
+ * The document that `plumb report` puts into the page and beside it (FILE.json): its one description. Written by reports/
+ * (report_*.cpp), read by this page. Lengths in the case's unit, angles as named; a figure that is not known is null.
+ */
+
+export interface Report {
+  format: "plumb/report-1";
+  /** What made the page. */
+  made: { commit: string; compiler: string; flags: string; command: string };
+  /** In the order of the command line. */
+  runs: Run[];
+  /** The first run against each of the others. */
+  comparisons: Comparison[];
+  precision: Precision | null;
+  /** The contract's words with what each means, in order of precedence; "none" last. */
+  findings: { word: string; meaning: string }[];
+  laws: { name: string; statement: string; file: string; line: number }[];
+}
+
+/** k of n with the exact (Clopper-Pearson) 95 % interval; share is null where n is 0. */
+export interface Share { count: number; of: number; share: number | null; low: number; high: number }
+
+/** Percentiles are upper edges of bins, 20 a decade; "max" is exact; null where nothing was counted. */
+export type Spread = { p50: number; p99: number; max: number | null } | null;
+
+export interface Run {
+  name: string;
+  folder: string;
+  commit: string;
+  seed: number;
+  cases: number;
+  /** Interrupted, or shards are missing. */
+  incomplete: boolean;
+  /** One a family: repeats it. */
+  commands: string[];
+  host: { system: string; machine: string; processors: number; compiler: string; flags: string };
+  /** Message -> how often. */
+  harness_errors: Record<string, number>;
+  timing: { seconds: number; threads: number; cases_per_second: number };
+  families: Family[];
+  atlases: Atlas[];
+  failures: Failure[];
+}
+
+export interface Family {
+  name: string;
+  cases: number;
+  command: string;
+  reference: { unsolved: number; not_proved_lowest: number; beaten: number; needed: Record<string, number> };
+  methods: MethodRow[];
+}
+
+export interface MethodRow {
+  method: string;
+  /** A baseline: its findings are results, not defects of plumb. */
+  published: boolean;
+  answers: number;
+  judged: number;
+  unjudged: number;
+  converged: Share;
+  /** By the contract's words; "none" is right. Of the judged. */
+  findings: Record<string, Share>;
+  /** Answers that break a law, of the judged. */
+  failures: Share;
+  /** Converged answers more than 0.01 degrees from the common normal. */
+  angle_above: Share;
+  angle_error_deg: Spread;
+  overlap_error: Spread;
+  iterations: Spread;
+  evaluations: Spread;
+  /** One solve, first call; not reproducible. */
+  ns_per_solve: Spread;
+}
+
+/** Where a method fails, over two properties of a pair. */
+export interface Atlas {
+  family: string;
+  method: string;
+  map: "aspect-overlap" | "exponent-tilt";
+  x: Axis;
+  y: Axis;
+  /** Only cells that hold answers. */
+  cells: Cell[];
+}
+/** The i-th cell of an axis is labels[i]; "x in [2, 3)". */
+export interface Axis { title: string; labels: string[] }
+export interface Cell {
+  x: number;
+  y: number;
+  answers: number;
+  judged: number;
+  failures: number;
+  not_converged: number;
+  /** Mean of all answers. */
+  iterations: number;
+}
+
+export type Vec = [number, number, number];
+export interface Body {
+  shape: { superellipsoid: { semi_axes: Vec; exponents?: [number, number] } };
+  position: Vec;
+  orientation: { quaternion_wxyz: [number, number, number, number] };
+}
+
+/** One kept case of a bucket. */
+export interface Failure {
+  bucket: string;
+  /** "only": the simplest is the worst. */
+  kept: "simplest" | "worst" | "only";
+  /** Failures in the bucket. */
+  count: number;
+  finding: string;
+  method: string;
+  shapes: string;
+  regime: string;
+  family: string;
+  /** Of plumb's own method, a foreign solver or the reference: a defect, and not a result. */
+  own: boolean;
+  /** Error over what the condition number allows; "infinite" where it is no number. */
+  severity: number | "infinite";
+  law: string;
+  detail: string;
+  file: string;
+  replay: string;
+  case: { format: string; name?: string; bodies: [Body, Body]; [field: string]: unknown };
+  /** Solved anew by the report; null with a reason in its place where that was not possible. */
+  answer: Answer | null;
+  reference: Answer | null;
+  reason?: string;
+}
+export interface Answer {
+  status: string;
+  verdict: string;
+  overlap: number | null;
+  normal: Vec | null;
+  points: [Vec, Vec] | null;
+  /** Outward unit normals of the two surfaces at the points. */
+  normals: [Vec, Vec] | null;
+  iterations: number | null;
+  /** Of `answer`: to the reference's normal. */
+  angle_error_deg: number | null;
+}
+
+export interface Comparison {
+  before: string;
+  after: string;
+  /** The same cases: every difference is one of the code, and none is noise. */
+  same_cases: boolean;
+  rows: ComparisonRow[];
+}
+export interface ComparisonRow {
+  family: string;
+  method: string;
+  /** "misaligned", "converged", "angle_error_deg p99", "iterations p50", ... */
+  measure: string;
+  unit: "share" | "deg" | "relative" | "count";
+  before: number | null;
+  after: number | null;
+  before_interval?: [number, number];
+  after_interval?: [number, number];
+  /** Two-sided, adjusted for the number of rows (Holm); null where the cases are the same. */
+  p: number | null;
+  verdict: "better" | "worse" | "same" | "noise";
+}
+
+/** From `plumb report-precision`. */
+export interface Precision {
+  commit: string;
+  command: string;
+  sets: PrecisionSet[];
+}
+export interface PrecisionSet {
+  name: string;
+  of: string;
+  pairs: number;
+  /** The least error of the normal (rad), of the overlap and of the points (relative to the size) that the condition numbers allow, by scalar. */
+  envelopes: { scalar: string; normal: Quantiles; overlap: Quantiles; points: Quantiles }[];
+  points: PrecisionPoint[];
+  /** Error against iterations, of methods that iterate. */
+  paths: { method: string; scalar: string; command: string; steps: { iterations: number; normal: Quantiles; overlap: Quantiles }[] }[];
+  /** Whether `auto` is on the front, in words; what beats it where it is not. */
+  auto_on_front: boolean;
+  front_note: string;
+}
+export interface Quantiles { median: number | null; p99: number | null; max: number | null }
+export interface PrecisionPoint {
+  method: string;
+  scalar: string;
+  /** 0: all that rounding allows. */
+  tolerance: number;
+  /** "" or residual, bounds, proof, digits: what is asked for beside the answer. */
+  certificate: string;
+  problem: string;
+  command: string;
+  median_ns: number;
+  p99_ns: number;
+  iterations: { median: number; max: number };
+  /** Shares, 0..1. */
+  failed: number;
+  off: number;
+  judged: number;
+  overlap: Quantiles;
+  /** rad */
+  normal: Quantiles;
+  points: Quantiles;
+  pareto: boolean;
+}

@@ -1,0 +1,69 @@
+import type { Report } from "./data";
+import { h } from "./dom";
+import { meetMethods } from "./methods";
+import { preparePaper } from "./paper";
+import { loadPlotly } from "./plot";
+import { atlasSection } from "./sections/atlas";
+import { compareSection } from "./sections/compare";
+import { footer } from "./sections/footer";
+import { gallerySection } from "./sections/gallery";
+import { header } from "./sections/header";
+import { machineSection } from "./sections/machine";
+import { nav } from "./sections/nav";
+import { precisionSection } from "./sections/precision";
+import { summarySection } from "./sections/summary";
+import type { State } from "./state";
+import { startTheme } from "./theme";
+import { load3d } from "./view3d/cards";
+import { Watched } from "./watched";
+
+function readReport(): Report | null {
+  const text = document.getElementById("plumb-data")?.textContent;
+  return text ? (JSON.parse(text) as Report) : null;
+}
+
+function sections(state: State): HTMLElement[] {
+  return [
+    summarySection(state),
+    precisionSection(state),
+    atlasSection(state),
+    gallerySection(state),
+    compareSection(state),
+    machineSection(state),
+  ];
+}
+
+function show(report: Report, page: HTMLElement): void {
+  meetMethods(report);
+  const [first] = report.runs;
+  if (!first) {
+    page.append(h("p", { class: "notice" }, "The report holds no run."));
+    return;
+  }
+  const state: State = { report, run: new Watched(first) };
+  const parts = sections(state);
+  const skip = h("a", { class: "skip", href: "#main" }, "Skip to the report");
+  const main = h("main", { id: "main", tabindex: -1 }, ...parts);
+  page.append(skip, header(report), nav(state, parts), main, footer(report));
+}
+
+/** The page can be read, and the figures in view are drawn. What is further down gets its libraries when nothing else is to do. */
+function tellReady(): void {
+  requestAnimationFrame(() =>
+    requestAnimationFrame(async () => {
+      await loadPlotly();
+      performance.mark("ready");
+      document.documentElement.dataset.ready = "true";
+      const idle = globalThis.requestIdleCallback ?? ((work: () => void) => setTimeout(work, 200));
+      idle(() => void load3d());
+    }),
+  );
+}
+
+const page = document.getElementById("page") as HTMLElement;
+const report = readReport();
+startTheme();
+if (report) show(report, page);
+else page.append(h("p", { class: "notice" }, "This is the empty template of plumb report: it holds no data."));
+preparePaper();
+tellReady();

@@ -1,0 +1,56 @@
+import { h, select } from "../dom";
+import type { State } from "../state";
+import { themeButton } from "../theme";
+
+function markCurrent(links: Map<Element, HTMLAnchorElement>): void {
+  const watcher = new IntersectionObserver(
+    (entries) => {
+      for (const { target, isIntersecting } of entries) {
+        if (!isIntersecting) continue;
+        for (const link of links.values()) link.removeAttribute("aria-current");
+        links.get(target)?.setAttribute("aria-current", "true");
+      }
+    },
+    { rootMargin: "-20% 0px -70% 0px" },
+  );
+  for (const part of links.keys()) watcher.observe(part);
+}
+
+function runSelect(state: State): HTMLElement | null {
+  const { runs } = state.report;
+  if (runs.length < 2) return null;
+  const choose = (index: string) => {
+    const run = runs[Number(index)];
+    if (run) state.run.value = run;
+  };
+  const choice = select(
+    "Run",
+    runs.map((run, index) => [String(index), run.name]),
+    "0",
+    choose,
+  );
+  choice.id = "run-choice";
+  return choice;
+}
+
+/** Short names of the sections. */
+const NAMES: Record<string, string> = {
+  summary: "Summary",
+  precision: "Precision",
+  atlas: "Atlas",
+  gallery: "Gallery",
+  compare: "Compare",
+  machine: "Machine",
+};
+
+export function nav(state: State, parts: HTMLElement[]): HTMLElement {
+  const links = new Map(parts.map((part) => [part, h("a", { href: `#${part.id}` }, NAMES[part.id] ?? part.id)]));
+  markCurrent(links);
+  const list = h("ul", {}, ...[...links.values()].map((link) => h("li", {}, link)));
+  return h(
+    "div",
+    { class: "bar" },
+    h("nav", { "aria-label": "Sections" }, list),
+    h("div", { class: "bar-end" }, runSelect(state), themeButton()),
+  );
+}

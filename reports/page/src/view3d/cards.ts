@@ -1,0 +1,101 @@
+/** The 3-D view of a card: three is loaded and the picture drawn when the card comes into view. */
+import type { Failure } from "../data";
+import { h } from "../dom";
+import { theme } from "../theme";
+import { focusOf, type Geometry, geometryOf, type Zoom } from "./placed";
+import type { View3d } from "./view";
+
+type Engine = typeof import("./view");
+
+const ZOOMS: [Zoom, string, string][] = [
+  ["bodies", "Bodies", "Show both bodies"],
+  ["points", "Points", "Zoom to all points: the answer's and the reference's"],
+  ["overlap", "Overlap", "Zoom to the overlap at the reference's contact"],
+];
+const NO_WEBGL = "No 3-D view: this browser offers no WebGL. The figures, the command and the case stand below.";
+
+let engine: Engine;
+const cards = new Map<Element, Card>();
+
+export async function load3d(): Promise<void> {
+  engine ??= await import("./view");
+}
+
+function drawAll(canvases: Iterable<Element>): void {
+  for (const canvas of canvases) cards.get(canvas)?.draw();
+}
+
+const watcher = new IntersectionObserver(
+  (entries) => {
+    const seen = entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target);
+    if (seen.length > 0) void load3d().then(() => drawAll(seen));
+  },
+  { rootMargin: "150px" },
+);
+
+theme.watch(() => {
+  for (const card of cards.values()) card.view?.recolour();
+});
+
+export function drawCardsForPaper(): void {
+  if (engine) drawAll(cards.keys());
+}
+
+/** The cards are about to be thrown away. */
+export function releaseCards(): void {
+  for (const [canvas, card] of cards) {
+    watcher.unobserve(canvas);
+    card.view?.release();
+  }
+  cards.clear();
+}
+
+class Card {
+  view: View3d | null = null;
+  readonly element: HTMLElement;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly size = h("span", { class: "view-size" });
+  private readonly geometry: Geometry;
+  private zoom: Zoom = "bodies";
+
+  constructor(failure: Failure, name: string) {
+    const label = `3-D view of ${name}. Arrow keys turn it, plus and minus zoom, 0 resets.`;
+    this.geometry = geometryOf(failure);
+    this.canvas = h("canvas", { tabindex: 0, role: "application", "aria-label": label });
+    const reset = h(
+      "button",
+      { type: "button", class: "quiet", title: "Turn back", click: () => this.view?.reset() },
+      "Reset",
+    );
+    const bar = h("div", { class: "view-bar" }, this.zoomChoice(), reset, this.size);
+    this.element = h("div", { class: "view3d" }, this.canvas, bar);
+    cards.set(this.canvas, this);
+    watcher.observe(this.canvas);
+  }
+
+  draw(): void {
+    if (!engine.hasWebGl()) {
+      this.element.replaceChildren(h("p", { class: "empty" }, NO_WEBGL));
+      return;
+    }
+    this.view ??= new engine.View3d(this.canvas, this.geometry, this.size);
+    this.view.show(this.zoom);
+  }
+
+  private zoomChoice(): HTMLElement {
+    const buttons = ZOOMS.map(([zoom, label, meaning]) => {
+      const choose = () => {
+        for (const other of buttons) other.setAttribute("aria-pressed", String(other === pressed));
+        this.zoom = zoom;
+        this.view?.show(zoom);
+      };
+      const look = { type: "button", class: "quiet", title: meaning, "aria-pressed": String(zoom === this.zoom) };
+      const pressed: HTMLButtonElement = h("button", { ...look, click: choose }, label);
+      pressed.disabled = focusOf(this.geometry, zoom) === null;
+      return pressed;
+    });
+    return h("div", { class: "tools", role: "group", "aria-label": "What the view shows" }, ...buttons);
+  }
+}
+
+export const view3d = (failure: Failure, name: string): HTMLElement => new Card(failure, name).element;

@@ -1,0 +1,134 @@
+/** A failure's geometry in float64, in units of its larger body and from its own contact: sizes of 1e-300 and places of 1e6 alike. */
+import type { Answer, Body, Failure, Vec } from "../data";
+import { gauge, type Shape } from "./superellipsoid";
+import {
+  add,
+  divide,
+  isFinite3,
+  length,
+  middle,
+  scale,
+  subtract,
+  type Turn,
+  turned,
+  turnedBack,
+  turnOf,
+  unit,
+} from "./vector";
+
+export interface Placed extends Shape {
+  turn: Turn;
+  centre: Vec;
+}
+
+export interface Contact {
+  points: [Vec, Vec];
+  normals: [Vec, Vec] | null;
+}
+
+export interface Geometry {
+  bodies: [Placed, Placed];
+  answer: Contact | null;
+  reference: Contact | null;
+  /** From body 1 to body 2: the reference's, or the answer's, or the centres'. */
+  normal: Vec;
+  /** The case's length of 1. */
+  size: number;
+}
+
+export type Zoom = "bodies" | "points" | "overlap";
+
+/** What is to be seen: a ball, in the geometry's units. */
+export interface Focus {
+  centre: Vec;
+  radius: number;
+}
+
+function placed(body: Body, origin: Vec, size: number): Placed {
+  const { semi_axes, exponents } = body.shape.superellipsoid;
+  return {
+    axes: divide(semi_axes, size),
+    exponents: exponents ?? [2, 2],
+    turn: turnOf(body.orientation.quaternion_wxyz),
+    centre: divide(subtract(body.position, origin), size),
+  };
+}
+
+function contact(answer: Answer | null, origin: Vec, size: number): Contact | null {
+  const [p, q] = answer?.points ?? [null, null];
+  if (!isFinite3(p) || !isFinite3(q)) return null;
+  const [n, m] = answer?.normals ?? [null, null];
+  const at = (x: Vec): Vec => divide(subtract(x, origin), size);
+  return { points: [at(p), at(q)], normals: isFinite3(n) && isFinite3(m) ? [unit(n), unit(m)] : null };
+}
+
+function originOf({ answer, reference, case: { bodies } }: Failure): Vec {
+  for (const one of [reference, answer]) {
+    const [p, q] = one?.points ?? [null, null];
+    if (isFinite3(p) && isFinite3(q)) return middle(p, q);
+  }
+  return bodies[0].position;
+}
+
+export function geometryOf(failure: Failure): Geometry {
+  const [first, second] = failure.case.bodies;
+  const size = Math.max(...first.shape.superellipsoid.semi_axes, ...second.shape.superellipsoid.semi_axes);
+  const origin = originOf(failure);
+  const bodies: [Placed, Placed] = [placed(first, origin, size), placed(second, origin, size)];
+  const known = [failure.reference?.normal, failure.answer?.normal].find((n) => isFinite3(n));
+  const normal = unit(known ?? subtract(bodies[1].centre, bodies[0].centre));
+  return {
+    bodies,
+    answer: contact(failure.answer, origin, size),
+    reference: contact(failure.reference, origin, size),
+    normal,
+    size,
+  };
+}
+
+/** No view is smaller, in units of the larger body: doubles end there. */
+const LEAST = 1e-12;
+
+function aroundPoints(points: Vec[]): Focus {
+  const centre = divide(points.reduce(add), points.length);
+  const radius = Math.max(...points.map((point) => length(subtract(point, centre))));
+  return { centre, radius: Math.max(LEAST, 2.5 * radius) };
+}
+
+function aroundBodies(bodies: Placed[]): Focus {
+  const low = [0, 1, 2].map((i) => Math.min(...bodies.map((body) => (body.centre[i] as number) - reach(body, i))));
+  const high = [0, 1, 2].map((i) => Math.max(...bodies.map((body) => (body.centre[i] as number) + reach(body, i))));
+  const centre = middle(low as Vec, high as Vec);
+  return {
+    centre,
+    radius:
+      0.62 * length(subtract(high as Vec, centre)) + 0.2 * Math.max(...high.map((h, i) => h - (low[i] as number))),
+  };
+}
+
+/** Half the extent of the body's box along a world axis. */
+function reach(body: Placed, axis: number): number {
+  const row = body.turn[axis] as Vec;
+  return Math.hypot(row[0] * body.axes[0], row[1] * body.axes[1], row[2] * body.axes[2]);
+}
+
+/** Null where there is nothing to zoom to. */
+export function focusOf({ bodies, answer, reference }: Geometry, zoom: Zoom): Focus | null {
+  if (zoom === "bodies") return aroundBodies(bodies);
+  const both = [...(answer?.points ?? []), ...(reference?.points ?? [])];
+  const narrow = reference?.points ?? answer?.points ?? [];
+  const points = zoom === "points" ? both : [...narrow];
+  return points.length > 0 ? aroundPoints(points) : null;
+}
+
+/** The surface point of a body that a small view is centred on. */
+export function anchorOf({ reference, answer }: Geometry, body: Placed, index: 0 | 1, focus: Focus): Vec {
+  const near = [reference, answer]
+    .map((one) => one?.points[index])
+    .find((point) => point && length(subtract(point, focus.centre)) <= 2 * focus.radius);
+  const point = near ?? focus.centre;
+  const local = turnedBack(body.turn, subtract(point, body.centre));
+  const { value } = gauge(body, local);
+  if (near && Math.abs(value - 1) < 1e-9) return near;
+  return value > 0 ? add(body.centre, turned(body.turn, scale(local, 1 / value))) : point;
+}

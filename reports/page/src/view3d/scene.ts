@@ -1,0 +1,234 @@
+/** The view's things for three: bodies translucent, points and arrows in them; a ball of radius 1 is what is to be seen. */
+import {
+  AmbientLight,
+  BackSide,
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  ConeGeometry,
+  CylinderGeometry,
+  DirectionalLight,
+  DoubleSide,
+  FrontSide,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  OctahedronGeometry,
+  Quaternion,
+  Scene,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import type { Vec } from "../data";
+import type { Theme } from "../theme";
+import { type Mapping, patchMesh, type Mesh as Surface, wholeMesh } from "./mesh";
+import { anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
+import { across, add, cross, divide, dot, length, scale, subtract, type Turn, turned, unit } from "./vector";
+
+export interface Label {
+  text: string;
+  at: Vec;
+  colour: string;
+  /** Which side of its point it stands on. */
+  side: "left" | "right";
+}
+
+export interface Pictured {
+  scene: Scene;
+  labels: Label[];
+  /** Half the width of what is seen, in the case's unit. */
+  radius: number;
+}
+
+export interface Colours {
+  first: string;
+  second: string;
+  reference: string;
+  link: string;
+}
+
+export const COLOURS: Record<Theme, Colours> = {
+  light: { first: "#0067a5", second: "#b84300", reference: "#00734f", link: "#1c2127" },
+  dark: { first: "#63b8f7", second: "#ff9a5c", reference: "#3ed3a4", link: "#f2f4f6" },
+};
+
+const ARROW = 0.62;
+/** Shorter than this, a link is drawn by its direction only. */
+const VISIBLE = 0.07;
+/** Views below this part of a body's least axis show a patch of it. */
+const CLOSE = 0.5;
+
+/** The reference's normal goes up, and what the answer's normals miss it by lies in the picture. */
+function viewTurn({ normal, answer }: Geometry): Turn {
+  const missed = answer?.normals?.[0];
+  const aside = missed ? subtract(missed, scale(normal, dot(missed, normal))) : null;
+  const side = aside && length(aside) > 1e-9 ? unit(aside) : across(normal);
+  return [side, normal, cross(side, normal)];
+}
+
+function mappingOf(geometry: Geometry, focus: Focus): Mapping {
+  const turn = viewTurn(geometry);
+  return {
+    point: (x) => turned(turn, divide(subtract(x, focus.centre), focus.radius)),
+    direction: (x) => turned(turn, x),
+  };
+}
+
+function surface(geometry: Geometry, body: Placed, index: 0 | 1, focus: Focus, mapping: Mapping): Surface {
+  if (focus.radius >= CLOSE * Math.min(...body.axes)) return wholeMesh(body, mapping);
+  return patchMesh(body, anchorOf(geometry, body, index, focus), 1.5 * focus.radius, mapping);
+}
+
+function skin(
+  geometry: BufferGeometry,
+  colour: string,
+  side: typeof FrontSide | typeof BackSide,
+  opacity: number,
+): Mesh {
+  const material = new MeshLambertMaterial({ color: colour, transparent: true, opacity, side, depthWrite: false });
+  const mesh = new Mesh(geometry, material);
+  mesh.renderOrder = side === BackSide ? 0 : 1;
+  return mesh;
+}
+
+function bodyGroup({ positions, normals, triangles, lines }: Surface, colour: string, dashed: boolean): Group {
+  const group = new Group();
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+  geometry.setIndex(triangles);
+  group.add(skin(geometry, colour, BackSide, 0.16), skin(geometry, colour, FrontSide, 0.22));
+  const look = { color: colour, transparent: true, opacity: 0.75 };
+  const material = dashed
+    ? new LineDashedMaterial({ ...look, dashSize: 0.05, gapSize: 0.035 })
+    : new LineBasicMaterial(look);
+  for (const points of lines) {
+    const line = new Line(new BufferGeometry().setFromPoints(points.map((point) => new Vector3(...point))), material);
+    line.renderOrder = 2;
+    group.add(line.computeLineDistances());
+  }
+  return group;
+}
+
+function solid(geometry: BufferGeometry, colour: string): Mesh {
+  const material = new MeshBasicMaterial({ color: colour, side: DoubleSide, transparent: true });
+  const mesh = new Mesh(geometry, material);
+  mesh.renderOrder = 3;
+  return mesh;
+}
+
+function arrow(from: Vec, direction: Vec, size: number, colour: string, thickness = 0.011): Group {
+  const group = new Group();
+  const head = Math.min(0.12, 0.45 * size);
+  const shaft = solid(new CylinderGeometry(thickness, thickness, size - head, 10), colour);
+  shaft.position.y = (size - head) / 2;
+  const tip = solid(new ConeGeometry(head * 0.32, head, 14), colour);
+  tip.position.y = size - head / 2;
+  group.add(shaft, tip);
+  group.position.set(...from);
+  group.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), new Vector3(...direction)));
+  return group;
+}
+
+const marker = (geometry: BufferGeometry, at: Vec, colour: string): Mesh => {
+  const mesh = solid(geometry, colour);
+  mesh.position.set(...at);
+  return mesh;
+};
+
+class Drawing {
+  readonly scene = new Scene();
+  readonly labels: Label[] = [];
+  constructor(
+    private readonly mapping: Mapping,
+    private readonly colours: Colours,
+  ) {
+    const sun = new DirectionalLight("#ffffff", 1.6);
+    sun.position.set(-1, 2, 3);
+    this.scene.add(new AmbientLight("#ffffff", 1.7), sun);
+  }
+
+  private note(text: string, at: Vec, colour: string): void {
+    this.labels.push({ text, at, colour, side: colour === this.colours.first ? "left" : "right" });
+  }
+
+  body(shape: Surface, index: 0 | 1): void {
+    this.scene.add(bodyGroup(shape, index === 0 ? this.colours.first : this.colours.second, index === 1));
+  }
+
+  /** At the centre where that is seen, else on the patch. */
+  bodyLabel(body: Placed, index: 0 | 1, { positions, isPatch }: Surface): void {
+    const { first, second } = this.colours;
+    const middle: Vec = [positions[0] ?? 0, positions[1] ?? 0, positions[2] ?? 0];
+    const at = isPatch ? add(middle, [index === 0 ? -0.5 : 0.5, 0, 0.3]) : this.mapping.point(body.centre);
+    if (length(at) < 1.2) this.note(index === 0 ? "body 1" : "body 2", at, index === 0 ? first : second);
+  }
+
+  private direction(name: string, from: Vec, towards: Vec, colour: string): void {
+    const direction = this.mapping.direction(towards);
+    this.scene.add(arrow(from, direction, ARROW, colour));
+    this.note(name, add(from, scale(direction, ARROW + 0.05)), colour);
+  }
+
+  answer({ points, normals }: Contact): void {
+    const { first, second } = this.colours;
+    const [p1, p2] = points.map(this.mapping.point) as [Vec, Vec];
+    this.scene.add(marker(new SphereGeometry(0.034, 16, 12), p1, first));
+    this.scene.add(marker(new BoxGeometry(0.055, 0.055, 0.055), p2, second));
+    if (normals) {
+      this.direction("n1", p1, normals[0], first);
+      this.direction("n2", p2, normals[1], second);
+    }
+    this.note("p1", p1, first);
+    this.note("p2", p2, second);
+    this.link(p1, p2);
+  }
+
+  private link(p1: Vec, p2: Vec): void {
+    const d = subtract(p2, p1);
+    const size = length(d);
+    if (size === 0) return;
+    const isLong = size >= VISIBLE;
+    this.scene.add(arrow(p1, unit(d), isLong ? size : 0.4, this.colours.link, isLong ? 0.009 : 0.006));
+    const at = isLong ? add(p1, scale(d, 0.5)) : add(p1, scale(unit(d), 0.44));
+    this.note(isLong ? "d" : "d (direction)", at, this.colours.link);
+  }
+
+  reference({ points }: Contact, normal: Vec): void {
+    const { reference } = this.colours;
+    const [r1, r2] = points.map(this.mapping.point) as [Vec, Vec];
+    for (const at of [r1, r2]) this.scene.add(marker(new OctahedronGeometry(0.036), at, reference));
+    this.direction("reference", r1, normal, reference);
+  }
+}
+
+export function picture(geometry: Geometry, zoom: Zoom, theme: Theme): Pictured | null {
+  const focus = focusOf(geometry, zoom);
+  if (!focus || !(focus.radius > 0) || !Number.isFinite(focus.radius)) return null;
+  const mapping = mappingOf(geometry, focus);
+  const drawing = new Drawing(mapping, COLOURS[theme]);
+  const bodyNotes: (() => void)[] = [];
+  for (const index of [0, 1] as const) {
+    const body = geometry.bodies[index];
+    const shape = surface(geometry, body, index, focus, mapping);
+    drawing.body(shape, index);
+    bodyNotes.push(() => drawing.bodyLabel(body, index, shape));
+  }
+  if (geometry.reference) drawing.reference(geometry.reference, geometry.normal);
+  if (geometry.answer) drawing.answer(geometry.answer);
+  for (const note of bodyNotes) note();
+  return { scene: drawing.scene, labels: drawing.labels, radius: focus.radius * geometry.size };
+}
+
+export function dispose(scene: Scene): void {
+  scene.traverse((thing) => {
+    const { geometry, material } = thing as unknown as { geometry?: BufferGeometry; material?: Material };
+    geometry?.dispose();
+    material?.dispose();
+  });
+}

@@ -1,0 +1,113 @@
+// What can be said without a browser: figures in words, axes that leave nothing out, surfaces that are surfaces.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+import { stream } from "./support/fixture.mjs";
+import { contactPair } from "./support/fixture-geometry.mjs";
+
+async function load(module) {
+  const entry = fileURLToPath(new URL(`../src/${module}`, import.meta.url));
+  const { outputFiles } = await build({ entryPoints: [entry], bundle: true, write: false, format: "esm" });
+  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
+}
+
+test("figures are written as a reader wants them", async () => {
+  const { percent, time, number, error, count } = await load("numbers.ts");
+  assert.deepEqual([0, 1, 0.9999, 0.594, 0.0375, 0.00031].map(percent), ["0", "100", ">99.9", "59.4", "3.75", "0.031"]);
+  assert.deepEqual(
+    [350, 12400, 2.5e6].map((ns) => time(ns).replace(/\s/, " ")),
+    ["350 ns", "12.4 µs", "2.5 ms"],
+  );
+  assert.deepEqual(
+    [0, 1e-12, 0.25, 1e16, null].map((x) => number(x)),
+    ["0", "1e-12", "0.25", "1e16", "—"],
+  );
+  assert.equal(error(3.4676e-10), "3.5e-10");
+  assert.equal(count(1234567).replace(/\s/g, " "), "1 234 567");
+});
+
+const SHAPES = [
+  [
+    [1, 1, 1],
+    [2, 2],
+  ],
+  [
+    [1, 2, 1000],
+    [2, 2],
+  ],
+  [
+    [0.5, 1, 0.7],
+    [50, 50],
+  ],
+  [
+    [0.5, 1, 0.7],
+    [50, 2],
+  ],
+  [
+    [1, 0.8, 1.2],
+    [1.1, 1.2],
+  ],
+];
+
+test("every vertex of a mesh lies on its surface", async () => {
+  const { wholeMesh } = await load("view3d/mesh.ts");
+  const { gauge } = await load("view3d/superellipsoid.ts");
+  const turn = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  const same = (x) => x;
+  for (const [axes, exponents] of SHAPES) {
+    const { positions, triangles } = wholeMesh(
+      { axes, exponents, turn, centre: [0, 0, 0] },
+      { point: same, direction: same },
+    );
+    for (let i = 0; i < positions.length; i += 3) {
+      const { value } = gauge({ axes, exponents }, positions.slice(i, i + 3));
+      assert.ok(Math.abs(value - 1) < 1e-5, `${axes} ${exponents}: ${value}`);
+    }
+    assert.ok(Math.max(...triangles) < positions.length / 3);
+  }
+});
+
+test("a picture is finite whatever the unit, the place and the proportions", async () => {
+  const { geometryOf, focusOf } = await load("view3d/placed.ts");
+  const random = stream(7);
+  for (const size of [1e-300, 1e-9, 1, 1e17])
+    for (const kind of ["ellipsoids", "ellipsoids-needle", "blocky_superquadrics", "pointed_superquadrics"])
+      for (const ratio of [1, 1e-4]) {
+        const pair = contactPair(random, { kind, size, far: 1e6 * size, ratio, overlapRatio: 1e-6, tilt: 0.3 });
+        const geometry = geometryOf({ ...pair, case: { bodies: pair.bodies } });
+        for (const zoom of ["bodies", "points", "overlap"]) {
+          const { centre, radius } = focusOf(geometry, zoom);
+          assert.ok([...centre, radius].every(Number.isFinite) && radius > 0, `${kind} ${size} ${zoom}`);
+        }
+      }
+});
+
+test("a patch close to the contact meets both points, and shows the gap between them", async () => {
+  const { geometryOf, focusOf, anchorOf } = await load("view3d/placed.ts");
+  const { patchMesh } = await load("view3d/mesh.ts");
+  const pair = contactPair(stream(3), { kind: "ellipsoids", size: 1, far: 0, ratio: 1, overlapRatio: 1e-6, tilt: 0 });
+  const geometry = geometryOf({ ...pair, case: { bodies: pair.bodies } });
+  const focus = focusOf(geometry, "overlap");
+  const mapping = { point: (x) => x.map((v, i) => (v - focus.centre[i]) / focus.radius), direction: (x) => x };
+  const centres = geometry.bodies.map((body, index) => {
+    const anchor = anchorOf(geometry, body, index, focus);
+    return patchMesh(body, anchor, 1.5 * focus.radius, mapping).positions.slice(0, 3);
+  });
+  const gap = Math.hypot(...centres[0].map((x, i) => x - centres[1][i])) * focus.radius * geometry.size;
+  assert.ok(Math.abs(gap / pair.reference.overlap - 1) < 1e-3, `${gap} against ${pair.reference.overlap}`);
+});
+
+test("an axis has a floor for 0 and a gutter for no value, and neither without need", async () => {
+  globalThis.matchMedia = () => ({ matches: false, addEventListener() {} });
+  const { logScale } = await load("log_scale.ts");
+  const scale = logScale([1e-12, 1e-3, 0, null]);
+  assert.ok(scale.place(0) < 1e-12 && scale.place(null) > 1e-3);
+  assert.ok(Math.log10(scale.place(null)) < scale.range[1] && Math.log10(scale.place(0)) > scale.range[0]);
+  const plain = logScale([1e-12, 1e-3]);
+  assert.deepEqual([plain.floor, plain.gutter], [null, null]);
+});

@@ -1,0 +1,136 @@
+// For every reader: a screen reader, a phone, paper, a page from someone else's data, a page with little in it.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { bring, launch, open } from "./support/browser.mjs";
+import { makeReport } from "./support/fixture.mjs";
+import { withFolder, writePage } from "./support/pages.mjs";
+
+const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+let browser;
+
+before(async () => {
+  browser = await launch();
+});
+after(() => browser?.close());
+
+const withPage = (report, options, use) =>
+  withFolder(async (folder) => {
+    const opened = await open(browser, await writePage(report, join(folder, "page.html")), options);
+    try {
+      await use(opened.page, opened.noticed);
+    } finally {
+      await opened.page.close();
+    }
+  });
+
+const small = (options) => makeReport({ failures: 8, cases: 1000, ...options });
+
+for (const dark of [false, true])
+  test(`axe finds nothing serious, ${dark ? "dark" : "light"}`, () =>
+    withPage(small({ second: true }), { dark }, async (page) => {
+      await page.evaluate(() => {
+        for (const closed of document.querySelectorAll("details")) closed.open = true;
+      });
+      await bring(page, "#precision .plot");
+      await bring(page, "#gallery canvas");
+      await page.evaluate(axe);
+      const found = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+      const grave = found.violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+      assert.deepEqual(
+        grave.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).slice(0, 5)}`),
+        [],
+      );
+    }));
+
+for (const width of [400, 1400])
+  test(`nothing is wider than a page of ${width} pixels`, () =>
+    withPage(small({ second: true }), { width }, async (page) => {
+      await page.evaluate(() => {
+        for (const closed of document.querySelectorAll("details")) closed.open = true;
+      });
+      const { scroll, client } = await page.evaluate(() => ({
+        scroll: document.documentElement.scrollWidth,
+        client: document.documentElement.clientWidth,
+      }));
+      assert.ok(scroll <= client, `${scroll} > ${client}`);
+    }));
+
+const HOSTILE = '</script><script>window.hurt=1</script><img src=x onerror="window.hurt=2"><!--<script>';
+
+/** Every text of the document, but its format and what is looked up by name. */
+function poisoned(value, key = "") {
+  const kept = ["format", "verdict", "measure", "unit", "map", "kept", "scalar", "problem", "certificate", "word"];
+  if (typeof value === "string") return kept.includes(key) ? value : `${value}${HOSTILE}`;
+  if (Array.isArray(value)) return value.map((item) => poisoned(item, key));
+  if (value === null || typeof value !== "object") return value;
+  return Object.fromEntries(Object.entries(value).map(([name, item]) => [name, poisoned(item, name)]));
+}
+
+test("hostile words in the data are words", () =>
+  withPage(
+    poisoned(small({ second: true, harnessErrors: { [`failed ${HOSTILE}`]: 2 } })),
+    {},
+    async (page, noticed) => {
+      for (const id of ["precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
+      await bring(page, "#gallery canvas");
+      await page.evaluate(() => {
+        for (const closed of document.querySelectorAll("details")) closed.open = true;
+      });
+      assert.equal(await page.evaluate(() => window.hurt), undefined);
+      assert.equal(await page.$("#page img"), null);
+      assert.equal(await page.$("#page script"), null);
+      assert.match(await page.$eval("header", (top) => top.textContent), /onerror/);
+      assert.deepEqual(noticed, { console: [], requests: [] });
+    },
+  ));
+
+test("an incomplete run and errors of the harness are announced", () =>
+  withPage(small({ incomplete: true, harnessErrors: { "reference beaten": 3 } }), {}, async (page) => {
+    const alarm = await page.$eval('[role="alert"]', (element) => element.textContent);
+    assert.match(alarm, /incomplete/);
+    assert.match(alarm, /reference beaten \(3 times\)/);
+  }));
+
+test("a run without failures, precision or a second run says so", () =>
+  withPage(small({ failures: 0, precision: false }), {}, async (page, noticed) => {
+    const texts = await page.$$eval(".empty", (notes) => notes.map((note) => note.textContent));
+    assert.equal(texts.length, 3);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  }));
+
+test("a run of nothing at all", () =>
+  withPage(makeReport({ cases: 0, failures: 0, families: [], precision: false }), {}, async (_page, noticed) => {
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  }));
+
+test("answers that could not be solved anew are shown without them", () => {
+  const report = small({ precision: false });
+  for (const failure of report.runs[0].failures)
+    Object.assign(failure, {
+      answer: null,
+      reference: null,
+      reason: "the peer is not installed",
+      severity: "infinite",
+    });
+  return withPage(report, {}, async (page, noticed) => {
+    await bring(page, "#gallery canvas");
+    await page.click("#gallery .card details summary");
+    const note = await page.waitForSelector("#gallery .card details .note");
+    assert.match(await note.evaluate((line) => line.textContent), /the peer is not installed/);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+});
+
+test("paper is light, with everything open", () =>
+  withPage(small(), { dark: true }, async (page) => {
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    const state = await page.evaluate(() => ({
+      closed: document.querySelectorAll("details:not([open]):not([data-print=closed])").length,
+      undrawn: document.querySelectorAll(".plot:not([data-drawn])").length,
+      ink: document.querySelector(".plot text").style.fill,
+    }));
+    assert.deepEqual(state, { closed: 0, undrawn: 0, ink: "rgb(28, 33, 39)" });
+  }));

@@ -1,0 +1,7 @@
+// node tools/fixture-page.mjs FILE.html: the made-up report with two runs, to look at.
+import { makeReport } from "../test/support/fixture.mjs";
+import { writePage } from "../test/support/pages.mjs";
+
+const [file] = process.argv.slice(2);
+if (!file) throw new Error("usage: npm run fixture -- FILE.html");
+console.log(await writePage(makeReport({ second: true }), file));

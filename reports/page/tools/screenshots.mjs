@@ -1,0 +1,50 @@
+// npm run screenshots -- PAGE.html OUTDIR: each section, light and dark, on a phone and on a desk, and the page on paper.
+import { mkdir } from "node:fs/promises";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { launch, open } from "../test/support/browser.mjs";
+
+const [file, folder] = process.argv.slice(2);
+if (!file || !folder) throw new Error("usage: npm run screenshots -- PAGE.html OUTDIR");
+const url = pathToFileURL(resolve(file)).href;
+await mkdir(folder, { recursive: true });
+
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+
+/** All figures of a section drawn, and the page still. */
+async function settled(page, id) {
+  const isDrawn = (target) => document.querySelectorAll(`#${target} :is(.plot, canvas):not([data-drawn])`).length === 0;
+  await page.waitForFunction(isDrawn, { timeout: 60000 }, id).catch(() => console.error(`${id}: not all is drawn`));
+  await pause(300);
+}
+
+async function shoot(browser, width, dark) {
+  const { page } = await open(browser, url, { width, height: 1000, dark });
+  const look = `${width}-${dark ? "dark" : "light"}`;
+  await page.screenshot({ path: join(folder, `top-${look}.png`) });
+  await page.addStyleTag({
+    content: ".bar { position: static !important; } html { scroll-behavior: auto !important; }",
+  });
+  for (const id of await page.$$eval("main > section", (sections) => sections.map((section) => section.id))) {
+    await page.setViewport({ width, height: 4000 });
+    await page.evaluate((target) => document.getElementById(target).scrollIntoView(), id);
+    if (id !== "gallery") await settled(page, id);
+    else await pause(4000);
+    const clip = await page.$eval(`#${id}`, (part) => {
+      const { top, height } = part.getBoundingClientRect();
+      return { x: 0, y: top + scrollY, height: Math.min(height, 4000) };
+    });
+    await page.screenshot({ path: join(folder, `${id}-${look}.png`), clip: { ...clip, width } });
+  }
+  await page.close();
+}
+
+const browser = await launch();
+try {
+  for (const width of [1400, 400]) for (const dark of [false, true]) await shoot(browser, width, dark);
+  const { page } = await open(browser, url);
+  await pause(4000);
+  await page.pdf({ path: join(folder, "paper.pdf"), format: "A4", printBackground: true, timeout: 120000 });
+} finally {
+  await browser.close();
+}
