@@ -38,7 +38,8 @@ template <class S>
   const S own_slope = surface_terms<S>(own, start).gradient.norm();
   const S other_slope = surface_terms<S>(other, start).gradient.norm();
   Eigen::Matrix<S, 4, 1> x;
-  x << start, other_slope / own_slope;
+  x.template head<3>() = start;
+  x[3] = other_slope / own_slope;
   const DeepestSystem<S> system{pair, own, other, other_slope};
   return Newton<S, 4, 4, DeepestSystem<S>>(system, want).solve(x);
 }
@@ -100,7 +101,8 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   const S slope1 = surface_terms<S>(placed.body1, middle).gradient.norm();
   const S slope2 = surface_terms<S>(placed.body2, middle).gradient.norm();
   Eigen::Matrix<S, 4, 1> unknown;
-  unknown << middle, slope1 / slope2;
+  unknown.template head<3>() = middle;
+  unknown[3] = slope1 / slope2;
   const detail::MidwaySystem<S> system{placed, slope1};
   const auto result = Newton<S, 4, 4, detail::MidwaySystem<S>>(system, want).solve(unknown);
   Contact<S> out;
