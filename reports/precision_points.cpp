@@ -121,7 +121,8 @@ const Point* quickest(const std::vector<Point>& points, double error, std::strin
 }
 
 std::string in_words(const Point& p) {
-  return fmt::format("{} at {:.0e} in {:.3g} us", name_of(p.variant), p.variant.tolerance, p.time.median_ns * 1e-3);
+  return fmt::format("{} at {} in {:.3g} us (p99 {:.0e})", name_of(p.variant), tolerance_text(p.variant.tolerance),
+                     p.time.median_ns * 1e-3, p.normal.p99);
 }
 
 /// Requested accuracies by what is quickest to them.
@@ -177,7 +178,15 @@ Front front_of(const std::vector<Point>& points) {
                      (at.by_auto.empty() ? "none" : fmt::format("{}", fmt::join(at.by_auto, ", ")));
   if (!at.by_others.empty()) note += fmt::format(". Quicker to {}", fmt::join(at.by_others, "; "));
   if (!at.by_none.empty()) note += fmt::format(". None answers 99 in 100 within {}", fmt::join(at.by_none, ", "));
+  std::vector<std::string> others;
+  for (const Point& p : points)
+    if (p.is_on_front && !is_of_auto(p)) others.push_back(in_words(p));
+  if (!others.empty()) note += fmt::format(". Also on the front: {}", fmt::join(others, "; "));
   return {at.by_others.empty() && !at.by_auto.empty(), note};
+}
+
+std::string tolerance_text(double tolerance) {
+  return tolerance > 0 ? fmt::format("{:.0e}", tolerance) : "0";
 }
 
 std::string name_of(const Variant& v) {

@@ -30,11 +30,14 @@ using Truths = std::map<Problem, std::vector<Truth>>;
 /// Where `auto` stands.
 struct Front {
   bool is_auto = false;  ///< to every requested accuracy that any method reaches, it is the quickest
-  std::string note;      ///< the same in words, and what is quicker where it is not
+  std::string note;      ///< the same in words, what is quicker where it is not, and what else is on the front
 };
 [[nodiscard]] Front front_of(const std::vector<Point>& points);
 
 /// "new_cn, long double + residual"
 [[nodiscard]] std::string name_of(const Variant& variant);
+
+/// "1e-08", or "0".
+[[nodiscard]] std::string tolerance_text(double tolerance);
 
 }  // namespace plumb::reports

@@ -85,11 +85,10 @@ std::string time_text(double ns) {
 }
 
 void print_point(const Point& p) {
-  const double tolerance = p.variant.tolerance;
   print_line(fmt::format("{} {:<42}{:>6}{}{}{:>7}{:>8.1f} %{:>6.1f} %{:>19}{:>19}{:>19}", p.is_on_front ? '*' : ' ',
-                         name_of(p.variant), tolerance > 0 ? fmt::format("{:.0e}", tolerance) : "0",
-                         time_text(p.time.median_ns), time_text(p.time.p99_ns), iterations_text(p.time), 100 * p.failed,
-                         100 * p.off, error_text(p.overlap), error_text(p.normal), error_text(p.points)));
+                         name_of(p.variant), tolerance_text(p.variant.tolerance), time_text(p.time.median_ns),
+                         time_text(p.time.p99_ns), iterations_text(p.time), 100 * p.failed, 100 * p.off,
+                         error_text(p.overlap), error_text(p.normal), error_text(p.points)));
 }
 
 void print_envelopes(const SetResults& r) {
