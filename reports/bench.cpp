@@ -50,20 +50,9 @@ struct Named {
   std::vector<Case> cases;
 };
 
-const PairSet& find_set(const std::string& name) {
-  const auto sets = pair_sets();
-  const auto found = std::find_if(sets.begin(), sets.end(), [&](const PairSet& set) { return set.name == name; });
-  if (found != sets.end()) return *found;
-  std::string known;
-  for (const PairSet& set : sets) known += (known.empty() ? "" : ", ") + std::string(set.name);
-  throw InputFailure("--set", 0, name, "no such set; there are " + known);
-}
-
 std::vector<PairSet> sets_asked(const Options& options) {
-  std::vector<PairSet> sets;
-  for (const std::string& name : options.sets) sets.push_back(find_set(name));
-  if (options.sets.empty() && options.pairs.empty()) sets.assign(pair_sets().begin(), pair_sets().end());
-  return sets;
+  if (options.sets.empty() && !options.pairs.empty()) return {};
+  return find_sets(pair_sets(), options.sets);
 }
 
 Named drawn(const PairSet& set, const Options& options) {

@@ -18,11 +18,15 @@ Contact<double> answer(const Solver& solver, const Task& task) {
   return solver.solve(task.pair, {}, task.last ? &*task.last : nullptr);
 }
 
+double since(Clock::time_point start) {
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
 /// Of one solve, ns.
 double time_of(const Solver& solver, const Task& task, int calls) {
   const auto start = Clock::now();
   for (int i = 0; i < calls; ++i) solve(solver, task);
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / calls;
+  return since(start) / calls;
 }
 
 /// So many that they take 20 us.
@@ -35,17 +39,21 @@ int calls_for(double once_ns) {
 struct Samples {
   std::vector<double> ns, iterations;
   std::size_t not_converged = 0;
+  bool is_slow = false;
 };
 
 /// The answers, and a first guess at the times.
 Samples first_pass(const Job& job) {
   Samples out;
-  for (const Task& task : job.tasks) {
-    const Contact<double> contact = answer(job.solver, task);
+  for (std::size_t i = 0; i < job.tasks.size() && !interrupted(); ++i) {
+    const auto start = Clock::now();
+    const Contact<double> contact = answer(job.solver, job.tasks[i]);
+    out.ns.push_back(std::max(1.0, since(start)));
     out.iterations.push_back(contact.iterations);
     out.not_converged += contact.status == Status::converged ? 0 : 1;
-    out.ns.push_back(std::max(1.0, time_of(job.solver, task, 1)));
   }
+  constexpr double slow_ns = 1e6;
+  out.is_slow = quantile(out.ns, 0.5) > slow_ns;
   return out;
 }
 
@@ -62,6 +70,7 @@ Turn next(const Turn& turn) {
 }
 
 void take_turn(const Job& job, Samples& samples, const Turn& turn) {
+  if (samples.is_slow) return;
   for (std::size_t i = turn.begin; i < std::min(turn.end, job.tasks.size()) && !interrupted(); ++i) {
     double& least = samples.ns[i];
     least = std::min(least, time_of(job.solver, job.tasks[i], calls_for(least)));

@@ -34,7 +34,8 @@ struct Measurement {
 /// Solves, and throws the answer away where the compiler cannot see it.
 void solve(const Solver& solver, const Task& task);
 
-/// Times every task of every job `repeats` times over, each time in a loop that is long for the clock; the least time counts.
+/// Times every task of every job `repeats` times over, each time in a loop that is long for the clock; the least time counts. A
+/// job whose solves take more than a millisecond (median) is timed once.
 /// The jobs, which have equally many tasks, take turns every few tasks, so that a machine that slows down for a while does so for
 /// all of them. Runs under Google Benchmark, which is handed the times as its manual time and the figures as its counters. Empty
 /// after Ctrl-C.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,8 +16,15 @@ namespace plumb::reports {
 struct PairSet {
   std::string_view name, of, family;
   double above, upto;
+  bool takes_all = false;  ///< every pair of the family instead: any exponents, overlapping or apart
 };
 [[nodiscard]] std::span<const PairSet> pair_sets();
+
+/// The same, and the whole family `hard`.
+[[nodiscard]] std::span<const PairSet> sets_with_hard();
+
+/// Those of the names, all of them where there is none; throws InputFailure for an unknown one.
+[[nodiscard]] std::vector<PairSet> find_sets(std::span<const PairSet> sets, const std::vector<std::string>& names);
 
 /// The first `count` pairs of a set under a seed; fewer after Ctrl-C.
 [[nodiscard]] std::vector<Case> draw(const PairSet& set, std::size_t count, std::uint64_t seed);

@@ -4,6 +4,7 @@
 
 namespace plumb {
 
+PLUMB_INSTANTIATE_POSE(float)
 PLUMB_INSTANTIATE_POSE(double)
 PLUMB_INSTANTIATE_POSE(long double)
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "solver/power_of_two.hpp"
+#include "solver/scalar.hpp"
 
 namespace plumb {
 
@@ -51,14 +52,24 @@ struct PairFrame {
   [[nodiscard]] Vec3<S> to_pair_point(const Vec3<S>& world, const Pair& pair) const {
     return detail::PowerOfTwo<S>(-exponent)(world - pair.body1.position.cast<S>());
   }
+  /// The longest semi-axis, in [1, 2].
+  [[nodiscard]] S size(const Pair& pair) const {
+    return S(detail::PowerOfTwo<InputScalar<S>>(-exponent)(InputScalar<S>(size_of(pair))));
+  }
+  /// A body's semi-axes.
+  [[nodiscard]] Vec3<S> to_semi_axes(const Body& body) const {
+    using Input = InputScalar<S>;
+    return detail::PowerOfTwo<Input>(-exponent)(Vec3<Input>(body.shape.semi_axes.cast<Input>())).template cast<S>();
+  }
   /// From body 1's centre to body 2's. Large units are divided out before the subtraction, small ones after it: huge positions
   /// of opposite signs have no difference before, and small ones lose no bit.
   [[nodiscard]] Vec3<S> to_centre(const Pair& pair) const {
+    using Input = InputScalar<S>;
     const int before = std::max(exponent, 0), after = exponent - before;
-    const detail::PowerOfTwo<S> large(-before), small(-after);
-    const Vec3<S> position1 = large(Vec3<S>(pair.body1.position.cast<S>()));
-    const Vec3<S> position2 = large(Vec3<S>(pair.body2.position.cast<S>()));
-    return small(Vec3<S>(position2 - position1));
+    const detail::PowerOfTwo<Input> large(-before), small(-after);
+    const Vec3<Input> position1 = large(Vec3<Input>(pair.body1.position.cast<Input>()));
+    const Vec3<Input> position2 = large(Vec3<Input>(pair.body2.position.cast<Input>()));
+    return small(Vec3<Input>(position2 - position1)).template cast<S>();
   }
 };
 

@@ -13,7 +13,8 @@ Mat3<S> rotation(const std::array<double, 4>& quaternion) {
   double largest = 0;
   for (const double component : quaternion) largest = std::max(largest, std::abs(component));
   const detail::PowerOfTwo<double> unit(-detail::exponent_above(largest));
-  const S w(unit(quaternion[0])), x(unit(quaternion[1])), y(unit(quaternion[2])), z(unit(quaternion[3]));
+  const auto component = [&](std::size_t k) { return static_cast<S>(unit(quaternion[k])); };
+  const S w = component(0), x = component(1), y = component(2), z = component(3);
   const S ww = w * w, xx = x * x, yy = y * y, zz = z * z;
   Mat3<S> m;
   m << ww + xx - yy - zz, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
@@ -43,9 +44,8 @@ Vec3<S> line_direction(const S& zenith, const S& azimuth) {
 namespace detail {
 
 template <class S>
-PlacedBody<S> place_body(const Body& body, const Vec3<S>& placed_centre, const PowerOfTwo<S>& unit) {
-  const Vec3<S> axes = body.shape.semi_axes.cast<S>();
-  return {{unit(axes), S(body.shape.n1), S(body.shape.n2)}, rotation<S>(body.quaternion), placed_centre};
+PlacedBody<S> place_body(const Body& body, const Vec3<S>& placed_centre, const PairFrame<S>& frame) {
+  return {{frame.to_semi_axes(body), S(body.shape.n1), S(body.shape.n2)}, rotation<S>(body.quaternion), placed_centre};
 }
 
 }  // namespace detail
@@ -59,9 +59,8 @@ S PlacedPair<S>::size() const {
 template <class S>
 PlacedPair<S> place(const Pair& pair) {
   PlacedPair<S> placed{PairFrame<S>(pair), {}, {}};
-  const detail::PowerOfTwo<S> unit(-placed.exponent);
-  placed.body1 = detail::place_body<S>(pair.body1, Vec3<S>::Zero(), unit);
-  placed.body2 = detail::place_body<S>(pair.body2, placed.to_centre(pair), unit);
+  placed.body1 = detail::place_body<S>(pair.body1, Vec3<S>::Zero(), placed);
+  placed.body2 = detail::place_body<S>(pair.body2, placed.to_centre(pair), placed);
   return placed;
 }
 

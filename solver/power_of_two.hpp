@@ -28,7 +28,8 @@ template <class S>
 class PowerOfTwo {
  public:
   explicit PowerOfTwo(int exponent)
-      : exponent_(exponent), is_normal_(std::abs(exponent) < 1000), factor_(is_normal_ ? normal_power(exponent) : 0) {}
+      : exponent_(exponent), is_normal_(std::abs(exponent) < greatest),
+        factor_(S(is_normal_ ? normal_power(exponent) : 0)) {}
 
   [[nodiscard]] S operator()(const S& x) const {
     using std::ldexp;
@@ -40,6 +41,8 @@ class PowerOfTwo {
   }
 
  private:
+  static constexpr int greatest = std::is_same_v<S, float> ? 100 : 1000;
+
   int exponent_;
   bool is_normal_;
   S factor_;

@@ -1,11 +1,13 @@
 // What every scalar type must offer, and the tolerances derived from its epsilon.
 //
-// The closed list of scalar types: double and long double here, Real50 and Real100 in reference/real.hpp. Functions of
-// the solver are templates that are instantiated for these in one .cpp file each.
+// The closed list of scalar types: float, double and long double here, Real50 and Real100 in reference/real.hpp. Functions of
+// the solver are templates that are instantiated for these in one .cpp file each; the published methods for Real50 in
+// reports/precision_fifty.cpp, so that who links the solver needs no MPFR.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace plumb {
 
@@ -13,6 +15,16 @@ template <class S>
 [[nodiscard]] inline S epsilon() {
   return std::numeric_limits<S>::epsilon();
 }
+
+/// A constant that goes with the precision: the second for float.
+template <class S>
+[[nodiscard]] inline S by_precision(double of_double, double of_float) {
+  return S(std::is_same_v<S, float> ? of_float : of_double);
+}
+
+/// What the input, which is doubles, is brought into a pair's frame in.
+template <class S>
+using InputScalar = std::conditional_t<std::is_same_v<S, float>, double, S>;
 
 /// sign(x) |x|^p for p >= 0, with 0^0 = 1 so that derivatives of x^1 come out right at zero.
 template <class S>

@@ -44,7 +44,7 @@ class EllipsoidPack {
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough() const {
     const Lanes enough = at_.error <= enough_;
-    const Lanes near = at_.error <= P(newton::near) * pair_.size;
+    const Lanes near = at_.error <= newton::near<P>() * pair_.size;
     if (none_of(near && !enough)) return enough;
     const P noise(newton::noise_multiple * std::numeric_limits<double>::epsilon());
     return enough || (near && at_.error <= noise * reach(pair_, at_));
@@ -65,7 +65,7 @@ class EllipsoidPack {
     Vector3<P> step = newton_step(h, at_);
     P turn = squared_turn(pair_, at_, step);
     where(active, iterations_) += P(1.0);
-    Lanes last = active && turn < P(newton::last_turn * newton::last_turn);
+    Lanes last = active && turn < newton::last_turn<P>() * newton::last_turn<P>();
     if (any_of(last)) {
       last = last && landing_error(h, at_, step) <= floor_;
       last_step_ = blend(last, step, last_step_);
@@ -83,7 +83,7 @@ class EllipsoidPack {
   }
 
   [[gnu::always_inline]] void search(const Lanes& active, Vector3<P> step, P turn) {
-    const P shortest(newton::short_turn * newton::short_turn);
+    const P shortest = newton::short_turn<P>() * newton::short_turn<P>();
     const Lanes searching = active && !(turn < shortest);
     const Vector3<P> n = at_.n;
     if (none_of(searching)) return evaluate(active, n + step);

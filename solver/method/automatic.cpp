@@ -2,6 +2,7 @@
 
 namespace plumb {
 
+template Contact<float> automatic<float>(const Pair&, const Want&, const Contact<float>*);
 template Contact<double> automatic<double>(const Pair&, const Want&, const Contact<double>*);
 template Contact<long double> automatic<long double>(const Pair&, const Want&, const Contact<long double>*);
 

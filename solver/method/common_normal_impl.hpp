@@ -67,7 +67,8 @@ struct NewSystem {
 
   [[nodiscard]] Linearisation<S, 8, 7> operator()(const Eigen::Matrix<S, 7, 1>& x) const {
     const PairTerms<S> t(pair, x.template head<3>(), x.template segment<3>(3));
-    const S overlap = x[6], size = pair.size();
+    const S& overlap = x[6];
+    const S size = pair.size();
     Linearisation<S, 8, 7> f;
     f.value << t.s1.gauge - S(1), t.s2.gauge - S(1), t.s1.normal + t.s2.normal, (t.d + overlap * t.s1.normal) / size;
     f.jacobian.setZero();

@@ -194,12 +194,12 @@ class DirectionSearch {
 
   /// s(v) = slope.v, and above all tangent planes, to rounding. A corner or middle that is the known normal says nothing.
   [[nodiscard]] bool looks_convex(const Samples& samples, std::size_t n) const {
-    constexpr double same = 1e-12;
+    const S same = by_precision<S>(1e-12, 1e-6);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const S distance = length(samples[i].v - samples[j].v);
         const S above = dot(samples[i].slope - samples[j].slope, samples[i].v);
-        if (distance > S(same) && !(above >= -found_.rounding())) return false;
+        if (distance > same && !(above >= -found_.rounding())) return false;
       }
     return true;
   }
@@ -231,7 +231,7 @@ class DirectionSearch {
   }
 
   void remember(const Answer& found) {
-    const S same(1e-6);
+    const S same = by_precision<S>(1e-6, 1e-3);
     for (int k = 0; k < known_count_; ++k)
       if (largest(known_[static_cast<std::size_t>(k)].normal - found.normal) < same) return;
     if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)] = {found.normal, found.overlap};

@@ -88,7 +88,8 @@ template <class S>
   const detail::AcrossRows<S> turned = detail::ClosestTurn<S>(rows1, rows2)(rows2);
   const Vector3<S> p = sum(touch.p);  // the row of B along u1
   const Symmetric3<S> m = square(p) + square(rows1.first + turned.first) + square(rows1.second + turned.second);
-  const S margin(1e-9);  // relative: far above the rounding of the entries for bodies that are no needles
+  const S margin =
+      by_precision<S>(1e-9, 1e-4);  // relative: far above the rounding of the entries for bodies that are no needles
   const S trace = m.trace(), noise = S(16) * epsilon<S>();
   const S level = overlap * dot(normal, p) * (S(1) + margin) + noise * trace;
   const Symmetric3<S> above = m.shifted(-level);

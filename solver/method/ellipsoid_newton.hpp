@@ -59,7 +59,7 @@ class EllipsoidNewton {
 
   [[nodiscard, gnu::always_inline]] bool is_small_enough(const DirectionPoint<S>& at) const {
     if (at.error <= std::max(floor_, asked_)) return true;
-    return at.error <= S(newton::near) * pair_.size &&
+    return at.error <= newton::near<S>() * pair_.size &&
            at.error <= S(newton::noise_multiple) * epsilon<S>() * reach(pair_, at);
   }
 
@@ -70,18 +70,18 @@ class EllipsoidNewton {
     Vector3<S> step =
         is_ring_ ? newton_step(held(sum(h), out.at, axis_), out.at, newton::tie_on_ring) : newton_step(sum(h), out.at);
     S turn = squared_turn(pair_, out.at, step);
-    if (turn < S(newton::last_turn * newton::last_turn) && lands(sum(h), out.at, step))
+    if (turn < newton::last_turn<S>() * newton::last_turn<S>() && lands(sum(h), out.at, step))
       return follow(out.at, h, step), true;
-    const S longest(newton::longest_turn * newton::longest_turn);
+    const S longest = S(newton::longest_turn * newton::longest_turn);
     if (turn > longest) {
       step = step * sqrt(longest / turn);
       turn = longest;
     }
-    if (turn < S(newton::short_turn * newton::short_turn)) return evaluate(out, out.at.n + step), false;
+    if (turn < newton::short_turn<S>() * newton::short_turn<S>()) return evaluate(out, out.at.n + step), false;
     const S here = overlap_at(pair_, out.at);
     const Vector3<S> n = out.at.n;
     evaluate(out, n + step);
-    while (turn > S(newton::short_turn * newton::short_turn) && !(overlap_at(pair_, out.at) <= here)) {
+    while (turn > newton::short_turn<S>() * newton::short_turn<S>() && !(overlap_at(pair_, out.at) <= here)) {
       step = step * S(newton::shorter);
       turn *= S(newton::shorter * newton::shorter);
       evaluate(out, n + step);

@@ -3,16 +3,14 @@
 #pragma once
 
 #include "solver/method/ellipsoids.hpp"
+#include "solver/scalar.hpp"
 
 namespace plumb {
 
 namespace newton {
 inline constexpr double noise_multiple = 2;  // of epsilon: rounding of p1 + p2 - c
 inline constexpr double longest_turn = 0.8;  // 0.7 .. 1 do as well; at 1.5 needles take 19 steps instead of 12
-inline constexpr double short_turn = 1e-4;   // from here on o is too flat to tell what is lower
-inline constexpr double last_turn = 1e-9;    // its square, the error of the linear step, is below rounding
 inline constexpr double shorter = 0.3;       // a step that does not lower o is cut to this
-inline constexpr double near = 1e-8;         // error, relative to the size, from which its floor is asked for
 inline constexpr double tie = 0.01;          // of o: the eigenvalue along a ring or between ties, made positive
 inline constexpr double tie_on_ring = 1e-9;  // the same where the ring is held anyway
 inline constexpr double ring_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
@@ -20,6 +18,22 @@ inline constexpr double coarse = 4;          // settle where |H| exceeds the siz
 inline constexpr double surely_apart = 16;   // epsilon, relative: o is below zero whatever its rounding
 inline constexpr int most_settling = 3;
 inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
+
+/// From here on o is too flat to tell what is lower.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S short_turn() {
+  return by_precision<S>(1e-4, 1e-2);
+}
+/// Its square, the error of the linear step, is below rounding.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S last_turn() {
+  return by_precision<S>(1e-9, 1e-4);
+}
+/// Error, relative to the size, from which its floor is asked for.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S near() {
+  return by_precision<S>(1e-8, 1e-4);
+}
 }  // namespace newton
 
 /// |H1| + |H2| for a unit normal: by how much the points follow it.

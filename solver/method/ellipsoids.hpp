@@ -143,7 +143,7 @@ template <class S>
 /// direction for centres that coincide, or whose distance has no reciprocal.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
-  const Vector3<S> n = pair.size > S(1e17) ? pair.c : start_by_centres(pair);
+  const Vector3<S> n = pair.size > by_precision<S>(1e17, 1e8) ? pair.c : start_by_centres(pair);
   const S scale = S(1) / largest(n);
   return scale < std::numeric_limits<S>::infinity() ? n * scale : smallest_eigenvector(sum(pair.square));
 }

@@ -20,11 +20,12 @@ inline constexpr double undecided_multiple = 8;
 /// Of a quaternion with a largest component near 1: rotation() of pose_impl.hpp.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Matrix3<T> rotation_of(const T& w, const T& x, const T& y, const T& z) {
-  const T ww = w * w, xx = x * x, yy = y * y, zz = z * z, norm = ww + xx + yy + zz, two(2.0);
+  const T ww = w * w, xx = x * x, yy = y * y, zz = z * z, norm = ww + xx + yy + zz;
+  const auto two_times = [](const T& a) { return a + a; };
   const auto row = [&](const T& a, const T& b, const T& c) { return Vector3<T>{a / norm, b / norm, c / norm}; };
-  return {row(ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)),
-          row(two * (x * y + w * z), ww - xx + yy - zz, two * (y * z - w * x)),
-          row(two * (x * z - w * y), two * (y * z + w * x), ww - xx - yy + zz)};
+  return {row(ww + xx - yy - zz, two_times(x * y - w * z), two_times(x * z + w * y)),
+          row(two_times(x * y + w * z), ww - xx + yy - zz, two_times(y * z - w * x)),
+          row(two_times(x * z - w * y), two_times(y * z + w * x), ww - xx - yy + zz)};
 }
 
 namespace detail {
@@ -42,19 +43,15 @@ template <class S>
 
 template <class S>
 [[nodiscard, gnu::always_inline]] inline FramedPair<S> framed_pair(const Pair& pair, const PairFrame<S>& frame) {
-  using detail::PowerOfTwo;
   const std::array<S, 4> q1 = detail::near_one<S>(pair.body1.quaternion),
                          q2 = detail::near_one<S>(pair.body2.quaternion);
   const auto component = [&](std::size_t k) { return both<S>(q1[k], q2[k]); };
-  const PowerOfTwo<S> unit(-frame.exponent);
-  const auto axes = [&](const Body& body) {
-    return Vector3<S>::of(unit(Vec3<S>(body.shape.semi_axes.template cast<S>())));
-  };
+  const auto axes = [&](const Body& body) { return Vector3<S>::of(frame.to_semi_axes(body)); };
   FramedPair<S> out;
   out.semi_axes = both(axes(pair.body1), axes(pair.body2));
   out.rotation = rotation_of<Both<S>>(component(0), component(1), component(2), component(3));
   out.c = Vector3<S>::of(frame.to_centre(pair));
-  out.size = unit(S(size_of(pair)));
+  out.size = frame.size(pair);
   return out;
 }
 

@@ -20,7 +20,7 @@ struct DeepestSystem {
   [[nodiscard]] Linearisation<S, 4, 4> operator()(const Eigen::Matrix<S, 4, 1>& x) const {
     const SurfaceTerms<S> o = surface_terms<S>(own, x.template head<3>());
     const SurfaceTerms<S> t = surface_terms<S>(other, x.template head<3>());
-    const S lambda = x[3];
+    const S& lambda = x[3];
     Linearisation<S, 4, 4> f;
     f.value << o.gauge - S(1), (t.gradient + lambda * o.gradient) / scale;
     f.jacobian.setZero();
@@ -38,7 +38,8 @@ template <class S>
   const S own_slope = surface_terms<S>(own, start).gradient.norm();
   const S other_slope = surface_terms<S>(other, start).gradient.norm();
   Eigen::Matrix<S, 4, 1> x;
-  x << start, other_slope / own_slope;
+  x.template head<3>() = start;
+  x[3] = other_slope / own_slope;
   const DeepestSystem<S> system{pair, own, other, other_slope};
   return Newton<S, 4, 4, DeepestSystem<S>>(system, want).solve(x);
 }
@@ -53,7 +54,7 @@ struct MidwaySystem {
     using std::log;
     const SurfaceTerms<S> s1 = surface_terms<S>(pair.body1, x.template head<3>());
     const SurfaceTerms<S> s2 = surface_terms<S>(pair.body2, x.template head<3>());
-    const S mu = x[3], power1 = pair.body1.shape.n1, power2 = pair.body2.shape.n1;
+    const S &mu = x[3], &power1 = pair.body1.shape.n1, &power2 = pair.body2.shape.n1;
     Linearisation<S, 4, 4> f;
     f.value << (s1.gradient + mu * s2.gradient) / scale, power1 * log(s1.gauge) - power2 * log(s2.gauge);
     f.jacobian.template block<3, 3>(0, 0) = (s1.hessian + mu * s2.hessian) / scale;
@@ -100,7 +101,8 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   const S slope1 = surface_terms<S>(placed.body1, middle).gradient.norm();
   const S slope2 = surface_terms<S>(placed.body2, middle).gradient.norm();
   Eigen::Matrix<S, 4, 1> unknown;
-  unknown << middle, slope1 / slope2;
+  unknown.template head<3>() = middle;
+  unknown[3] = slope1 / slope2;
   const detail::MidwaySystem<S> system{placed, slope1};
   const auto result = Newton<S, 4, 4, detail::MidwaySystem<S>>(system, want).solve(unknown);
   Contact<S> out;

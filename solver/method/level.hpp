@@ -36,7 +36,7 @@ template <class S>
   if (out.all_two) return out;
   // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
   const Both<S> above = nu - S(2);
-  const Mask<S> near = above < S(1e-6);
+  const Mask<S> near = above < by_precision<S>(1e-6, 1e-3);
   const Both<S> t = exp(-log(out.nu_minus_1) / select<S>(near, S(1), above));
   out.switch_t = select<S>(out.is_two, S(0), select<S>(near, S(0.36787944117144233), t));
   out.switch_u = out.switch_t * out.inverse;
@@ -67,21 +67,25 @@ struct LevelPoint {
 
 namespace detail {
 
-inline constexpr double smallest_ratio = 1e-140;  // a zero: its powers stay finite
+/// A zero: its powers stay finite.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S smallest_ratio() {
+  return by_precision<S>(1e-140, 1e-15);
+}
 
 /// Sets the rest from the ratio: of g where `is_u`, of c elsewhere. Signs and `b_is_larger` are set.
 template <class S>
 [[gnu::always_inline]] inline void set_ratio(const LevelShape<S>& level, Both<S> ratio, Mask<S> is_u,
                                              LevelPoint<S>& out) {
-  is_u = is_u && !(ratio < S(smallest_ratio));  // a zero is one of c: a zero of g would have a finite curvature
-  ratio = max(ratio, Both<S>(S(smallest_ratio)));
+  is_u = is_u && !(ratio < smallest_ratio<S>());  // a zero is one of c: a zero of g would have a finite curvature
+  ratio = max(ratio, Both<S>(smallest_ratio<S>()));
   Both<S> larger;
   if (has_one_pair<S> && level.all_two) {
     out.t = out.u = ratio;
     larger = S(1) / sqrt(S(1) + ratio * ratio);
   } else {
     const Both<S> power = select<S>(is_u, level.inverse, level.nu_minus_1);
-    const Both<S> other = exp(max(log(ratio) * power, Both<S>(S(-690))));
+    const Both<S> other = exp(max(log(ratio) * power, Both<S>(by_precision<S>(-690, -80))));
     out.t = select<S>(is_u && !level.is_two, other, ratio);
     out.u = select<S>(is_u || level.is_two, ratio, other);
     larger = exp(-log(S(1) + out.t * out.u) * level.inverse_nu);
@@ -108,7 +112,7 @@ template <class S>
   out.b_is_larger = size_a < size_b;
   out.sign_a = sign<S>(a);
   out.sign_b = sign<S>(b);
-  const Both<S> larger = max(max(size_a, size_b), Both<S>(S(detail::smallest_ratio)));
+  const Both<S> larger = max(max(size_a, size_b), Both<S>(detail::smallest_ratio<S>()));
   detail::set_ratio<S>(level, min(size_a, size_b) / larger, is_g, out);
   return out;
 }
@@ -122,7 +126,7 @@ level_moved(const LevelShape<S>& level, const Both<S>& switch_t, const LevelPoin
   const Mask<S> by_g = old.t >= switch_t;
   const Both<S> a = select<S>(by_g, ga, ca) * old.sign_a, b = select<S>(by_g, gb, cb) * old.sign_b;
   const Both<S> was_larger = select<S>(old.b_is_larger, b, a), was_smaller = select<S>(old.b_is_larger, a, b);
-  const Both<S> least = max(S(0.02) * abs(was_smaller), Both<S>(S(detail::smallest_ratio)));
+  const Both<S> least = max(S(0.02) * abs(was_smaller), Both<S>(detail::smallest_ratio<S>()));
   const Both<S> ratio = was_smaller / max(was_larger, least), offset = switch_t - level.switch_u;
   const Both<S> s = select<S>(by_g, ratio + offset, ratio), size = abs(s);
   const Mask<S> is_t = size <= switch_t;

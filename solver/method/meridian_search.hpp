@@ -36,7 +36,7 @@ class MeridianSearch {
 
  private:
   static constexpr int deepest = std::numeric_limits<S>::digits - 5;
-  static constexpr double near_enough = 1e-6;  // rad, of a start
+  static constexpr double near_enough = 1e-6, near_enough_in_float = 1e-3;  // rad, of a start
 
   struct Piece {
     Vector3<S> from, towards;
@@ -81,10 +81,10 @@ class MeridianSearch {
 
   /// By golden section.
   [[nodiscard]] S descended(const Piece& piece, S from, S to) {
-    const S shrink(0.6180339887498949);
+    const S shrink = S(0.6180339887498949);
     S t1 = to - (to - from) * shrink, t2 = from + (to - from) * shrink, o1 = overlap_at(piece, t1),
       o2 = overlap_at(piece, t2);
-    while (to - from > S(near_enough) && found_.may_go_on()) {
+    while (to - from > by_precision<S>(near_enough, near_enough_in_float) && found_.may_go_on()) {
       if (o1 < o2) {
         to = t2, t2 = t1, o2 = o1;
         t1 = to - (to - from) * shrink;

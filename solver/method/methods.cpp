@@ -36,15 +36,17 @@ Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
   return out;
 }
 
-template <SolveFunction<double> method, SolveFunction<long double> method_long>
+template <SolveFunction<double> method, SolveFunction<float> method_float, SolveFunction<long double> method_long>
 constexpr Method row(std::string_view name, Problem problem, std::string_view summary) {
-  return {name, problem, summary, guarded<double, method>, guarded<long double, method_long>};
+  return {
+      name, problem, summary, guarded<double, method>, guarded<float, method_float>, guarded<long double, method_long>};
 }
 
-#define PLUMB_ROW(function, problem, summary) row<function<double>, function<long double>>(#function, problem, summary)
+#define PLUMB_ROW(function, problem, summary) \
+  row<function<double>, function<float>, function<long double>>(#function, problem, summary)
 
 constexpr std::array all_methods{
-    row<automatic<double>, automatic<long double>>(
+    row<automatic<double>, automatic<float>, automatic<long double>>(
         "auto", Problem::common_normal,
         "the default: the form that suits the shapes, and a guard that the common normal is the lowest"),
     PLUMB_ROW(original_cn, Problem::common_normal,

@@ -21,6 +21,7 @@ struct Method {
   Problem problem;
   std::string_view summary;
   SolveFunction<double> solve;
+  SolveFunction<float> solve_float;
   SolveFunction<long double> solve_long;
 };
 

@@ -60,7 +60,7 @@ class SurfaceDescent {
     const S least = S(1e-3) * size;
     const S d1 = -g1 / std::max(abs(high), least);
     S d2 = -g2 / std::max(abs(low), least);
-    if (low < S(0) && abs(g2) < S(1e-9) * size) d2 = S(0.3);  // off a saddle
+    if (low < S(0) && abs(g2) < by_precision<S>(1e-9, 1e-4) * size) d2 = S(0.3);  // off a saddle
     return {vx * d1 - vy * d2, vy * d1 + vx * d2, g1 * d1 + std::min(S(0), g2 * d2)};
   }
 
@@ -76,7 +76,7 @@ class SurfaceDescent {
       const Vector3<S> n = from.m + from.across[0] * (t * step.x) + from.across[1] * (t * step.y);
       solver_.evaluate(n * (S(1) / length(n)), at_, f_, out_);
       if (!(f_.overlap < from.overlap + S(armijo) * t * step.predicted)) continue;
-      radius_ = k == 0 ? std::min(S(0.5), radius_ * 2) : std::max(t * size, S(1e-6));
+      radius_ = k == 0 ? std::min(S(0.5), radius_ * 2) : std::max(t * size, by_precision<S>(1e-6, 1e-3));
       return true;
     }
     f_ = from;
@@ -86,7 +86,7 @@ class SurfaceDescent {
 
   [[nodiscard]] bool finish(int limit) {
     Surfaces<S> at = at_;
-    const S highest = f_.overlap + S(1e-9) * solver_.pair().size;
+    const S highest = f_.overlap + by_precision<S>(1e-9, 1e-4) * solver_.pair().size;
     solver_.newton(at, Attempt{.limit = limit}, out_);
     return out_.minimum && (limit == long_newton || out_.overlap <= highest);
   }
@@ -173,7 +173,7 @@ struct SurfaceForm {
     SurfaceContact<S> out;
     ++out.evaluations;
     const Vector3<S> n = v * (S(1) / length(v));
-    const S highest = dot(farthest(n), n) + S(1e-9) * solver.pair().size;
+    const S highest = dot(farthest(n), n) + by_precision<S>(1e-9, 1e-4) * solver.pair().size;
     solver.attempt(n, StartKind::normal, Attempt{.limit = 14}, out);
     const bool is_found = out.minimum && out.overlap <= highest;
     if (!is_found && !(insists && SurfaceDescent<S>(solver, out).solve(n))) out.status = Status::stalled;

@@ -82,7 +82,7 @@ class SurfaceNewton {
       last = now;
       ++out.iterations;
       const std::array<S, 4> x = cleaned(step());
-      if (is_exact() && f_->opposite && now < S(1e-7) && follow(x)) return Status::converged;
+      if (is_exact() && f_->opposite && now < by_precision<S>(1e-7, 3e-4) && follow(x)) return Status::converged;
       move(x, out);
     }
   }
@@ -127,7 +127,7 @@ class SurfaceNewton {
   /// Without infinities and NaN.
   [[nodiscard]] static std::array<S, 4> cleaned(std::array<S, 4> x) {
     const S most(1e3);
-    if (squared_length(x) < S(1e200)) return x;
+    if (squared_length(x) < by_precision<S>(1e200, 1e30)) return x;
     for (S& component : x) component = component == component ? std::clamp(component, -most, most) : S(0);
     return x;
   }

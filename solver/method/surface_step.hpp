@@ -73,14 +73,14 @@ inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>
   const LevelPoint<S>&i = from.inner, &o = from.outer;
   const detail::MovedVectors<S> m = detail::moved_vectors<S, any_dual>(outer, from, d0, d1);
   const Mask<S> pole = o.ga < S(1e-3) * o.ca;
-  const Both<S> inner_switch = select<S>(pole, S(1e300), inner.switch_t);
+  const Both<S> inner_switch = select<S>(pole, by_precision<S>(1e300, 1e38), inner.switch_t);
   const Both<S> radius_v = m.vx * i.ca + m.vy * i.cb;
   const Mask<S> reversed = radius_v < S(0.1) * o.ga && !outer.is_two;
   // The new radii from the old inner point, to second order: then the two levels need not wait for each other.
   const Both<S> radius_w = m.wx * i.ga + m.wy * i.gb;
   const Both<S> across_w = i.ca * m.wy - i.cb * m.wx, across_v = i.ga * m.vy - i.gb * m.vx;
   const Both<S> bend = i.ka * i.gb * i.gb + i.kb * i.ga * i.ga;
-  const S small(0.04);
+  const S small = S(0.04);
   const Mask<S> near = across_w * across_w < small * radius_w * radius_w && radius_w > S(0) &&
                        across_v * across_v < small * radius_v * radius_v && !reversed;
   const Mask<S> alone = reversed && o.t >= outer.switch_t;

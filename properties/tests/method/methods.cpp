@@ -118,6 +118,7 @@ TEST(Methods, NoHeapInASolve) {
         all.curvature = all.derivatives = true;
         const long before = allocations;
         const Contact<double> c = method.solve(pair, all, nullptr);
+        (void)method.solve_float(pair, all, nullptr);
         ASSERT_EQ(allocations, before) << method.name << ", status " << name(c.status);
       }
     }

@@ -1,0 +1,36 @@
+// The methods in every scalar, without the door of methods.hpp: for 50 digits, which the library that others link does not
+// have, and for the last iterate of a solve that did not converge, which the door keeps back.
+#pragma once
+
+#include <string_view>
+
+#include "solver/method/methods.hpp"
+#include "solver/reference/real.hpp"
+
+namespace plumb::reports {
+
+template <class S>
+inline constexpr std::string_view name_of_scalar = {};
+template <>
+inline constexpr std::string_view name_of_scalar<float> = "float";
+template <>
+inline constexpr std::string_view name_of_scalar<double> = "double";
+template <>
+inline constexpr std::string_view name_of_scalar<long double> = "long double";
+template <>
+inline constexpr std::string_view name_of_scalar<Real50> = "50 digits";
+
+/// Takes legal pairs only; the fields are the last iterate's, whatever the status. nullptr where there is none: `auto` has no
+/// 50 digits, for both.hpp holds two numbers in one vector register, and peers no iterations.
+template <class S>
+[[nodiscard]] SolveFunction<S> find_iteration(std::string_view method);
+template <>
+[[nodiscard]] SolveFunction<float> find_iteration<float>(std::string_view method);
+template <>
+[[nodiscard]] SolveFunction<double> find_iteration<double>(std::string_view method);
+template <>
+[[nodiscard]] SolveFunction<long double> find_iteration<long double>(std::string_view method);
+template <>
+[[nodiscard]] SolveFunction<Real50> find_iteration<Real50>(std::string_view method);
+
+}  // namespace plumb::reports
