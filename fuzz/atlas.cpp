@@ -78,12 +78,12 @@ std::string Scale::label(std::size_t cell) const {
 
 Scale scale_of(Property property) {
   switch (property) {
-    case Property::aspect: return {"aspect (longest / shortest semi-axis)", kAspectEdges};
-    case Property::overlap: return {"overlap / smaller body's size (< 0: apart)", kOverlapEdges};
+    case Property::aspect: return {"aspect, longest / shortest", kAspectEdges};
+    case Property::overlap: return {"overlap / smaller size", kOverlapEdges};
     case Property::exponent: return {"exponent furthest from 2", kExponentEdges};
     case Property::tilt: break;
   }
-  return {"angle between the z axes, degrees", kTiltEdges};
+  return {"angle of the z axes, deg", kTiltEdges};
 }
 
 Place place_in_atlas(const Pair& pair, const Reference& reference) {

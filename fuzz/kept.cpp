@@ -66,6 +66,10 @@ Failure failure_of(Case kept) {
   return failure;
 }
 
+bool is_one_case(const KeptBucket& kept) {
+  return format_case(kept.simplest.kept) == format_case(kept.worst.kept);
+}
+
 void KeptFailures::add(const std::string& bucket, Failure failure) {
   const auto at = buckets_.find(bucket);
   if (at == buckets_.end()) {

@@ -27,6 +27,8 @@ struct Failure {
 struct KeptBucket {
   Failure simplest, worst;
 };
+/// The simplest is the worst.
+[[nodiscard]] bool is_one_case(const KeptBucket& kept);
 
 class KeptFailures {
  public:

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "corpus/build_info.hpp"
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "reports/precision_table.hpp"
@@ -55,32 +56,61 @@ std::optional<SetResults> measured(const PairSet& set, const std::vector<Solver>
   return out;
 }
 
-/// What is done is kept; which sets are not is said on stderr, and in the table.
-void say_what_is_left_out(const std::vector<PairSet>& sets, std::size_t done, bool json) {
-  std::string names;
-  for (std::size_t i = done; i < sets.size(); ++i) names += (names.empty() ? "" : ", ") + std::string(sets[i].name);
-  const std::string text = "interrupted: incomplete, without " + names;
+/// JSON objects, one a line: printed where they are asked for, and kept for --out.
+class Lines {
+ public:
+  explicit Lines(bool printed) : printed_(printed) {}
+  void add(const std::string& line) {
+    text_ += line + "\n";
+    if (printed_) print_line(line);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  bool printed_;
+  std::string text_;
+};
+
+std::string arguments_of(const Options& options) {
+  std::string sets;
+  for (const std::string& set : options.sets) sets += (sets.empty() ? " --set " : ",") + set;
+  const std::string methods = options.method == "all" ? "" : " --method " + options.method;
+  return sets + methods + fmt::format(" --cases {} --seed {} --repeat {}", options.count, options.seed, options.repeat);
+}
+
+std::string run_line(const Options& options) {
+  return write_json(
+      {{"kind", "run"}, {"command", "plumb report-precision" + arguments_of(options)}, {"host", host_json()}});
+}
+
+/// What is done is kept; which sets are not is said on stderr, and in the table or the last line.
+void say_what_is_left_out(const std::vector<PairSet>& sets, std::size_t done, bool json, Lines& lines) {
+  Json names = Json::array();
+  std::string text = "interrupted: incomplete, without";
+  for (std::size_t i = done; i < sets.size(); ++i) {
+    names.push_back(sets[i].name);
+    text += (i == done ? " " : ", ") + std::string(sets[i].name);
+  }
   (void)std::fprintf(stderr, "%s\n", text.c_str());
   if (!json) print_line(text);
+  lines.add(write_json({{"kind", "interrupted"}, {"without", names}}));
 }
 
 int report(const Options& options) {
   const std::vector<PairSet> sets = find_sets(sets_with_hard(), options.sets);
   const std::vector<Solver> solvers = find_solvers(options.method);
-  std::string text;
+  Lines lines(options.json);
+  lines.add(run_line(options));
   std::size_t done = 0;
   for (; done < sets.size() && !interrupted(); ++done) {
     const std::optional<SetResults> results = measured(sets[done], solvers, options);
     if (!results) break;
-    for (const std::string& line : json_lines(*results)) {
-      text += line + "\n";
-      if (options.json) print_line(line);
-    }
+    for (const std::string& line : json_lines(*results)) lines.add(line);
     if (!options.json) print_table(*results);
     flush_output();
   }
-  if (done < sets.size()) say_what_is_left_out(sets, done, options.json);
-  if (!options.out.empty()) write_file(options.out, text);
+  if (done < sets.size()) say_what_is_left_out(sets, done, options.json, lines);
+  if (!options.out.empty()) write_file(options.out, lines.text());
   return exit_done;
 }
 

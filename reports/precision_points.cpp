@@ -9,6 +9,7 @@
 #include <span>
 
 #include "corpus/interrupt.hpp"
+#include "reports/quantile.hpp"
 
 namespace plumb::reports {
 namespace {

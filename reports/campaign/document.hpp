@@ -20,7 +20,7 @@ struct Run {
 /// reference's bounds.
 [[nodiscard]] Json run_json(const Run& run, std::size_t most_failures);
 
-/// Every kept case of the first buckets (fuzz/ranked.hpp) until there are `most`.
+/// The kept cases until there are `most`: plumb's own, then each method's most frequent in turn.
 [[nodiscard]] Json failures_json(const Run& run, std::size_t most);
 
 /// From the JSON lines of `plumb report-precision --out FILE`; throws InputFailure.

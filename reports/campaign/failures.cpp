@@ -124,8 +124,17 @@ Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& fai
           {"case", Json::parse(format_case(c))}};
 }
 
-bool are_one(const KeptBucket& kept) {
-  return format_case(kept.simplest.kept) == format_case(kept.worst.kept);
+/// Plumb's own first; then each method's most frequent in turn, so that no method fills the gallery.
+std::vector<RankedBucket> in_turns(std::vector<RankedBucket> ranked, const Results& results) {
+  std::map<std::string, int> seen;
+  std::vector<std::pair<int, RankedBucket>> turns;
+  for (RankedBucket& bucket : ranked) {
+    const auto& method = results.kept.buckets().at(bucket.name).worst.kept.expect.method;
+    turns.emplace_back(bucket.own ? -1 : seen[method.value_or("reference")]++, std::move(bucket));
+  }
+  std::stable_sort(turns.begin(), turns.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < turns.size(); ++i) ranked[i] = std::move(turns[i].second);
+  return ranked;
 }
 
 }  // namespace
@@ -138,9 +147,9 @@ Json failures_json(const Run& run, std::size_t most) {
     out.push_back(failure_json(run, bucket, failure, kept));
     solve_again(out.back(), failure.kept, solvers);
   };
-  for (const RankedBucket& bucket : ranked_buckets(run.results)) {
+  for (const RankedBucket& bucket : in_turns(ranked_buckets(run.results), run.results)) {
     const KeptBucket& kept = run.results.kept.buckets().at(bucket.name);
-    const bool one = are_one(kept);
+    const bool one = is_one_case(kept);
     put(bucket, kept.simplest, one ? "only" : "simplest");
     if (!one) put(bucket, kept.worst, "worst");
   }

@@ -30,7 +30,7 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("--precision", args.precision,
                  "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
   app.add_option("--failures", args.failures,
-                 "kept cases in the gallery of each run, plumb's own and the most frequent first")
+                 "kept cases in the gallery of each run: plumb's own, then each method's most frequent")
       ->capture_default_str()
       ->check(CLI::Range(0, 100000));
 }

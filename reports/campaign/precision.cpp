@@ -48,8 +48,10 @@ Json& set_of(Json& sets, const Json& line) {
 void take(Json& out, const Json& line) {
   const std::string kind = line.at("kind");
   if (kind == "run") {
-    out["commit"] = line.at("commit");
+    out["commit"] = line.at("host").at("commit");
     out["command"] = line.at("command");
+  } else if (kind == "interrupted") {
+    out["without"] = line.at("without");
   } else if (kind == "set") {
     out["sets"].push_back(set_json(line));
   } else if (kind == "point") {
@@ -57,14 +59,14 @@ void take(Json& out, const Json& line) {
   } else if (kind == "path") {
     set_of(out["sets"], line)["paths"].push_back(path_json(line));
   } else {
-    throw FieldError("kind", "'" + kind + "' is none of run, set, point, path");
+    throw FieldError("kind", "'" + kind + "' is none of run, set, point, path, interrupted");
   }
 }
 
 }  // namespace
 
 Json precision_json(const std::filesystem::path& file) {
-  Json out{{"commit", "unknown"}, {"command", "plumb report-precision"}, {"sets", Json::array()}};
+  Json out{{"commit", "unknown"}, {"command", ""}, {"without", Json::array()}, {"sets", Json::array()}};
   ObjectReader objects(file.string(), ObjectReader::Layout::by_content);
   while (const std::optional<std::string> text = objects.next()) {
     try {

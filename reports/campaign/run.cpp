@@ -18,10 +18,22 @@ Json shares_json(const std::array<std::uint64_t, N>& counts, std::uint64_t of) {
   return out;
 }
 
+/// The findings that there are, and always those that broke no law.
+Json findings_of(const Tally& t) {
+  Json out = shares_json<FindingKind>(t.findings, t.judged());
+  out[std::string(name(FindingKind::none))] = share_json(t.of(FindingKind::none), t.judged());
+  return out;
+}
+
 Json spread_json(const Histogram& h) {
   if (h.count() == 0) return nullptr;
   return {
       {"p50", number_json(h.percentile(0.5))}, {"p99", number_json(h.percentile(0.99))}, {"max", number_json(h.max())}};
+}
+
+/// Who never counts his steps (a peer) says nothing of them.
+Json counts_json(const Histogram& h) {
+  return h.count() > 0 && h.max() > 0 ? spread_json(h) : Json();
 }
 
 Json method_json(const std::string& method, const Tally& t) {
@@ -31,13 +43,13 @@ Json method_json(const std::string& method, const Tally& t) {
           {"judged", t.judged()},
           {"unjudged", t.unjudged},
           {"converged", share_json(t.converged(), t.cases)},
-          {"findings", shares_json<FindingKind>(t.findings, t.judged())},
+          {"findings", findings_of(t)},
           {"failures", share_json(t.failures(), t.judged())},
           {"angle_above", share_json(t.angles_wrong, t.angle_error_deg.count())},
           {"angle_error_deg", spread_json(t.angle_error_deg)},
           {"overlap_error", spread_json(t.overlap_error)},
-          {"iterations", spread_json(t.iterations)},
-          {"evaluations", spread_json(t.evaluations)},
+          {"iterations", counts_json(t.iterations)},
+          {"evaluations", counts_json(t.evaluations)},
           {"ns_per_solve", spread_json(t.nanoseconds)}};
 }
 
@@ -130,6 +142,13 @@ Json host_of(const Results& results) {
   return out;
 }
 
+/// Of each bucket the simplest and the worst, which may be one.
+std::size_t kept_cases(const Results& results) {
+  std::size_t n = 0;
+  for (const auto& [bucket, kept] : results.kept.buckets()) n += is_one_case(kept) ? 1 : 2;
+  return n;
+}
+
 std::string name_of(const Run& run) {
   const std::filesystem::path plain = run.folder.lexically_normal();
   return (plain.has_filename() ? plain.filename() : plain.parent_path().filename()).string();
@@ -170,7 +189,7 @@ Json run_json(const Run& run, std::size_t most_failures) {
             {"cases_per_second", seconds > 0 ? static_cast<double>(results.cases()) / seconds : 0.0}}},
           {"families", families},
           {"atlases", atlases_json(results)},
-          {"buckets", results.kept.buckets().size()},
+          {"kept_failures", kept_cases(results)},
           {"failures", failures_json(run, most_failures)}};
 }
 

@@ -1,6 +1,6 @@
 /**
  * The document that `plumb report` puts into the page and beside it (FILE.json): its one description. Written by reports/
- * (report_*.cpp), read by this page. Lengths in the case's unit, angles as named; a figure that is not known is null.
+ * (campaign/), read by this page. Lengths in the case's unit, angles as named; a figure that is not known is null.
  */
 
 export interface Report {
@@ -39,6 +39,8 @@ export interface Run {
   timing: { seconds: number; threads: number; cases_per_second: number };
   families: Family[];
   atlases: Atlas[];
+  /** In the run's folder; `failures` may hold fewer. */
+  kept_failures: number;
   failures: Failure[];
 }
 
@@ -167,6 +169,8 @@ export interface ComparisonRow {
 export interface Precision {
   commit: string;
   command: string;
+  /** Sets that Ctrl-C left out. */
+  without: string[];
   sets: PrecisionSet[];
 }
 export interface PrecisionSet {

@@ -22,7 +22,11 @@ export function logScale(values: (number | null)[]): LogScale {
   return { place, range: [(floor ?? low) - step * 0.6, (gutter ?? high) + step * 0.6], floor, gutter };
 }
 
-const tickOf = (power: number): string => `1e${power < 0 ? "−" : "+"}${Math.abs(power)}`;
+/** The two ways in which Plotly writes a power of ten. */
+const ticksOf = (power: number): string[] => [
+  `1e${power < 0 ? "−" : "+"}${Math.abs(power)}`,
+  power < 0 ? (10 ** power).toFixed(-power) : String(10 ** power),
+];
 
 /** Ticks beyond the floor and the gutter would be numbers of nothing. */
 function silenced(scale: LogScale): Record<string, string> {
@@ -32,13 +36,13 @@ function silenced(scale: LogScale): Record<string, string> {
     for (const near of [-1, 0, 1, 2]) {
       const tick = Math.floor(power) + near;
       const isBeyond = power === scale.floor ? tick < power + 0.5 : tick > power - 0.5;
-      if (isBeyond) aliases[tickOf(tick)] = " ";
+      if (isBeyond && Math.abs(tick) < 100) for (const text of ticksOf(tick)) aliases[text] = " ";
     }
   }
   return aliases;
 }
 
-export function logAxis(scale: LogScale, title: string): Partial<LayoutAxis> {
+export function logAxis(scale: LogScale, title: string, mostTicks = 9): Partial<LayoutAxis> {
   const { grid } = ink();
   return {
     type: "log",
@@ -47,7 +51,7 @@ export function logAxis(scale: LogScale, title: string): Partial<LayoutAxis> {
     exponentformat: "e",
     gridcolor: grid,
     zeroline: false,
-    nticks: Math.max(3, Math.min(9, Math.floor((scale.range[1] - scale.range[0]) / 0.8))),
+    nticks: Math.max(3, Math.min(mostTicks, Math.floor((scale.range[1] - scale.range[0]) / 0.8))),
     labelalias: silenced(scale),
   } as object;
 }

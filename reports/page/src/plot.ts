@@ -178,7 +178,8 @@ export function figure(options: FigureOptions): Figure {
 export const plain = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
 /** For labels that must leave room for the plot. */
-export const short = (text: string): string => plain(text.length > 27 ? `${text.slice(0, 26)}…` : text);
+export const short = (text: string, most = 27): string =>
+  plain(text.length > most ? `${text.slice(0, most - 1)}…` : text);
 
 /** A command over several lines of a hover label, cut at blanks. */
 export function wrapped(text: string, width: number): string {

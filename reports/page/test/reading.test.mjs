@@ -101,6 +101,15 @@ test("a run without failures, precision or a second run says so", () =>
     assert.deepEqual(noticed, { console: [], requests: [] });
   }));
 
+test("two runs with nothing in common say so", () => {
+  const report = small({ second: true, precision: false });
+  report.comparisons[0].rows = [];
+  return withPage(report, {}, async (page, noticed) => {
+    assert.match(await page.$eval("#compare", (part) => part.textContent), /nothing to compare/);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+});
+
 test("a run of nothing at all", () =>
   withPage(makeReport({ cases: 0, failures: 0, families: [], precision: false }), {}, async (_page, noticed) => {
     assert.deepEqual(noticed, { console: [], requests: [] });

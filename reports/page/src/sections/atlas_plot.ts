@@ -86,7 +86,7 @@ function layer(atlas: Atlas, measure: AtlasMeasure, cells: Cell[], few: boolean,
 function labelAxis(title: string, labels: string[], every: number): Partial<LayoutAxis> {
   const at = labels.map((_, index) => index).filter((index) => index % every === 0);
   return {
-    title: { text: short(title), standoff: 12 },
+    title: { text: short(title, 60), standoff: 12, font: { size: 13 } },
     tickvals: at,
     ticktext: at.map((index) => short(labels[index] ?? "")),
     range: [-0.5, labels.length - 0.5],

@@ -73,6 +73,7 @@ function tally(comparison: Comparison): HTMLElement {
   return list;
 }
 
+const NOTHING_IN_COMMON = "These runs have no family with a method in common: there is nothing to compare.";
 const SAME_CASES = "Both runs drew the same cases: every difference is one of the code, and none is noise.";
 const OTHER_CASES =
   "The runs drew different cases: shares are compared by Fisher's exact test, other figures by Mann and Whitney's, p adjusted by Holm for the number of rows; what may be chance is called noise.";
@@ -89,6 +90,8 @@ function rowsTable(comparison: Comparison, rows: ComparisonRow[]): HTMLElement {
 }
 
 function comparisonBlock(comparison: Comparison): HTMLElement {
+  const title = h("h3", {}, `${comparison.before} → ${comparison.after}`);
+  if (comparison.rows.length === 0) return h("div", {}, title, h("p", { class: "empty" }, NOTHING_IN_COMMON));
   const sorted = [...comparison.rows].sort(worstFirst);
   const changed = sorted.some((row) => row.verdict === "worse" || row.verdict === "better");
   const filter: Filter = { verdict: changed ? "changed" : "", family: "", method: "" };
@@ -106,7 +109,7 @@ function comparisonBlock(comparison: Comparison): HTMLElement {
   return h(
     "div",
     { class: "comparison" },
-    h("h3", {}, `${comparison.before} → ${comparison.after}`),
+    title,
     h("p", { class: "note" }, comparison.same_cases ? SAME_CASES : OTHER_CASES),
     tally(comparison),
     controls(comparison, filter, refill),

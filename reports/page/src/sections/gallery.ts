@@ -15,8 +15,6 @@ interface Filter extends Record<Key, string> {
   text: string;
 }
 
-const ownFirst = (a: Failure, b: Failure): number => Number(b.own) - Number(a.own) || b.count - a.count;
-
 function passes(failure: Failure, filter: Filter, haystack: string): boolean {
   if (filter.ownOnly && !failure.own) return false;
   if (KEYS.some((key) => filter[key] !== "" && failure[key] !== filter[key])) return false;
@@ -92,18 +90,19 @@ class Cards {
 
 function gallery(run: Run, report: Report): HTMLElement[] {
   if (run.failures.length === 0) return [h("p", { class: "empty" }, "This run kept no failure.")];
-  const sorted = [...run.failures].sort(ownFirst);
-  const words = new Map(sorted.map((failure) => [failure, wordsOf(failure)]));
+  const all = run.failures;
+  const words = new Map(all.map((failure) => [failure, wordsOf(failure)]));
   const filter: Filter = { finding: "", method: "", shapes: "", regime: "", family: "", ownOnly: false, text: "" };
   const status = h("p", { class: "status", role: "status" });
   const cards = new Cards(report);
+  const left = run.kept_failures > all.length ? ` here, of ${count(run.kept_failures)} that the run kept` : "";
   const refill = () => {
-    const kept = sorted.filter((failure) => passes(failure, filter, words.get(failure) ?? ""));
-    status.textContent = `${count(kept.length)} of ${count(sorted.length)} kept failures; plumb's own first, then by how many their bucket holds`;
-    cards.show(kept);
+    const shown = all.filter((failure) => passes(failure, filter, words.get(failure) ?? ""));
+    status.textContent = `${count(shown.length)} of ${count(all.length)} failures${left}; plumb's own first, then each method's most frequent in turn`;
+    cards.show(shown);
   };
   refill();
-  return [controls(sorted, filter, refill), key(), status, cards.place, cards.more];
+  return [controls(all, filter, refill), key(), status, cards.place, cards.more];
 }
 
 /** What stands for what in the 3-D views; the labels there say the same. */

@@ -170,6 +170,9 @@ function scalarsOf(precision: Precision): string[] {
   return scalars.sort((a, b) => Number(b === "double") - Number(a === "double"));
 }
 
+const cutShort = ({ without }: Precision): string =>
+  without.length > 0 ? ` (interrupted: without ${without.join(", ")})` : "";
+
 function content(precision: Precision, view: View): HTMLElement[] {
   const pins = new Pins();
   const note = h("p");
@@ -214,7 +217,11 @@ function content(precision: Precision, view: View): HTMLElement[] {
         )
       : h("span"),
     paths.element,
-    h("p", { class: "note" }, `${count(precision.sets.length)} sets, measured at commit ${precision.commit}:`),
+    h(
+      "p",
+      { class: "note" },
+      `${count(precision.sets.length)} sets, measured at commit ${precision.commit}${cutShort(precision)}:`,
+    ),
     command(precision.command),
   ];
 }

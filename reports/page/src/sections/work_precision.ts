@@ -7,6 +7,8 @@ import { type Drawing, short, wrapped } from "../plot";
 import { ink } from "../theme";
 import { axisTitle, isShown, pointFigures, pointName, type View } from "./precision_words";
 
+const NARROW = 600;
+
 const errorOf = (view: View, point: PrecisionPoint): number | null => point[view.measure][view.quantile];
 
 /** The contract of the document's own front: common normals, 99 answers in 100, nothing certified. */
@@ -70,13 +72,13 @@ function trace(group: PrecisionPoint[], panel: Panel, below: boolean): Data {
     line: { color: colourOf(first.method), width: isOwn(first.method) ? 2.4 : 1.4, dash: dashOf(first.scalar) },
     marker: marker(first, certified),
     text: certified ? group.map((point) => short(` + ${point.certificate}`)) : undefined,
-    textposition: "middle right",
+    textposition: group.map(({ certificate }) => (certificate === "bounds" ? "bottom right" : "middle right")),
     textfont: { size: 12 },
     cliponaxis: false,
     customdata: group.map((point) => view.set.points.indexOf(point)),
     hovertext: group.map((point) => hoverText(point, width)),
     hovertemplate: "%{hovertext}<extra></extra>",
-  } as Data;
+  } as object;
 }
 
 function frontTrace({ view, scale }: Panel, points: PrecisionPoint[]): Data {
@@ -111,16 +113,24 @@ function envelopes({ view, scale, width }: Panel): { shapes: Partial<Shape>[]; a
       { ...across, ...line },
     ];
   });
-  const annotations = shown.flatMap((envelope) => {
+  const annotations = shown.flatMap((envelope, index) => {
     const at = envelope[view.measure][view.quantile];
     if (at === null) return [];
-    const text = short(envelope.scalar) + (width < 600 ? "" : ": condition × ε");
-    const place = { xref: "x", yref: "paper", x: Math.log10(scale.place(at)), y: 1, xanchor: "right", yanchor: "top" };
+    const text = short(envelope.scalar) + (width < NARROW ? "" : ": condition × ε");
+    const place = {
+      xref: "x",
+      yref: "paper",
+      x: Math.log10(scale.place(at)),
+      y: 0.285,
+      yshift: index % 2 === 0 ? 6 : -6,
+      xanchor: "center",
+      yanchor: "middle",
+    };
     return [
       {
         ...place,
         text,
-        textangle: "-90",
+
         showarrow: false,
         bgcolor: paper,
         opacity: 0.9,
@@ -131,7 +141,7 @@ function envelopes({ view, scale, width }: Panel): { shapes: Partial<Shape>[]; a
   return { shapes: shapes as Partial<Shape>[], annotations: annotations as Partial<Annotations>[] };
 }
 
-function axesOf({ view, scale }: Panel, points: PrecisionPoint[]): Partial<Layout> {
+function axesOf({ view, scale, width }: Panel, points: PrecisionPoint[]): Partial<Layout> {
   const { grid } = ink();
   const times = logScale(points.map((point) => point.median_ns));
   const ticks = {
@@ -139,7 +149,7 @@ function axesOf({ view, scale }: Panel, points: PrecisionPoint[]): Partial<Layou
     ticktext: ["0.1 µs", "1 µs", "10 µs", "0.1 ms", "1 ms", "10 ms", "0.1 s", "1 s"],
   };
   return {
-    xaxis: { ...logAxis(scale, axisTitle(view)), anchor: "y2" },
+    xaxis: { ...logAxis(scale, axisTitle(view), width < NARROW ? 5 : 9), anchor: "y2" },
     yaxis: {
       type: "log",
       range: [...times.range],

@@ -232,6 +232,7 @@ export function makeRun(options = {}) {
         ["aspect-overlap", "exponent-tilt"].map((map) => atlasOf(random, family, method, map)),
       ),
     ),
+    kept_failures: failures + 7,
     failures: Array.from({ length: failures }, (_, index) => failureOf(random, index, methods)),
   };
 }
@@ -385,6 +386,7 @@ function makePrecision(random) {
   return {
     commit: "d8be58a",
     command: "plumb report-precision --cases 40 --repeat 3 --json --out precision.json",
+    without: [],
     sets: SETS.map((set) => precisionSet(random, set)),
   };
 }
