@@ -7,7 +7,7 @@ export interface Report {
   format: "plumb/report-1";
   /** What made the page. */
   made: { commit: string; compiler: string; flags: string; command: string };
-  /** In the order of the command line. */
+  /** In the order of the command line; the page begins with the last. */
   runs: Run[];
   /** The first run against each of the others. */
   comparisons: Comparison[];

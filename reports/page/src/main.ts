@@ -35,12 +35,12 @@ function sections(state: State): HTMLElement[] {
 
 function show(report: Report, page: HTMLElement): void {
   meetMethods(report);
-  const [first] = report.runs;
-  if (!first) {
+  const newest = report.runs.at(-1);
+  if (!newest) {
     page.append(h("p", { class: "notice" }, "The report holds no run."));
     return;
   }
-  const state: State = { report, run: new Watched(first) };
+  const state: State = { report, run: new Watched(newest) };
   const parts = sections(state);
   const skip = h("a", { class: "skip", href: "#main" }, "Skip to the report");
   const main = h("main", { id: "main", tabindex: -1 }, ...parts);

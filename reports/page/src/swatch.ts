@@ -57,19 +57,19 @@ export function scalarSwatch(scalar: string): SVGElement {
   return picture;
 }
 
-/** A legend whose entries can be switched off. */
+/** A legend whose entries can be switched off; `hidden` says which are, and follows the boxes. */
 export function legend(
   label: string,
   names: string[],
   show: (name: string) => Node,
-  changed: (hidden: Set<string>) => void,
+  hidden: Set<string>,
+  changed: () => void,
 ): HTMLElement {
-  const hidden = new Set<string>();
   const entry = (name: string) =>
-    checkbox(show(name), true, (on) => {
+    checkbox(show(name), !hidden.has(name), (on) => {
       if (on) hidden.delete(name);
       else hidden.add(name);
-      changed(hidden);
+      changed();
     });
   return h("fieldset", { class: "legend" }, h("legend", {}, label), ...names.map(entry));
 }

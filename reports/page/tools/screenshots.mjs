@@ -21,6 +21,7 @@ async function settled(page, id) {
 async function shoot(browser, width, dark) {
   const { page } = await open(browser, url, { width, height: 1000, dark });
   const look = `${width}-${dark ? "dark" : "light"}`;
+  await settled(page, "summary");
   await page.screenshot({ path: join(folder, `top-${look}.png`) });
   await page.addStyleTag({
     content: ".bar { position: static !important; } html { scroll-behavior: auto !important; }",

@@ -76,7 +76,7 @@ function axes(run: Run, index: number, scale: LogScale, narrow: boolean): Partia
   const category = {
     type: "category",
     categoryorder: "array",
-    categoryarray: methods.map(short).reverse(),
+    categoryarray: methods.map((name) => short(name)).reverse(),
     range: [-0.6, methods.length - 0.4],
     gridcolor: ink().grid,
     fixedrange: true,

@@ -26,7 +26,7 @@ function runSelect(state: State): HTMLElement | null {
   const choice = select(
     "Run",
     runs.map((run, index) => [String(index), run.name]),
-    "0",
+    String(runs.indexOf(state.run.value)),
     choose,
   );
   choice.id = "run-choice";

@@ -123,14 +123,14 @@ function settings(precision: Precision, view: View, changed: () => void): HTMLEl
 function legends(precision: Precision, view: View, changed: () => void): HTMLElement {
   const points = precision.sets.flatMap((set) => set.points);
   const scalarName = (scalar: string) => h("span", { class: "method" }, scalarSwatch(scalar), scalar);
-  const methods = legend("Methods", inOrder(points.map((point) => point.method)), methodName, (hidden) => {
-    view.hidden = hidden;
-    changed();
-  });
-  const scalars = legend("Scalars", scalarsInOrder(points.map((point) => point.scalar)), scalarName, (hidden) => {
-    view.hiddenScalars = hidden;
-    changed();
-  });
+  const methods = legend("Methods", inOrder(points.map((point) => point.method)), methodName, view.hidden, changed);
+  const scalars = legend(
+    "Scalars",
+    scalarsInOrder(points.map((point) => point.scalar)),
+    scalarName,
+    view.hiddenScalars,
+    changed,
+  );
   return h("div", { class: "legends" }, methods, scalars);
 }
 
@@ -226,6 +226,9 @@ function content(precision: Precision, view: View): HTMLElement[] {
   ];
 }
 
+/** They stretch the axis by thirty decades. */
+const HIDDEN_AT_FIRST = ["50 digits"];
+
 export function precisionSection({ report }: State): HTMLElement {
   const { precision } = report;
   const set = precision?.sets[0];
@@ -239,6 +242,12 @@ export function precisionSection({ report }: State): HTMLElement {
     );
     return section("precision", "Work and precision", QUESTION, how);
   }
-  const view: View = { set, measure: "normal", quantile: "p99", hidden: new Set(), hiddenScalars: new Set() };
+  const view: View = {
+    set,
+    measure: "normal",
+    quantile: "p99",
+    hidden: new Set(),
+    hiddenScalars: new Set(HIDDEN_AT_FIRST),
+  };
   return section("precision", "Work and precision", QUESTION, ...content(precision, view));
 }

@@ -38,7 +38,7 @@ function keyFigures(run: Run): HTMLElement {
     ["Cases", count(run.cases)],
     ["Families", count(run.families.length)],
     ["Methods", count(methods.size)],
-    ["Kept failures", count(run.failures.length)],
+    ["Kept failures", count(run.kept_failures)],
     ["Took", duration(run.timing.seconds)],
   ]);
   list.className = "figures";
