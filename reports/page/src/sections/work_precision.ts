@@ -1,6 +1,6 @@
 /** Time against error, and failures against the same error: two panels that zoom together. */
 import type { Annotations, Data, Layout, Shape } from "plotly.js";
-import type { PrecisionPoint } from "../data";
+import type { PrecisionPoint, PrecisionSet } from "../data";
 import { type LogScale, logAxis, logScale, marginLabels, marginShapes } from "../log_scale";
 import { colourOf, dashOf, isOwn, symbolIn } from "../methods";
 import { type Drawing, short, wrapped } from "../plot";
@@ -8,6 +8,9 @@ import { ink } from "../theme";
 import { axisTitle, isShown, pointFigures, pointName, type View } from "./precision_words";
 
 const NARROW = 600;
+
+const shownEnvelopes = (view: View): PrecisionSet["envelopes"] =>
+  view.set.envelopes.filter(({ scalar }) => !view.hiddenScalars.has(scalar));
 
 const errorOf = (view: View, point: PrecisionPoint): number | null => point[view.measure][view.quantile];
 
@@ -96,7 +99,7 @@ function frontTrace({ view, scale }: Panel, points: PrecisionPoint[]): Data {
 /** By scalar, what the condition numbers allow: a line at the chosen figure, a band from the median to the greatest. */
 function envelopes({ view, scale, width }: Panel): { shapes: Partial<Shape>[]; annotations: Partial<Annotations>[] } {
   const { band, muted, paper } = ink();
-  const shown = view.set.envelopes.filter(({ scalar }) => !view.hiddenScalars.has(scalar));
+  const shown = shownEnvelopes(view);
   const across = { xref: "x", yref: "paper", y0: 0, y1: 1, layer: "below" };
   const shapes = shown.flatMap((envelope) => {
     const { median, max, [view.quantile]: at } = envelope[view.measure];
@@ -122,7 +125,7 @@ function envelopes({ view, scale, width }: Panel): { shapes: Partial<Shape>[]; a
       yref: "paper",
       x: Math.log10(scale.place(at)),
       y: 0.285,
-      yshift: index % 2 === 0 ? 6 : -6,
+      yshift: index % 2 === 0 ? 9 : -9,
       xanchor: "center",
       yanchor: "middle",
     };
@@ -130,7 +133,6 @@ function envelopes({ view, scale, width }: Panel): { shapes: Partial<Shape>[]; a
       {
         ...place,
         text,
-
         showarrow: false,
         bgcolor: paper,
         opacity: 0.9,
@@ -171,8 +173,10 @@ function axesOf({ view, scale, width }: Panel, points: PrecisionPoint[]): Partia
 
 export function workPrecision(view: View, width: number): Drawing {
   const points = view.set.points.filter((point) => isShown(view, point));
-  const allowed = view.set.envelopes.map((envelope) => envelope[view.measure][view.quantile]).filter((x) => x !== null);
-  const scale = logScale([...view.set.points.map((point) => errorOf(view, point)), ...allowed]);
+  const allowed = shownEnvelopes(view)
+    .map((envelope) => envelope[view.measure][view.quantile])
+    .filter((x) => x !== null);
+  const scale = logScale([...points.map((point) => errorOf(view, point)), ...allowed]);
   const panel: Panel = { view, scale, width };
   const { shapes, annotations } = envelopes(panel);
   const data = groups(points).flatMap((group) => [trace(group, panel, false), trace(group, panel, true)]);
