@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fuzz/counts.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb {
@@ -56,10 +57,10 @@ Json cell_json(const std::pair<int, int>& at, const AtlasCell& c) {
 }
 
 int read_cell(const Json& json, Property property) {
-  const int cell = json.get<int>();
-  if (cell < 0 || static_cast<std::size_t>(cell) >= scale_of(property).cells())
+  const std::uint64_t cell = read_count(json, "atlas");
+  if (cell >= scale_of(property).cells())
     throw FieldError("atlas", json.dump() + " is no cell of " + scale_of(property).title);
-  return cell;
+  return static_cast<int>(cell);
 }
 
 }  // namespace
@@ -125,9 +126,13 @@ Json Atlas::to_json() const {
 
 void Atlas::read(const Json& json) {
   for (std::size_t i = 0; i < maps_.size(); ++i)
-    for (const Json& c : json.at(std::string(kAtlasMaps[i].name)))
-      maps_[i][{read_cell(c.at(0), kAtlasMaps[i].x), read_cell(c.at(1), kAtlasMaps[i].y)}] = {c.at(2), c.at(3), c.at(4),
-                                                                                              c.at(5), c.at(6)};
+    for (const Json& c : json.at(std::string(kAtlasMaps[i].name))) {
+      const AtlasCell cell{read_count(c.at(2), "atlas"), read_count(c.at(3), "atlas"), read_count(c.at(4), "atlas"),
+                           read_count(c.at(5), "atlas"), read_count(c.at(6), "atlas")};
+      if (cell.answers == 0 || cell.judged > cell.answers || cell.failures > cell.judged)
+        throw FieldError("atlas", c.dump() + " does not add up");
+      maps_[i][{read_cell(c.at(0), kAtlasMaps[i].x), read_cell(c.at(1), kAtlasMaps[i].y)}] = cell;
+    }
 }
 
 }  // namespace plumb

@@ -26,7 +26,10 @@ Json severity_json(double severity) {
 }
 
 double read_severity(const Json& json) {
-  return json.is_number() ? json.get<double>() : std::numeric_limits<double>::infinity();
+  if (json.is_number()) return json.get<double>();
+  if (json != "infinite")
+    throw FieldError("provenance.severity", json.dump() + " is neither a number nor \"infinite\"");
+  return std::numeric_limits<double>::infinity();
 }
 
 /// A kept file is a case like any other, but it must say what orders it among the failures.
@@ -34,7 +37,10 @@ Failure read_failure(const std::filesystem::path& path) {
   try {
     std::optional<Case> c = CaseReader(path.string()).next();
     if (!c) throw InputFailure(path.string(), 0, "", "holds no case");
+    for (const char* field : {"law", "detail", "family"}) (void)c->provenance.value(field, "");  // must be text
     return failure_of(std::move(*c));
+  } catch (const FieldError& e) {
+    throw InputFailure(path.string(), 0, e.field, e.what());
   } catch (const Json::exception& e) {
     throw InputFailure(path.string(), 0, "provenance", e.what());
   }
@@ -95,6 +101,7 @@ void KeptFailures::write(const std::filesystem::path& folder) const {
 }
 
 void KeptFailures::read(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder)) return;  // an empty one is lost on the way through many stores
   for (const auto& path : find_case_files({folder.string()})) {
     const std::string file = path.filename().string();
     for (const std::string_view suffix : {kSimplest, kWorst}) {

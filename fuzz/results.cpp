@@ -7,7 +7,9 @@
 #include <system_error>
 
 #include "corpus/interrupt.hpp"
+#include "corpus/number_text.hpp"
 #include "corpus/solver.hpp"
+#include "fuzz/counts.hpp"
 
 namespace plumb {
 namespace {
@@ -46,7 +48,7 @@ Json family_json(const FamilyResults& family) {
   Json generators = Json::object();
   for (const auto& [name, tallies] : family.generators) generators[name] = tallies_json(tallies);
   return {{"cases", family.cases},
-          {"digest", family.digest},
+          {"digest", std::to_string(family.digest)},
           {"reference_unsolved", family.reference_unsolved},
           {"not_proved_lowest", family.not_proved_lowest},
           {"needed", family.needed},
@@ -57,12 +59,14 @@ Json family_json(const FamilyResults& family) {
 
 FamilyResults read_family(const Json& json) {
   FamilyResults family;
-  json.at("cases").get_to(family.cases);
-  json.at("digest").get_to(family.digest);
-  json.at("reference_unsolved").get_to(family.reference_unsolved);
-  json.at("not_proved_lowest").get_to(family.not_proved_lowest);
-  json.at("needed").get_to(family.needed);
-  json.at("reference_beaten").get_to(family.reference_beaten);
+  family.cases = count_at(json, "cases");
+  const auto digest = number_from<std::uint64_t>(json.at("digest").get<std::string>());
+  if (!digest) throw FieldError("digest", json.at("digest").dump() + " is none");
+  family.digest = *digest;
+  family.reference_unsolved = count_at(json, "reference_unsolved");
+  family.not_proved_lowest = count_at(json, "not_proved_lowest");
+  read_counts(family.needed, json, "needed");
+  family.reference_beaten = count_at(json, "reference_beaten");
   family.methods = read_tallies(json.at("methods"));
   for (const auto& [name, tallies] : json.at("generators").items()) family.generators[name] = read_tallies(tallies);
   return family;
@@ -82,6 +86,14 @@ Json bins_json(const Results& results) {
           {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
 }
 
+/// As host_json() of corpus/build_info.hpp writes it.
+void require_host(const std::string& text) {
+  const Json host = read_json(text);
+  for (const char* field : {"system", "machine", "compiler", "flags", "commit"})
+    if (!host.is_object() || !host.contains(field) || !host[field].is_string())
+      throw FieldError("hosts", "one does not say its " + std::string(field));
+}
+
 Results parse_bins(const Json& json) {
   Results results;
   const Json& format = json.at("format");
@@ -93,6 +105,7 @@ Results parse_bins(const Json& json) {
   json.at("harness_errors").get_to(results.harness_errors);
   json.at("libraries").get_to(results.libraries);
   json.at("hosts").get_to(results.hosts);
+  for (const std::string& host : results.hosts) require_host(host);
   json.at("timing").at("seconds").get_to(results.seconds);
   json.at("timing").at("threads").get_to(results.threads);
   return results;

@@ -4,8 +4,10 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "corpus/number_text.hpp"
+#include "fuzz/counts.hpp"
 
 namespace plumb {
 namespace {
@@ -70,6 +72,13 @@ double Histogram::percentile(double p) const {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+std::uint64_t Histogram::above(double percentile) const {
+  constexpr double rounding = 1 + 1e-9;
+  std::uint64_t n = 0;
+  for (const auto& [bin, count] : bins_) n += upper_edge(bin, scale_) > percentile * rounding ? count : 0;
+  return n;
+}
+
 Json Histogram::summary() const {
   if (bins_.empty()) return nullptr;
   return {{"p50", percentile(0.5)}, {"p99", percentile(0.99)}, {"max", max_}};
@@ -83,7 +92,7 @@ Json Histogram::to_json() const {
 }
 
 void Histogram::read(const Json& json) {
-  for (const auto& [bin, n] : json.at("bins").items()) bins_[read_bin(bin)] = n.get<std::uint64_t>();
+  for (const auto& [bin, n] : json.at("bins").items()) bins_[read_bin(bin)] = read_count(n, "bins");
   const Json& max = json.at("max");
   max_ = max.is_null() ? std::numeric_limits<double>::infinity() : max.get<double>();
 }
@@ -120,21 +129,35 @@ Json Tally::to_json() const {
           {"nanoseconds", nanoseconds.to_json()}};
 }
 
+namespace {
+
+/// Each answer has one status, and one finding if it was judged.
+void require_sums(const Tally& t) {
+  const auto sum = [](const auto& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); };
+  if (t.unjudged > t.cases || sum(t.findings) != t.judged())
+    throw FieldError("findings", "are not those of the judged answers");
+  if (sum(t.statuses) != t.cases) throw FieldError("statuses", "are not those of the answers");
+  if (t.angles_wrong > t.angle_error_deg.count()) throw FieldError("angles_wrong", "are more than there are angles");
+}
+
+}  // namespace
+
 Tally Tally::from_json(const Json& json) {
   Tally t;
   json.at("published").get_to(t.published);
-  json.at("cases").get_to(t.cases);
-  json.at("unjudged").get_to(t.unjudged);
-  json.at("findings").get_to(t.findings);
-  json.at("converged_findings").get_to(t.converged_findings);
-  json.at("statuses").get_to(t.statuses);
-  json.at("angles_wrong").get_to(t.angles_wrong);
+  t.cases = count_at(json, "cases");
+  t.unjudged = count_at(json, "unjudged");
+  read_counts(t.findings, json, "findings");
+  read_counts(t.converged_findings, json, "converged_findings");
+  read_counts(t.statuses, json, "statuses");
+  t.angles_wrong = count_at(json, "angles_wrong");
   t.angle_error_deg.read(json.at("angle_error_deg"));
   t.overlap_error.read(json.at("overlap_error"));
   t.iterations.read(json.at("iterations"));
   t.evaluations.read(json.at("evaluations"));
   t.atlas.read(json.at("atlas"));
   t.nanoseconds.read(json.at("nanoseconds"));
+  require_sums(t);
   return t;
 }
 

@@ -25,6 +25,8 @@ class Histogram {
   /// NaN when empty.
   [[nodiscard]] double percentile(double p) const;
   [[nodiscard]] double max() const { return max_; }
+  /// How many lie in bins beyond that of a percentile.
+  [[nodiscard]] std::uint64_t above(double percentile) const;
   /// In the order of their values, with their counts.
   [[nodiscard]] const std::map<int, std::uint64_t>& bins() const { return bins_; }
   /// { "p50", "p99", "max" }, null when empty.

@@ -68,7 +68,8 @@ Point judged(const Variant& variant, const std::vector<Case>& cases, const Truth
   out.judged = tally.normal.size();
   out.failed = static_cast<double>(tally.failed) / static_cast<double>(tally.ns.size());
   const auto off = std::count_if(tally.normal.begin(), tally.normal.end(), [](double error) { return error > far; });
-  out.off = out.judged > 0 ? static_cast<double>(off) / static_cast<double>(out.judged) : 0;
+  out.off = out.judged > 0 ? static_cast<double>(off) / static_cast<double>(out.judged)
+                           : std::numeric_limits<double>::quiet_NaN();
   return out;
 }
 

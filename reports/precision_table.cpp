@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "corpus/command.hpp"
 #include "corpus/json_text.hpp"
@@ -49,7 +50,7 @@ Json point_json(const SetResults& r, const Point& p) {
           {"iterations", {{"median", p.time.median_iterations}, {"max", p.time.most_iterations}}},
           {"judged", p.judged},
           {"not_converged", p.failed},
-          {"off_by_0.01_deg", p.off},
+          {"off_by_0.01_deg", std::isnan(p.off) ? Json() : Json(p.off)},
           {"overlap_error", to_json(p.overlap)},
           {"normal_error_rad", to_json(p.normal)},
           {"point_error", to_json(p.points)},

@@ -40,12 +40,12 @@ void add_shares(std::vector<Difference>& rows, const Tally& one, const Tally& tw
                            two.angle_error_deg.count(), false));
 }
 
+/// The middle by the whole distribution, the tail by the share of answers beyond the p99 of both runs together.
 void add_percentiles(std::vector<Difference>& rows, const std::string& measure, const char* unit, const Histogram& one,
                      const Histogram& two) {
   if (one.count() == 0 || two.count() == 0) return;
-  const double p = mann_whitney_p(one, two);
-  rows.push_back({measure + " p50", unit, one.percentile(0.5), two.percentile(0.5), false, p});
-  rows.push_back({measure + " p99", unit, one.percentile(0.99), two.percentile(0.99), false, p});
+  rows.push_back({measure + " p50", unit, one.percentile(0.5), two.percentile(0.5), false, mann_whitney_p(one, two)});
+  rows.push_back({measure + " p99", unit, one.percentile(0.99), two.percentile(0.99), false, tail_p(one, two)});
 }
 
 std::vector<Difference> rows_of(const Tally& one, const Tally& two) {
@@ -58,9 +58,13 @@ std::vector<Difference> rows_of(const Tally& one, const Tally& two) {
   return rows;
 }
 
-/// Not of NaN: what is absent in both is the same.
 bool is_same(const Difference& r) {
-  return r.before == r.after || (std::isnan(r.before) && std::isnan(r.after));
+  return r.before == r.after;
+}
+
+/// A share of no answers, on either side, is nothing to compare.
+bool is_comparable(const Difference& r) {
+  return !std::isnan(r.before) && !std::isnan(r.after);
 }
 
 const char* verdict(const Difference& r, bool same_cases) {
@@ -101,7 +105,7 @@ std::vector<Compared> compare(const Results& before, const Results& after) {
       const auto again = other->second.methods.find(method);
       if (again == other->second.methods.end()) continue;
       for (Difference& row : rows_of(methods.at(method), again->second))
-        out.push_back({family, method, std::move(row)});
+        if (is_comparable(row)) out.push_back({family, method, std::move(row)});
     }
   }
   return out;
@@ -148,6 +152,13 @@ double mann_whitney_p(const Histogram& one, const Histogram& two) {
   const double off = std::abs(rank_sum - n1 * (n + 1) / 2) - 0.5;  // continuity
   const double z = std::max(0.0, off) / std::sqrt(variance);
   return 2 * boost::math::cdf(boost::math::complement(boost::math::normal(), z));
+}
+
+double tail_p(const Histogram& one, const Histogram& two) {
+  Histogram both = one;
+  both.merge(two);
+  const double edge = both.percentile(0.99);
+  return fisher_p(one.above(edge), one.count(), two.above(edge), two.count());
 }
 
 void adjust_by_holm(std::vector<double>& p) {

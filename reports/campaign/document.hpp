@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "corpus/solver.hpp"
 #include "fuzz/results.hpp"
 
 namespace plumb::reports {
@@ -16,15 +18,23 @@ struct Run {
   Results results;
 };
 
-/// What a Run holds and, of its kept failures, the first `most_failures` buckets' cases, each solved again and held against the
-/// reference's bounds.
-[[nodiscard]] Json run_json(const Run& run, std::size_t most_failures);
+/// What a document shows of the kept failures.
+struct Shown {
+  std::size_t most_failures = 500;
+  std::optional<Solver> foreign;  ///< who answers for a foreign solver of its name
+};
 
-/// The kept cases until there are `most`: plumb's own, then each method's most frequent in turn.
-[[nodiscard]] Json failures_json(const Run& run, std::size_t most);
+/// What a Run holds and, of its kept failures, some cases, each solved again and held against the reference's bounds.
+[[nodiscard]] Json run_json(const Run& run, const Shown& shown);
+
+/// Kept cases until there are enough, or Ctrl-C: plumb's own, then each method's most frequent in turn.
+[[nodiscard]] Json failures_json(const Run& run, const Shown& shown);
 
 /// From the JSON lines of `plumb report-precision --out FILE`; throws InputFailure.
 [[nodiscard]] Json precision_json(const std::filesystem::path& file);
+
+/// Machine and build: of parts on several, each field's values one after the other.
+[[nodiscard]] Json host_of(const Results& results);
 
 /// The findings, their order and meaning, and the laws with their place in the source.
 [[nodiscard]] Json findings_json();

@@ -2,6 +2,7 @@
 #include <exception>
 #include <optional>
 
+#include "corpus/interrupt.hpp"
 #include "corpus/solver.hpp"
 #include "fuzz/ranked.hpp"
 #include "reports/campaign/document.hpp"
@@ -60,21 +61,18 @@ Json answer_json(const Pair& pair, const Contact<double>& c, const Reference& re
   return out;
 }
 
-/// The solvers of a run by name, each loaded once.
+/// By name, each loaded once. Of foreign solvers only the one that is handed over: what a file names is never loaded.
 class Solvers {
  public:
-  explicit Solvers(const std::map<std::string, std::string>& libraries) : libraries_(libraries) {}
+  explicit Solvers(const std::optional<Solver>& foreign) {
+    if (foreign) found_.emplace(foreign->name, *foreign);
+  }
   const Solver& find(const std::string& method) {
     const auto known = found_.find(method);
-    if (known != found_.end()) return known->second;
-    const auto library = libraries_.find(method);
-    return found_
-        .emplace(method, library == libraries_.end() ? find_solvers(method).front() : load_solver(library->second))
-        .first->second;
+    return known != found_.end() ? known->second : found_.emplace(method, find_solvers(method).front()).first->second;
   }
 
  private:
-  std::map<std::string, std::string> libraries_;
   std::map<std::string, Solver> found_;
 };
 
@@ -139,11 +137,11 @@ std::vector<RankedBucket> in_turns(std::vector<RankedBucket> ranked, const Resul
 
 }  // namespace
 
-Json failures_json(const Run& run, std::size_t most) {
-  Solvers solvers(run.results.libraries);
+Json failures_json(const Run& run, const Shown& shown) {
+  Solvers solvers(shown.foreign);
   Json out = Json::array();
   const auto put = [&](const RankedBucket& bucket, const Failure& failure, const char* kept) {
-    if (out.size() >= most) return;
+    if (out.size() >= shown.most_failures || interrupted()) return;
     out.push_back(failure_json(run, bucket, failure, kept));
     solve_again(out.back(), failure.kept, solvers);
   };

@@ -7,6 +7,7 @@
 
 #include "corpus/build_info.hpp"
 #include "corpus/command.hpp"
+#include "corpus/interrupt.hpp"
 #include "corpus/program_folder.hpp"
 #include "fuzz/shell_word.hpp"
 #include "reports/campaign/compare.hpp"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, precision;
+  std::string out, precision, solver;
   std::size_t failures = 500;
 };
 
@@ -29,6 +30,8 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("-o,--out", args.out, "the page, FILE.html")->required();
   app.add_option("--precision", args.precision,
                  "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
+  app.add_option("--solver", args.solver,
+                 "the shared library of a foreign solver whose failures are to be solved again");
   app.add_option("--failures", args.failures,
                  "kept cases in the gallery of each run: plumb's own, then each method's most frequent")
       ->capture_default_str()
@@ -69,7 +72,20 @@ std::string command_of(const Arguments& args) {
   std::string out = "plumb report";
   for (const std::string& folder : args.folders) out += " " + shell_word(folder);
   if (!args.precision.empty()) out += " --precision " + shell_word(args.precision);
+  if (!args.solver.empty()) out += " --solver " + shell_word(args.solver);
+  if (args.failures != Arguments().failures) out += fmt::format(" --failures {}", args.failures);
   return out + " -o " + shell_word(args.out);
+}
+
+/// The data lie beside the page by its name: a campaign's summary.json must not be among them.
+void refuse_bad_page(const Arguments& args) {
+  const fs::path page = args.out;
+  if (page.extension() != ".html")
+    throw InputFailure(args.out, 0, "--out", "must end in .html: the data lie beside it");
+  for (const std::string& folder : args.folders)
+    if (fs::weakly_canonical(fs::path(page).replace_extension(".json")) ==
+        fs::weakly_canonical(fs::path(folder) / "summary.json"))
+      throw InputFailure(args.out, 0, "--out", "its data would take the place of " + folder + "/summary.json");
 }
 
 Json document(const Arguments& args, const std::vector<Run>& runs) {
@@ -83,19 +99,21 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
       {"precision", nullptr},
       {"findings", findings_json()},
       {"laws", laws_json()}};
-  for (const Run& run : runs) out["runs"].push_back(run_json(run, args.failures));
+  Shown shown{args.failures, std::nullopt};
+  if (!args.solver.empty()) shown.foreign = load_solver(args.solver);
+  for (const Run& run : runs) out["runs"].push_back(run_json(run, shown));
   for (std::size_t i = 1; i < runs.size(); ++i) out["comparisons"].push_back(comparison_json(runs[0], runs[i]));
   if (const fs::path file = precision_file(args); !file.empty()) out["precision"] = precision_json(file);
   return out;
 }
 
 int report(const Arguments& args) {
+  refuse_bad_page(args);
   const fs::path page = args.out;
-  if (page.extension() != ".html")
-    throw InputFailure(args.out, 0, "--out", "must end in .html: the data lie beside it");
   std::vector<Run> runs;
   for (const std::string& folder : args.folders) runs.push_back({folder, read_results(folder)});
   const Json whole = document(args, runs);
+  if (interrupted()) return exit_interrupted;  // before anything is written: what an earlier report left stays whole
   // A file name need not be UTF-8; what is not is replaced.
   const std::string json = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
   const auto beside = [&](const char* extension) { return fs::path(page).replace_extension(extension); };

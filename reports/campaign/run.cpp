@@ -1,7 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "corpus/solver.hpp"
 #include "fuzz/shell_word.hpp"
@@ -73,11 +76,17 @@ std::string options_of(const Results& results) {
 }
 
 /// The pairs of corpus/cases/real come with ./fuzz/run alone.
+/// One shard is its own campaign; several that were merged are one.
+std::string shard_of(const Asked& asked) {
+  return asked.shards > 1 && asked.done.size() == 1 ? fmt::format(" --shard {}/{}", *asked.done.begin(), asked.shards)
+                                                    : "";
+}
+
 std::string command_of(const Results& results, const std::string& family) {
   const auto asked = results.asked.cases.find(family);
   if (family == "real" || asked == results.asked.cases.end()) return "plumb fuzz-run";
-  return fmt::format("plumb campaign --family {} --cases {} --seed {}{}", family, asked->second, results.asked.seed,
-                     options_of(results));
+  return fmt::format("plumb campaign --family {} --cases {} --seed {}{}{}", family, asked->second, results.asked.seed,
+                     options_of(results), shard_of(results.asked));
 }
 
 Json family_json(const Results& results, const std::string& family_name) {
@@ -103,16 +112,19 @@ Json axis_json(Property property) {
   return {{"title", scale.title}, {"labels", labels}};
 }
 
-Json cells_json(const Atlas::Cells& cells) {
+/// `counts_steps`: whether the method counts its iterations at all.
+Json cells_json(const Atlas::Cells& cells, bool counts_steps) {
   Json out = Json::array();
   for (const auto& [at, cell] : cells)
-    out.push_back({{"x", at.first},
-                   {"y", at.second},
-                   {"answers", cell.answers},
-                   {"judged", cell.judged},
-                   {"failures", cell.failures},
-                   {"not_converged", cell.not_converged},
-                   {"iterations", static_cast<double>(cell.iterations) / static_cast<double>(cell.answers)}});
+    out.push_back(
+        {{"x", at.first},
+         {"y", at.second},
+         {"answers", cell.answers},
+         {"judged", cell.judged},
+         {"failures", cell.failures},
+         {"not_converged", cell.not_converged},
+         {"iterations",
+          counts_steps ? Json(static_cast<double>(cell.iterations) / static_cast<double>(cell.answers)) : Json()}});
   return out;
 }
 
@@ -126,19 +138,7 @@ Json atlases_json(const Results& results) {
                        {"map", kAtlasMaps[i].name},
                        {"x", axis_json(kAtlasMaps[i].x)},
                        {"y", axis_json(kAtlasMaps[i].y)},
-                       {"cells", cells_json(tally.atlas.map(i))}});
-  return out;
-}
-
-/// Of parts on several machines: each field's values, one after the other.
-Json host_of(const Results& results) {
-  Json all = results.hosts_json();
-  if (all.is_object()) return all;
-  Json out = all.empty() ? Json{{"commit", "unknown"}} : all[0];
-  for (std::size_t i = 1; i < all.size(); ++i)
-    for (const auto& [field, value] : all[i].items())
-      if (value != all[0][field] && value.is_string())
-        out[field] = out[field].get<std::string>() + ", " + value.get<std::string>();
+                       {"cells", cells_json(tally.atlas.map(i), tally.iterations.max() > 0)}});
   return out;
 }
 
@@ -156,6 +156,22 @@ std::string name_of(const Run& run) {
 
 }  // namespace
 
+Json host_of(const Results& results) {
+  Json out{{"system", ""}, {"machine", ""}, {"processors", 0}, {"compiler", ""}, {"flags", ""}, {"commit", "unknown"}};
+  std::map<std::string, std::set<std::string>> texts;
+  for (const std::string& host : results.hosts) {
+    const Json said = Json::parse(host);
+    for (const auto& [field, value] : said.items()) {
+      if (value.is_string())
+        texts[field].insert(value.get<std::string>());
+      else
+        out[field] = value;
+    }
+  }
+  for (const auto& [field, values] : texts) out[field] = fmt::format("{}", fmt::join(values, ", "));
+  return out;
+}
+
 Json number_json(double x) {
   return std::isfinite(x) ? Json(x) : Json();
 }
@@ -165,7 +181,7 @@ Json share_json(std::uint64_t count, std::uint64_t of) {
   return {{"count", count}, {"of", of}, {"share", number_json(s.share)}, {"low", s.low}, {"high", s.high}};
 }
 
-Json run_json(const Run& run, std::size_t most_failures) {
+Json run_json(const Run& run, const Shown& shown) {
   const Results& results = run.results;
   Json families = Json::array(), commands = Json::array();
   for (const std::string& family : family_order(results)) {
@@ -177,7 +193,7 @@ Json run_json(const Run& run, std::size_t most_failures) {
   return {{"name", name_of(run)},
           {"folder", run.folder.string()},
           {"commit", host["commit"]},
-          {"seed", results.asked.seed},
+          {"seed", std::to_string(results.asked.seed)},
           {"cases", results.cases()},
           {"incomplete", results.incomplete()},
           {"commands", commands},
@@ -190,7 +206,7 @@ Json run_json(const Run& run, std::size_t most_failures) {
           {"families", families},
           {"atlases", atlases_json(results)},
           {"kept_failures", kept_cases(results)},
-          {"failures", failures_json(run, most_failures)}};
+          {"failures", failures_json(run, shown)}};
 }
 
 Json findings_json() {

@@ -31,6 +31,11 @@ class Row {
   std::string line_;
 };
 
+/// NaN of who never counts his steps (a peer).
+double steps(const Tally& t, double percentile) {
+  return t.iterations.max() > 0 ? t.iterations.percentile(percentile) : std::nan("");
+}
+
 std::string heading() {
   Row row;
   for (const char* name : {"run",
@@ -66,17 +71,15 @@ std::string heading() {
 }
 
 std::string method_line(const Run& run, const std::string& family, const std::string& method, const Tally& t) {
-  const Json hosts = run.results.hosts_json();
+  const Json host = host_of(run.results);
   Row row;
-  row.add(run.folder.string())
-      .add(hosts.is_object() ? hosts.value("commit", "") : "several")
-      .add(run.results.asked.seed);
+  row.add(run.folder.string()).add(host["commit"].get<std::string>()).add(run.results.asked.seed);
   row.add(family).add(method).add(std::string(t.published ? "yes" : "no")).add(t.cases).add(t.judged());
   row.add(share_of(t.converged(), t.cases)).add(share_of(t.failures(), t.judged()));
   row.add(share_of(t.angles_wrong, t.angle_error_deg.count()));
   for (const Histogram* h : {&t.angle_error_deg, &t.overlap_error})
     row.add(h->percentile(0.5)).add(h->percentile(0.99)).add(h->count() > 0 ? h->max() : std::nan(""));
-  for (const Histogram* h : {&t.iterations, &t.nanoseconds}) row.add(h->percentile(0.5)).add(h->percentile(0.99));
+  row.add(steps(t, 0.5)).add(steps(t, 0.99)).add(t.nanoseconds.percentile(0.5)).add(t.nanoseconds.percentile(0.99));
   for (const std::uint64_t n : t.findings) row.add(n);
   return row.line();
 }
@@ -108,10 +111,10 @@ std::string family_table(const std::string& name, const FamilyResults& family) {
   for (const std::string& method : method_order(family.methods)) {
     const Tally& t = family.methods.at(method);
     const Histogram& a = t.angle_error_deg;
-    out += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", method, t.published ? "" : " (plumb)",
-                       percent(share_of(t.of(FindingKind::none), t.judged())), findings_text(t),
-                       figure(a.percentile(0.5)), figure(a.percentile(0.99)),
-                       figure(a.count() > 0 ? a.max() : std::nan("")), figure(t.iterations.percentile(0.5)));
+    out +=
+        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", method, t.published ? "" : " (plumb)",
+                    percent(share_of(t.of(FindingKind::none), t.judged())), findings_text(t), figure(a.percentile(0.5)),
+                    figure(a.percentile(0.99)), figure(a.count() > 0 ? a.max() : std::nan("")), figure(steps(t, 0.5)));
   }
   return out;
 }
@@ -120,7 +123,7 @@ std::string changes(const Json& comparison) {
   constexpr std::size_t shown = 20;
   std::string out = fmt::format(
       "\n### {} -> {}\n\n{}\n\n", comparison["before"].get<std::string>(), comparison["after"].get<std::string>(),
-      comparison["same_cases"].get<bool>() ? "The same cases: every difference is one of the code."
+      comparison["same_cases"].get<bool>() ? "The same cases: no difference is chance."
                                            : "Other cases: what is not significant (Holm, 5 %) is left out.");
   std::size_t count = 0;
   for (const char* verdict : {"worse", "better"})

@@ -45,6 +45,18 @@ TEST(Comparison, HolmsAdjustment) {
   EXPECT_TRUE(std::isnan(p[1]));
 }
 
+TEST(Comparison, ATailIsHeldToTheTail) {
+  // The bulk a bin better, one answer in fifty far worse.
+  Histogram one, two;
+  for (int i = 0; i < 5000; ++i) {
+    one.add(1e-8);
+    two.add(i % 50 == 0 ? 1e-3 : 0.8e-8);
+  }
+  EXPECT_LT(tail_p(one, two), 1e-12);
+  EXPECT_NEAR(tail_p(one, two), tail_p(two, one), 1e-15);
+  EXPECT_EQ(tail_p(one, one), 1);
+}
+
 class Report : public Commands {
  protected:
   /// A campaign of a few spheroids by two methods that differ.
@@ -166,6 +178,57 @@ TEST_F(Report, OneMoreFailureOfTheSameCasesIsNoNoise) {
   EXPECT_EQ(row_of(json("worse.json")["comparisons"][0], "new_cn", "slow")["verdict"], "worse");
 }
 
+TEST_F(Report, AMethodThatNoLongerConvergesIsNotBetter) {
+  const std::string one = campaign("one", 1), two = campaign("two", 1);
+  Json bins = json("two/campaign.bins");
+  Json& tally = bins["families"]["spheroid"]["methods"]["new_cn"];
+  tally["statuses"] = {0, 60, 0, 0, 0, 0};
+  tally["angles_wrong"] = 0;
+  for (const char* errors : {"angle_error_deg", "overlap_error"})
+    tally[errors] = {{"bins", Json::object()}, {"max", -1}};
+  write_file(path_ / "two" / "campaign.bins", bins.dump());
+  ASSERT_EQ(plumb("report " + one + " " + two + " -o page.html").code, 0);
+  const Json comparison = json("page.json")["comparisons"][0];
+  EXPECT_EQ(row_of(comparison, "new_cn", "converged")["verdict"], "worse");
+  for (const Json& row : comparison["rows"]) EXPECT_NE(row["verdict"], "better") << row;
+}
+
+TEST_F(Report, WhatAFileNamesIsNotLoaded) {
+  const std::string run = campaign("run", 1);
+  Json bins = json("run/campaign.bins");
+  bins["libraries"] = {{"new_cn", "/nowhere/evil.so"}, {"original_cn", "/nowhere/evil.so"}};
+  write_file(path_ / "run" / "campaign.bins", bins.dump());
+  ASSERT_EQ(plumb("report " + run + " -o page.html").code, 0);
+  const Json report = json("page.json");
+  for (const Json& failure : report["runs"][0]["failures"])
+    EXPECT_TRUE(failure["answer"].is_object()) << failure["reason"];
+}
+
+TEST_F(Report, CountsThatDoNotAddUpAreRefused) {
+  const std::string run = campaign("run", 1);
+  const Json whole = json("run/campaign.bins");
+  const auto refuses = [&](const std::function<void(Json&)>& change, const std::string& line) {
+    Json bins = whole;
+    change(bins);
+    write_file(path_ / "run" / "campaign.bins", bins.dump());
+    expect_refusal("report run -o page.html", "run/campaign.bins: " + line);
+  };
+  const auto method = [](Json& bins) -> Json& { return bins["families"]["spheroid"]["methods"]["new_cn"]; };
+  refuses([&](Json& b) { method(b)["cases"] = -5; }, "cases: -5 is no count");
+  refuses([&](Json& b) { method(b)["cases"] = 2.5; }, "cases: 2.5 is no count");
+  refuses([&](Json& b) { method(b)["findings"][0] = 7; }, "findings: are not those of the judged answers");
+  refuses([&](Json& b) { method(b)["findings"] = {1, 2}; }, "findings: must hold 14 counts");
+  refuses([&](Json& b) { b["hosts"] = {"{}"}; }, "hosts: one does not say its system");
+  refuses([&](Json& b) { method(b)["atlas"]["aspect-overlap"][0][2] = 0; },
+          "atlas: " +
+              [&] {
+                Json cell = whole["families"]["spheroid"]["methods"]["new_cn"]["atlas"]["aspect-overlap"][0];
+                cell[2] = 0;
+                return cell.dump();
+              }() +
+              " does not add up");
+}
+
 TEST_F(Report, UnusableInputIsNamed) {
   expect_refusal("report nowhere -o page.html",
                  "nowhere/campaign.bins: campaign.bins: cannot be read: is this the folder of a campaign?");
@@ -174,6 +237,14 @@ TEST_F(Report, UnusableInputIsNamed) {
   write_file(path_ / "bad.jsonl", "{\"kind\": \"point\", \"set\": \"spheroid\"}\n{\"kind\": 1}\n");
   expect_refusal("report " + run + " -o page.html --precision bad.jsonl",
                  "bad.jsonl:1: set: has no line of its own before this one");
+  write_file(
+      path_ / "worse.jsonl",
+      R"({"kind": "set", "set": "a", "of": "", "pairs": 1, "envelopes": 5, "auto_on_front": true, "front_note": ""})"
+      "\n{}\n");
+  expect_refusal("report " + run + " -o page.html --precision worse.jsonl",
+                 "worse.jsonl:1: envelopes: must be an array, not a number");
+  expect_refusal("report " + run + " -o run/summary.html",
+                 "run/summary.html: --out: its data would take the place of run/summary.json");
   expect_refusal("report " + run + " -o nowhere/page.html", "nowhere/page.json: No such file or directory");
 }
 

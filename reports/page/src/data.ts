@@ -21,13 +21,14 @@ export interface Report {
 export interface Share { count: number; of: number; share: number | null; low: number; high: number }
 
 /** Percentiles are upper edges of bins, 20 a decade; "max" is exact; null where nothing was counted. */
-export type Spread = { p50: number; p99: number; max: number | null } | null;
+export type Spread = { p50: number | null; p99: number | null; max: number | null } | null;
 
 export interface Run {
   name: string;
   folder: string;
   commit: string;
-  seed: number;
+  /** A whole number of 64 bits. */
+  seed: string;
   cases: number;
   /** Interrupted, or shards are missing. */
   incomplete: boolean;
@@ -94,7 +95,7 @@ export interface Cell {
   failures: number;
   not_converged: number;
   /** Mean of all answers. */
-  iterations: number;
+  iterations: number | null;
 }
 
 export type Vec = [number, number, number];
@@ -146,7 +147,7 @@ export interface Answer {
 export interface Comparison {
   before: string;
   after: string;
-  /** The same cases: every difference is one of the code, and none is noise. */
+  /** The same cases: no difference is chance. */
   same_cases: boolean;
   rows: ComparisonRow[];
 }
@@ -160,7 +161,7 @@ export interface ComparisonRow {
   after: number | null;
   before_interval?: [number, number];
   after_interval?: [number, number];
-  /** Two-sided, adjusted for the number of rows (Holm); null where the cases are the same. */
+  /** Two-sided, adjusted for the number of rows that differ (Holm); null where the cases are the same. */
   p: number | null;
   verdict: "better" | "worse" | "same" | "noise";
 }
@@ -168,6 +169,7 @@ export interface ComparisonRow {
 /** From `plumb report-precision`. */
 export interface Precision {
   commit: string;
+  host: { system: string; machine: string; compiler: string; flags: string } | null;
   command: string;
   /** Sets that Ctrl-C left out. */
   without: string[];
@@ -201,7 +203,7 @@ export interface PrecisionPoint {
   iterations: { median: number; max: number };
   /** Shares, 0..1. */
   failed: number;
-  off: number;
+  off: number | null;
   judged: number;
   overlap: Quantiles;
   /** rad */

@@ -1,7 +1,7 @@
 // What plumb report itself writes, in Chromium: PLUMB_BIN is the folder of the programs; without it there is nothing to ask.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
@@ -26,6 +26,38 @@ function makePage(folder) {
   run(folder, "plumb", "report", "seed1", "seed2", "-o", "page.html");
   return pathToFileURL(join(folder, "page.html")).href;
 }
+
+/** Twice the same campaign, but half of what new_cn had right is misaligned in the second. */
+function makePlanted(folder) {
+  for (const name of ["before", "after"])
+    run(folder, "plumb", "campaign", "--family", "spheroid", "--cases", "20", "--method", "new_cn", "--out", name);
+  const file = join(folder, "after", "campaign.bins");
+  const bins = JSON.parse(readFileSync(file, "utf8"));
+  const { findings } = bins.families.spheroid.methods.new_cn;
+  const [misaligned, none] = [6, 13];
+  const half = Math.floor(findings[none] / 2);
+  findings[none] -= half;
+  findings[misaligned] += half;
+  writeFileSync(file, JSON.stringify(bins));
+  run(folder, "plumb", "report", "before", "after", "-o", "planted.html");
+  return pathToFileURL(join(folder, "planted.html")).href;
+}
+
+test("a regression planted in a campaign is the first row of the comparison", { skip }, () =>
+  withFolder(async (folder) => {
+    const url = makePlanted(folder);
+    const browser = await launch();
+    try {
+      const { page } = await open(browser, url);
+      const rows = await page.$$eval("#compare tbody tr", (all) => all.map((row) => row.textContent));
+      assert.match(rows[0], /worse.*spheroid.*new_.?cn/);
+      assert.ok(rows.slice(0, 2).some((row) => /misaligned/.test(row)));
+      assert.ok(rows.slice(2).every((row) => !/worse/.test(row)));
+    } finally {
+      await browser.close();
+    }
+  }),
+);
 
 test("a report of plumb's own is shown whole, without a complaint or a request", { skip }, () =>
   withFolder(async (folder) => {

@@ -74,7 +74,8 @@ function tally(comparison: Comparison): HTMLElement {
 }
 
 const NOTHING_IN_COMMON = "These runs have no family with a method in common: there is nothing to compare.";
-const SAME_CASES = "Both runs drew the same cases: every difference is one of the code, and none is noise.";
+const SAME_CASES =
+  "Both runs drew the same cases: no difference is chance: each is of the code, the compiler or the machine.";
 const OTHER_CASES =
   "The runs drew different cases: shares are compared by Fisher's exact test, other figures by Mann and Whitney's, p adjusted by Holm for the number of rows; what may be chance is called noise.";
 

@@ -97,6 +97,12 @@ function frontNote(place: HTMLElement, { set }: View): void {
   place.textContent = set.front_note;
 }
 
+/** On how many pairs the figures stand. */
+const standing = ({ set }: View): string =>
+  set.pairs < 100
+    ? `${set.pairs} pairs: the p99 of fewer than 100 is their greatest; 0 failures of ${set.pairs} leave up to ${percent(1 - 0.025 ** (1 / set.pairs))} % possible.`
+    : `${set.pairs} pairs.`;
+
 function settings(precision: Precision, view: View, changed: () => void): HTMLElement {
   const sets = precision.sets.map(({ name, of }, index): [string, string] => [String(index), `${name}: ${of}`]);
   const pickSet = (index: string) => {
@@ -170,6 +176,9 @@ function scalarsOf(precision: Precision): string[] {
   return scalars.sort((a, b) => Number(b === "double") - Number(a === "double"));
 }
 
+const machineOf = ({ host }: Precision): string =>
+  host ? ` on ${host.system}, ${host.machine}, ${host.compiler} ${host.flags}` : "";
+
 const cutShort = ({ without }: Precision): string =>
   without.length > 0 ? ` (interrupted: without ${without.join(", ")})` : "";
 
@@ -180,8 +189,10 @@ function content(precision: Precision, view: View): HTMLElement[] {
   let scalar = scalars[0] ?? "double";
   const work = workFigure(view, pins);
   const paths = pathsFigure(view, () => scalar, pins);
+  const pairs = h("p", { class: "note" }, standing(view));
   const redraw = () => {
     frontNote(note, view);
+    pairs.textContent = standing(view);
     work.redraw();
     paths.redraw();
   };
@@ -200,6 +211,7 @@ function content(precision: Precision, view: View): HTMLElement[] {
     note,
     legends(precision, view, redraw),
     work.element,
+    pairs,
     key,
     pins.element,
     h("h3", {}, "How the error falls"),
@@ -220,7 +232,7 @@ function content(precision: Precision, view: View): HTMLElement[] {
     h(
       "p",
       { class: "note" },
-      `${count(precision.sets.length)} sets, measured at commit ${precision.commit}${cutShort(precision)}:`,
+      `${count(precision.sets.length)} sets, measured at commit ${precision.commit}${machineOf(precision)}${cutShort(precision)}:`,
     ),
     command(precision.command),
   ];

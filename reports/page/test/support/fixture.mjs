@@ -213,7 +213,7 @@ export function makeRun(options = {}) {
     name,
     folder: `runs/${name}`,
     commit: options.commit ?? "d8be58a",
-    seed,
+    seed: String(seed),
     cases,
     incomplete: options.incomplete ?? false,
     commands: families.map((family) => command(family, each)),
@@ -264,7 +264,7 @@ function compare(before, after, sameCases) {
         after_interval: [other.failures.low, other.failures.high],
       };
       return [
-        of("failures", "share", row.failures.share, other.failures.share, ranges),
+        of("misaligned", "share", row.failures.share, other.failures.share, ranges),
         of("angle_error_deg p99", "deg", row.angle_error_deg.p99, row.angle_error_deg.p99),
         of("overlap_error p99", "relative", row.overlap_error.p99, row.overlap_error.p99),
         of("iterations p50", "count", row.iterations?.p50 ?? null, row.iterations?.p50 ?? null),
@@ -319,14 +319,13 @@ function precisionPoint(random, set, method, [scalar, epsilon, cost], tolerance,
   const nothing = method === "peer_fcl" && set !== "spheroid" && set !== "ellipsoid";
   const exact = method === "auto" && scalar === "50 digits" && tolerance === 0;
   const of = (factor) => (nothing ? { median: null, p99: null, max: null } : quantiles(exact ? 0 : reached * factor));
-  const flags = tolerance > 0 ? ` --tolerance ${tolerance}` : "";
   return {
     method,
     scalar,
     tolerance,
     certificate,
     problem: method.startsWith("geometric") ? "geometric_potential" : "common_normal",
-    command: `plumb report-precision --set ${set} --method ${method} --scalar '${scalar}'${flags}${certificate ? ` --certificate ${certificate}` : ""}`,
+    command: `plumb report-precision --set ${set} --method ${method} --cases 40 --seed 1 --repeat 3`,
     median_ns: ns,
     p99_ns: ns * 3.1,
     iterations: { median: Math.round(1 + Math.log2(steps + 1)), max: 12 },
@@ -387,6 +386,7 @@ function makePrecision(random) {
     commit: "d8be58a",
     command: "plumb report-precision --cases 40 --repeat 3 --json --out precision.json",
     without: [],
+    host: { system: "Linux", machine: "x86_64", compiler: "g++ 12.2.0", flags: "-O2" },
     sets: SETS.map((set) => precisionSet(random, set)),
   };
 }
