@@ -206,7 +206,7 @@ TEST_F(Report, WhatAFileNamesIsNotLoaded) {
 
 TEST_F(Report, CountsThatDoNotAddUpAreRefused) {
   const std::string run = campaign("run", 1);
-  const Json whole = json("run/campaign.bins");
+  const Json whole = json(run + "/campaign.bins");
   const auto refuses = [&](const std::function<void(Json&)>& change, const std::string& line) {
     Json bins = whole;
     change(bins);
