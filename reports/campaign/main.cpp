@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "corpus/build_info.hpp"
@@ -88,6 +89,14 @@ void refuse_bad_page(const Arguments& args) {
       throw InputFailure(args.out, 0, "--out", "its data would take the place of " + folder + "/summary.json");
 }
 
+/// Folders of one name are called by their paths.
+void name_apart(Json& runs) {
+  std::map<std::string, int> seen;
+  for (const Json& run : runs) ++seen[run["name"].get<std::string>()];
+  for (Json& run : runs)
+    if (seen.at(run["name"].get<std::string>()) > 1) run["name"] = run["folder"];
+}
+
 Json document(const Arguments& args, const std::vector<Run>& runs) {
   const BuildInfo build = build_info();
   Json out{
@@ -102,6 +111,7 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   Shown shown{args.failures, std::nullopt};
   if (!args.solver.empty()) shown.foreign = load_solver(args.solver);
   for (const Run& run : runs) out["runs"].push_back(run_json(run, shown));
+  name_apart(out["runs"]);
   for (std::size_t i = 1; i < runs.size(); ++i) out["comparisons"].push_back(comparison_json(runs[0], runs[i]));
   if (const fs::path file = precision_file(args); !file.empty()) out["precision"] = precision_json(file);
   return out;

@@ -68,7 +68,8 @@ export function time(ns: number | null | undefined): string {
 
 export function duration(seconds: number): string {
   if (seconds < 90) return `${plain(seconds, 3)} s`;
-  return `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`;
+  const whole = Math.round(seconds);
+  return `${Math.floor(whole / 60)} min ${whole % 60} s`;
 }
 
 export function spread(values: Spread, show: (x: number | null) => string, parts: ("p50" | "p99" | "max")[]): string {
