@@ -11,8 +11,8 @@ namespace {
 constexpr int kKinds = static_cast<int>(FindingKind::none);
 
 FindingKind kind_named(const std::string& word) {
-  for (int i = 0; i < kKinds; ++i)
-    if (name(static_cast<FindingKind>(i)) == word) return static_cast<FindingKind>(i);
+  const std::optional<FindingKind> kind = finding_kind(word);
+  if (kind && *kind != FindingKind::none) return *kind;
   throw InputFailure("PLUMB_FUZZ_ABORT", 0, word, "is no finding; known: all, none and the findings of plumb check");
 }
 

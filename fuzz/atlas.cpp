@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 #include "fuzz/counts.hpp"
+#include "solver/diagnosis.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb {
@@ -39,7 +39,7 @@ double exponent_of(const Pair& pair) {
 double tilt_of(const Pair& pair) {
   const Vec3<double> z1 = rotation<double>(pair.body1.quaternion).col(2);
   const Vec3<double> z2 = rotation<double>(pair.body2.quaternion).col(2);
-  return std::atan2(z1.cross(z2).norm(), std::abs(z1.dot(z2))) * 180 / std::numbers::pi;
+  return angle_deg(z1, z1.dot(z2) < 0 ? Vec3<double>(-z2) : z2);
 }
 
 double value_of(Property property, const Pair& pair, const Reference& reference) {

@@ -9,8 +9,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::string_view kSimplest = "--simplest.json", kWorst = "--worst.json";
-
 bool simpler_than(const Failure& a, const Failure& b) {
   return std::tie(a.simplicity, a.origin, a.index) < std::tie(b.simplicity, b.origin, b.index);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "corpus/case.hpp"
@@ -23,6 +24,9 @@ struct Failure {
 };
 
 [[nodiscard]] Failure failure_of(Case kept);
+
+/// How the names of a bucket's two files end.
+inline constexpr std::string_view kSimplest = "--simplest.json", kWorst = "--worst.json";
 
 struct KeptBucket {
   Failure simplest, worst;

@@ -32,11 +32,13 @@ std::vector<RankedBucket> ranked_buckets(const Results& results) {
   const Tallies methods = results.methods();
   std::vector<RankedBucket> lines;
   for (const auto& [bucket, kept] : results.kept.buckets()) {
-    const std::string name = kept.worst.kept.expect.method.value_or("reference");
+    const Expect& expect = kept.worst.kept.expect;
+    const std::string name = expect.method.value_or("reference");
     const auto method = methods.find(name);
     const auto count = results.buckets.find(bucket);
     lines.push_back({method == methods.end() || !method->second.published,
-                     count == results.buckets.end() ? 1 : count->second, bucket, library_of(results, name)});
+                     count == results.buckets.end() ? 1 : count->second, bucket,
+                     expect.finding.value_or(bucket.substr(0, bucket.find('-'))), name, library_of(results, name)});
   }
   std::stable_sort(lines.begin(), lines.end(), [](const RankedBucket& a, const RankedBucket& b) {
     return std::pair(a.own, a.count) > std::pair(b.own, b.count);

@@ -13,7 +13,8 @@ namespace plumb {
 struct RankedBucket {
   bool own = false;  ///< of a method that is no published baseline, or of the reference
   std::uint64_t count = 0;
-  std::string name;
+  std::string name, finding;
+  std::string method;   ///< "reference" where that was beaten
   std::string library;  ///< of the foreign solver that failed; else empty
 };
 

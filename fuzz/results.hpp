@@ -62,6 +62,8 @@ struct Results {
 [[nodiscard]] std::vector<std::string> family_order(const Results& results);
 [[nodiscard]] std::vector<std::string> method_order(const Tallies& tallies);
 
+/// Cases by the dearest effort that judging them took.
+[[nodiscard]] Json needed_json(const FamilyResults& family);
 [[nodiscard]] Json summary_json(const Results& results);
 
 /// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. What an earlier run

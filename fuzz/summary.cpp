@@ -50,13 +50,6 @@ Json methods_json(const Tallies& tallies) {
   return json;
 }
 
-/// Cases by the dearest effort that judging them took.
-Json needed_json(const FamilyResults& family) {
-  Json json = Json::object();
-  for (const Effort effort : efforts) json[std::string(name(effort))] = family.needed[static_cast<std::size_t>(effort)];
-  return json;
-}
-
 Json family_summary(const FamilyResults& family) {
   return {{"cases", family.cases},
           {"reference",
@@ -88,6 +81,12 @@ Json timing_json(const Results& results) {
 }
 
 }  // namespace
+
+Json needed_json(const FamilyResults& family) {
+  Json json = Json::object();
+  for (const Effort effort : efforts) json[std::string(name(effort))] = family.needed[static_cast<std::size_t>(effort)];
+  return json;
+}
 
 Json summary_json(const Results& results) {
   Json json;

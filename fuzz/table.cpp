@@ -155,7 +155,7 @@ std::string kept_text(const Results& results, const fs::path& folder) {
       "\nkept failures: {} buckets, the simplest and the worst case of each; count, then the command:\n", lines.size());
   for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
     text += fmt::format("{:>9}  {}\n", grouped(lines[i].count),
-                        replay_command(failures / (lines[i].name + "--worst.json"), lines[i].library));
+                        replay_command(failures / (lines[i].name + std::string(kWorst)), lines[i].library));
   return lines.size() > shown ? text + rest_of(lines, shown, failures) : text;
 }
 

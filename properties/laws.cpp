@@ -83,6 +83,12 @@ std::string_view name(FindingKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+std::optional<FindingKind> finding_kind(std::string_view word) {
+  for (int i = 0; i <= static_cast<int>(FindingKind::none); ++i)
+    if (name(static_cast<FindingKind>(i)) == word) return static_cast<FindingKind>(i);
+  return std::nullopt;
+}
+
 std::string_view meaning(FindingKind kind) {
   switch (kind) {
     case FindingKind::crash: return "the solver threw an exception";

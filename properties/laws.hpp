@@ -34,6 +34,8 @@ enum class FindingKind {
   none
 };
 [[nodiscard]] std::string_view name(FindingKind kind);
+/// The kind of that name; nullopt where there is none.
+[[nodiscard]] std::optional<FindingKind> finding_kind(std::string_view word);
 /// In a line, for people.
 [[nodiscard]] std::string_view meaning(FindingKind kind);
 

@@ -101,17 +101,16 @@ std::string regime_in(const RankedBucket& bucket, const std::string& before) {
 Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& failure, const char* kept) {
   const Case& c = failure.kept;
   const Json& from = c.provenance;
-  const std::string finding = c.expect.finding.value_or(bucket.name.substr(0, bucket.name.find('-')));
-  const std::string method = c.expect.method.value_or("reference"), shapes = shape_class(c.pair);
+  const std::string shapes = shape_class(c.pair);
   const auto file =
-      run.folder / "failures" / (bucket.name + (std::string(kept) == "worst" ? "--worst" : "--simplest") + ".json");
+      run.folder / "failures" / (bucket.name + std::string(kept == std::string_view("worst") ? kWorst : kSimplest));
   return {{"bucket", bucket.name},
           {"kept", kept},
           {"count", bucket.count},
-          {"finding", finding},
-          {"method", method},
+          {"finding", bucket.finding},
+          {"method", bucket.method},
           {"shapes", shapes},
-          {"regime", regime_in(bucket, finding + "-" + method + "-" + shapes + "-")},
+          {"regime", regime_in(bucket, bucket.finding + "-" + bucket.method + "-" + shapes + "-")},
           {"family", from.value("family", "")},
           {"own", bucket.own},
           {"severity", from.at("severity")},
@@ -123,12 +122,12 @@ Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& fai
 }
 
 /// Plumb's own first; then each method's most frequent in turn, so that no method fills the gallery.
-std::vector<RankedBucket> in_turns(std::vector<RankedBucket> ranked, const Results& results) {
+std::vector<RankedBucket> in_turns(std::vector<RankedBucket> ranked) {
   std::map<std::string, int> seen;
   std::vector<std::pair<int, RankedBucket>> turns;
   for (RankedBucket& bucket : ranked) {
-    const auto& method = results.kept.buckets().at(bucket.name).worst.kept.expect.method;
-    turns.emplace_back(bucket.own ? -1 : seen[method.value_or("reference")]++, std::move(bucket));
+    const int turn = bucket.own ? -1 : seen[bucket.method]++;
+    turns.emplace_back(turn, std::move(bucket));
   }
   std::stable_sort(turns.begin(), turns.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < turns.size(); ++i) ranked[i] = std::move(turns[i].second);
@@ -145,7 +144,7 @@ Json failures_json(const Run& run, const Shown& shown) {
     out.push_back(failure_json(run, bucket, failure, kept));
     solve_again(out.back(), failure.kept, solvers);
   };
-  for (const RankedBucket& bucket : in_turns(ranked_buckets(run.results), run.results)) {
+  for (const RankedBucket& bucket : in_turns(ranked_buckets(run.results))) {
     const KeptBucket& kept = run.results.kept.buckets().at(bucket.name);
     const bool one = is_one_case(kept);
     put(bucket, kept.simplest, one ? "only" : "simplest");

@@ -47,13 +47,6 @@ JunitTest harness_test(const Results& results) {
   return test;
 }
 
-/// An unknown word is the reference's own: what beats it lies lower.
-FindingKind kind_of(const std::string& word) {
-  for (std::size_t i = 0; i < kFindingKinds; ++i)
-    if (name(static_cast<FindingKind>(i)) == word) return static_cast<FindingKind>(i);
-  return FindingKind::wrong_branch;
-}
-
 /// Line 1 where the law has another name: of a finding that no law of the table makes (crash).
 int line_of(const std::string& law_name) {
   for (const Law& law : laws())
@@ -65,9 +58,9 @@ SarifResult bucket_result(const Run& run, const RankedBucket& bucket) {
   const Case& worst = run.results.kept.buckets().at(bucket.name).worst.kept;
   const Json& from = worst.provenance;
   const std::string law = from.value("law", "");
-  const std::string finding = worst.expect.finding.value_or(bucket.name.substr(0, bucket.name.find('-')));
-  const auto file = run.folder / "failures" / (bucket.name + "--worst.json");
-  return {kind_of(finding),
+  const auto file = run.folder / "failures" / (bucket.name + std::string(kWorst));
+  // A bucket that no law named is the reference's own: what beats it lies lower.
+  return {finding_kind(bucket.finding).value_or(FindingKind::wrong_branch),
           bucket.own,
           fmt::format("{} ({} cases; law {}): {}; {}", bucket.name, bucket.count, law, from.value("detail", ""),
                       replay_command(file, bucket.library)),

@@ -28,15 +28,9 @@ Json findings_of(const Tally& t) {
   return out;
 }
 
-Json spread_json(const Histogram& h) {
-  if (h.count() == 0) return nullptr;
-  return {
-      {"p50", number_json(h.percentile(0.5))}, {"p99", number_json(h.percentile(0.99))}, {"max", number_json(h.max())}};
-}
-
 /// Who never counts his steps (a peer) says nothing of them.
 Json counts_json(const Histogram& h) {
-  return h.count() > 0 && h.max() > 0 ? spread_json(h) : Json();
+  return h.max() > 0 ? h.summary() : Json();
 }
 
 Json method_json(const std::string& method, const Tally& t) {
@@ -49,17 +43,11 @@ Json method_json(const std::string& method, const Tally& t) {
           {"findings", findings_of(t)},
           {"failures", share_json(t.failures(), t.judged())},
           {"angle_above", share_json(t.angles_wrong, t.angle_error_deg.count())},
-          {"angle_error_deg", spread_json(t.angle_error_deg)},
-          {"overlap_error", spread_json(t.overlap_error)},
+          {"angle_error_deg", t.angle_error_deg.summary()},
+          {"overlap_error", t.overlap_error.summary()},
           {"iterations", counts_json(t.iterations)},
           {"evaluations", counts_json(t.evaluations)},
-          {"ns_per_solve", spread_json(t.nanoseconds)}};
-}
-
-Json needed_json(const FamilyResults& family) {
-  Json out = Json::object();
-  for (const Effort effort : efforts) out[std::string(name(effort))] = family.needed[static_cast<std::size_t>(effort)];
-  return out;
+          {"ns_per_solve", t.nanoseconds.summary()}};
 }
 
 /// " --method A,B --solver L" as it was asked.
