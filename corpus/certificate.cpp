@@ -71,7 +71,7 @@ Json rings_json(const std::vector<Ring>& rings) {
   return out;
 }
 
-Json condition_json(const Condition& condition) {
+Json condition_in_words(const Condition& condition) {
   const auto factor = [](double value) { return std::isinf(value) ? Json("infinite") : Json(value); };
   return {{"overlap", factor(condition.overlap)},
           {"normal", factor(condition.normal)},
@@ -182,8 +182,7 @@ void put_overlap(Json& out, const Bounds& overlap, int digits) {
 void put_condition_claims(Json& out, const Pair& pair, const Solution& found) {
   using namespace reference;
   ConditionProof proof = certify_condition(pair, found);
-  const auto is_infinite = [](ConditionClaim claim) { return claim == ConditionClaim::infinite; };
-  if (is_infinite(proof.normal) || is_infinite(proof.points)) {
+  if (is_beyond_first_order(std::max(found.condition.normal, found.condition.points))) {
     const SolutionSet set = enclose_solutions(pair, found.normal, rounding_epsilons);
     if (proof.overlap == ConditionClaim::open)
       proof.overlap = certify_overlap_condition(pair, set, found.condition.overlap);
@@ -203,7 +202,7 @@ void put_reference(Json& out, const Reference& found, int digits) {
   if (!found.open.empty()) out["open_cells"] = found.open.size();
   if (!found.reason.empty()) out["reason"] = found.reason;
   out["digits"] = digits;
-  if (found.common_normal.solved) out["condition"] = condition_json(found.common_normal.condition);
+  if (found.common_normal.solved) out["condition"] = condition_in_words(found.common_normal.condition);
 }
 
 void put_potential(Json& out, const Solution& found, int digits) {
@@ -212,7 +211,7 @@ void put_potential(Json& out, const Solution& found, int digits) {
   if (!found.proved) return;
   put_overlap(out, found.bounds, digits);
   put_solution(out, found, digits);
-  out["condition"] = condition_json(found.condition);
+  out["condition"] = condition_in_words(found.condition);
 }
 
 void put_first_touch(Json& out, const FirstTouchProof& found, int digits) {

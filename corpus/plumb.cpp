@@ -22,13 +22,14 @@ struct Command {
 };
 
 // Every command of the contract; those that this build does not have are not listed.
-constexpr std::array<Command, 11> commands{{
+constexpr std::array<Command, 12> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
     {"check", "judge anybody's answer to a case"},
     {"campaign", "random cases by the thousand, every wrong answer kept"},
     {"families", "the families that random cases come from"},
+    {"ladder", "the hard cases, step by step; freezes them with their certificates"},
     {"merge", "put campaigns that ran apart together"},
     {"replay", "run kept cases against what they expect"},
     {"shrink", "the simplest case with the same finding"},

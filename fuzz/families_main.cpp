@@ -1,5 +1,6 @@
 // plumb families: what the campaign can draw from.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "corpus/command.hpp"
 #include "properties/families.hpp"
@@ -9,8 +10,11 @@ namespace {
 
 int list_families() {
   for (const Family& family : families()) fmt::print("{:<14}{}\n", family.name, family.summary);
-  fmt::print("\ngenerators of hard:\n");
-  for (const std::string_view generator : hard_generators()) fmt::print("  {}\n", generator);
+  fmt::print("\ngenerators of hard, and the ladder of each:\n");
+  for (const std::string_view generator : hard_generators()) {
+    const std::string knob = ladder_case(generator, 0, 1, 0).provenance["knob"]["name"];
+    fmt::print("  {:<27}{:<16}{:g}\n", generator, knob, fmt::join(ladder_steps(generator), " "));
+  }
   return 0;
 }
 

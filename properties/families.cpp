@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "properties/draft.hpp"
@@ -66,19 +67,39 @@ constexpr std::array<Family, 4> kFamilies{{
     {"hard", "the special places where published codes break, one generator for each"},
 }};
 
-Case finished(Draft&& draft, std::string_view family, std::string_view generator, std::uint64_t seed,
-              std::uint64_t index) {
+Case finished(Draft&& draft, const std::string& kind, const Json& from) {
   Case out;
-  const std::string kind = generator.empty() ? std::string(family) : std::string(family) + "/" + std::string(generator);
-  out.name = kind + " seed " + std::to_string(seed) + " index " + std::to_string(index);
+  out.name = kind + " seed " + from.at("seed").dump() + " index " + from.at("index").dump();
   out.pair = std::move(draft.pair);
-  out.provenance = Json::object();
-  out.provenance["family"] = family;
-  if (!generator.empty()) out.provenance["generator"] = generator;
-  out.provenance["seed"] = seed;
-  out.provenance["index"] = index;
+  out.provenance = from;
   out.provenance.update(draft.facts);
   return out;
+}
+
+/// Between two neighbouring steps, on a logarithmic scale, or on one; the harder of the two in half of the draws.
+double draw_knob(Stream& stream, std::span<const double> steps) {
+  const std::size_t i = stream.below(steps.size() - 1);
+  const double easy = steps[i], hard = steps[i + 1], share = stream.uniform();
+  if (hard == 0 || stream.chance(0.5)) return hard;
+  return std::exp(std::log(easy) + share * (std::log(hard) - std::log(easy)));
+}
+
+const HardGenerator& hard_generator(std::string_view name) {
+  const auto table = hard_generator_table();
+  const auto row = std::find_if(table.begin(), table.end(), [&](const auto& g) { return g.name == name; });
+  if (row == table.end()) throw std::invalid_argument("no hard generator named " + std::string(name));
+  return *row;
+}
+
+/// `knob`: nullopt draws one.
+Case draw_hard(const HardGenerator& generator, std::optional<double> knob, std::uint64_t seed, std::uint64_t index) {
+  Stream stream(generator.name, seed, index);
+  Draft draft;
+  const double drawn = draw_knob(stream, generator.steps), value = knob.value_or(drawn);
+  draft.facts["knob"] = {{"name", generator.knob}, {"value", value}};
+  generator.draw(stream, value, draft);
+  const Json from{{"family", "hard"}, {"generator", generator.name}, {"seed", seed}, {"index", index}};
+  return finished(std::move(draft), "hard/" + std::string(generator.name), from);
 }
 
 }  // namespace
@@ -108,17 +129,35 @@ Case generate(std::string_view family, std::uint64_t seed, std::uint64_t index) 
     draw_superquadric(stream, draft);
   else
     throw std::invalid_argument("no family named " + std::string(family));
-  return finished(std::move(draft), family, {}, seed, index);
+  const Json from{{"family", family}, {"seed", seed}, {"index", index}};
+  return finished(std::move(draft), std::string(family), from);
 }
 
 Case generate_hard(std::string_view generator, std::uint64_t seed, std::uint64_t index) {
-  const auto table = hard_generator_table();
-  const auto row = std::find_if(table.begin(), table.end(), [&](const auto& g) { return g.name == generator; });
-  if (row == table.end()) throw std::invalid_argument("no hard generator named " + std::string(generator));
-  Stream stream(generator, seed, index);
-  Draft draft;
-  row->draw(stream, draft);
-  return finished(std::move(draft), "hard", generator, seed, index);
+  return draw_hard(hard_generator(generator), std::nullopt, seed, index);
+}
+
+std::span<const double> ladder_steps(std::string_view generator) {
+  return hard_generator(generator).steps;
+}
+
+Case ladder_case(std::string_view generator, std::size_t step, std::uint64_t seed, std::uint64_t index) {
+  const HardGenerator& row = hard_generator(generator);
+  Case out = draw_hard(row, row.steps[step], seed, index);
+  out.name += " step " + std::to_string(step + 1);
+  out.provenance["step"] = step + 1;
+  out.provenance["steps"] = row.steps.size();
+  return out;
+}
+
+std::size_t step_of(std::string_view generator, double knob) {
+  const std::span<const double> steps = hard_generator(generator).steps;
+  const auto distance = [&](double step) {
+    return step == knob ? 0 : step == 0 || knob == 0 ? HUGE_VAL : std::abs(std::log(step) - std::log(knob));
+  };
+  const auto nearest =
+      std::min_element(steps.begin(), steps.end(), [&](double a, double b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(nearest - steps.begin());
 }
 
 }  // namespace plumb

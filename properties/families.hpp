@@ -24,8 +24,15 @@ struct Family {
 /// Case `index` of a family under a seed: same arguments, same case, on any machine with the same math library.
 [[nodiscard]] Case generate(std::string_view family, std::uint64_t seed, std::uint64_t index);
 
-/// One named generator of the hard family.
+/// One named generator of the hard family; how hard is drawn as well, between the steps of its ladder or on one.
 [[nodiscard]] Case generate_hard(std::string_view generator, std::uint64_t seed, std::uint64_t index);
+
+/// The ladder of a hard generator: the values of what it steers, the easiest first. A case has it in provenance: "knob": { "name", "value" }.
+[[nodiscard]] std::span<const double> ladder_steps(std::string_view generator);
+/// The same random numbers as generate_hard's, on a step of the ladder: 0 .. ladder_steps().size() - 1.
+[[nodiscard]] Case ladder_case(std::string_view generator, std::size_t step, std::uint64_t seed, std::uint64_t index);
+/// The step that a value is nearest to, on a logarithmic scale.
+[[nodiscard]] std::size_t step_of(std::string_view generator, double knob);
 
 /// Simpler cases in order of preference (equal bodies, spheres before spheroids before triaxial, whole exponents, round
 /// angles, short decimals); all legal, none equal to the case itself. The expectations are dropped, the provenance says

@@ -1,0 +1,137 @@
+// plumb ladder: the hard cases, each ladder step by step; --write freezes them with what is certified of each.
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include "corpus/case.hpp"
+#include "corpus/certificate.hpp"
+#include "corpus/command.hpp"
+#include "corpus/interrupt.hpp"
+#include "properties/families.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr int kDigits = 50;
+
+struct Options {
+  std::string ladder, folder;
+  int step = 0;
+  std::uint64_t seed = 1, index = 0, variants = 2;
+};
+
+void declare(CLI::App& app, Options& options) {
+  std::vector<std::string> names;
+  for (const std::string_view name : hard_generators()) names.emplace_back(name);
+  app.add_option("LADDER", options.ladder, "one ladder (plumb families lists them); all without")
+      ->check(CLI::IsMember(names));
+  app.add_option("--step", options.step, "one step, from 1; all without")->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str();
+  auto* index = app.add_option("--index", options.index, "which variant is printed")->capture_default_str();
+  auto* write = app.add_option("--write", options.folder,
+                               "certify the cases and write each ladder to this folder, one file each");
+  app.add_option("--variants", options.variants, "how many cases of each step, with --write")
+      ->capture_default_str()
+      ->check(refuse_count)
+      ->needs(write)
+      ->excludes(index);
+}
+
+/// The numbers 0 .. of the steps that were asked for.
+std::vector<std::size_t> steps_of(std::string_view ladder, const Options& options) {
+  const std::size_t count = ladder_steps(ladder).size();
+  const auto one = static_cast<std::size_t>(options.step);
+  if (one > count) throw InputFailure("--step", 0, "", fmt::format("{} has {} steps", ladder, count));
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < count; ++i)
+    if (one == 0 || one == i + 1) out.push_back(i);
+  return out;
+}
+
+std::vector<std::string> ladders_of(const Options& options) {
+  if (!options.ladder.empty()) return {options.ladder};
+  std::vector<std::string> out;
+  for (const std::string_view name : hard_generators()) out.emplace_back(name);
+  return out;
+}
+
+Json certificate_of(const Pair& pair, const Reference& found) {
+  Json out = Json::object();
+  put_reference(out, found, kDigits);
+  if (found.common_normal.solved) put_condition_claims(out, pair, found.common_normal);
+  return out;
+}
+
+/// What any right answer in double gives: the verdict where the overlap is above every rounding floor, and the overlap to 13 digits
+/// of the size, or of itself where the bodies are further apart.
+Expect expectation(const Pair& pair, const Reference& found) {
+  Expect expect;
+  if (found.global != Claim::proved) return expect;
+  const double lower = static_cast<double>(found.overlap.lower), upper = static_cast<double>(found.overlap.upper);
+  const double allowed = 1e-13 * std::max(size_of(pair), std::abs(lower));
+  if (std::min(std::abs(lower), std::abs(upper)) > allowed) expect.verdict = name(found.verdict);
+  expect.overlap = {lower - allowed, upper + allowed};
+  return expect;
+}
+
+Case frozen(Case c) {
+  const Reference found = find_reference(c.pair, Effort::digits);
+  c.expect = expectation(c.pair, found);
+  c.provenance["certificate"] = certificate_of(c.pair, found);
+  return c;
+}
+
+/// One file, its lines in the order of the steps.
+std::string frozen_ladder(const std::string& ladder, const Options& options) {
+  std::vector<Case> cases;
+  for (const std::size_t step : steps_of(ladder, options))
+    for (std::uint64_t i = 0; i < options.variants; ++i) cases.push_back(ladder_case(ladder, step, options.seed, i));
+  std::atomic<std::size_t> next{0};
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned thread = 0; thread < std::max(1u, std::thread::hardware_concurrency()); ++thread)
+      threads.emplace_back([&] {
+        for (std::size_t i = next++; i < cases.size() && !interrupted(); i = next++) cases[i] = frozen(cases[i]);
+      });
+  }
+  std::string text;
+  for (const Case& c : cases) text += format_case(c) + "\n";
+  return text;
+}
+
+void freeze(const Options& options) {
+  std::error_code failed;
+  std::filesystem::create_directories(options.folder, failed);
+  if (failed) fail_with(options.folder, failed.value());
+  for (const std::string& ladder : ladders_of(options)) {
+    const std::string text = frozen_ladder(ladder, options);
+    if (interrupted()) return;
+    const std::filesystem::path file = std::filesystem::path(options.folder) / (ladder + ".jsonl");
+    write_file(file, text);
+    print_line(file.string());
+  }
+}
+
+int run(const Options& options) {
+  if (!options.folder.empty()) {
+    freeze(options);
+    return exit_done;
+  }
+  for (const std::string& ladder : ladders_of(options))
+    for (const std::size_t step : steps_of(ladder, options))
+      print_line(format_case(ladder_case(ladder, step, options.seed, options.index)));
+  return exit_done;
+}
+
+}  // namespace
+}  // namespace plumb
+
+int main(int argc, char** argv) {
+  plumb::Options options;
+  CLI::App app("The hard cases, step by step.", "plumb ladder");
+  plumb::declare(app, options);
+  return plumb::run_command(app, argc, argv, [&] { return plumb::run(options); });
+}
