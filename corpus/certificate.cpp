@@ -55,11 +55,19 @@ Json bounds_json(const Bounds& bounds, int digits) {
   return out;
 }
 
-Json tied_json(const std::vector<Solution>& tied, int digits) {
+Json condition_in_words(const Condition& condition) {
+  const auto factor = [](double value) { return std::isinf(value) ? Json("infinite") : Json(value); };
+  return {{"overlap", factor(condition.overlap)},
+          {"normal", factor(condition.normal)},
+          {"points", factor(condition.points)}};
+}
+
+Json others_json(const std::vector<Solution>& others, int digits) {
   Json out = Json::array();
-  for (const Solution& other : tied) {
+  for (const Solution& other : others) {
     Json one{{"overlap", bounds_json(other.bounds, digits)}};
     put_solution(one, other, digits);
+    if (other.solved) one["condition"] = condition_in_words(other.condition);
     out.push_back(std::move(one));
   }
   return out;
@@ -69,13 +77,6 @@ Json rings_json(const std::vector<Ring>& rings) {
   Json out = Json::array();
   for (const Ring& ring : rings) out.push_back(ring_json(ring));
   return out;
-}
-
-Json condition_in_words(const Condition& condition) {
-  const auto factor = [](double value) { return std::isinf(value) ? Json("infinite") : Json(value); };
-  return {{"overlap", factor(condition.overlap)},
-          {"normal", factor(condition.normal)},
-          {"points", factor(condition.points)}};
 }
 
 /// A ball without bounds is absent.
@@ -197,7 +198,8 @@ void put_reference(Json& out, const Reference& found, int digits) {
   put_solution(out, found.common_normal, digits);
   out["unique"] = name(found.unique);
   out["global"] = name(found.global);
-  out["tied"] = tied_json(found.tied, digits);
+  out["tied"] = others_json(found.tied, digits);
+  if (!found.close.empty()) out["close"] = others_json(found.close, digits);
   if (!found.rings.empty()) out["rings"] = rings_json(found.rings);
   if (!found.open.empty()) out["open_cells"] = found.open.size();
   if (!found.reason.empty()) out["reason"] = found.reason;
@@ -242,6 +244,7 @@ std::string certificate_table(const Json& certificate) {
   add_rings(out, certificate);
   add_condition(out, certificate);
   add_others(out, certificate, "tied", "tied with");
+  add_others(out, certificate, "close", "close to");
   add_others(out, certificate, "stationary", "stationary");
   add_text(out, "complete", certificate, "complete");
   add_text(out, "reason", certificate, "complete_reason");

@@ -12,16 +12,22 @@
 namespace plumb {
 
 std::vector<std::string> find_families(const std::string& names) {
-  std::vector<std::string> known, found;
+  std::vector<std::string> known;
   for (const Family& family : families()) known.emplace_back(family.name);
+  return find_families(names, known, "plumb families lists them");
+}
+
+std::vector<std::string> find_families(const std::string& names, const std::vector<std::string>& known,
+                                       const std::string& hint) {
   if (names == "all") return known;
+  std::vector<std::string> found;
   std::stringstream list(names);
   for (std::string one; std::getline(list, one, ',');) {
     if (std::find(known.begin(), known.end(), one) == known.end())
-      throw InputFailure("--family", 0, one, "no such family; plumb families lists them");
+      throw InputFailure("--family", 0, one, "no such family; " + hint);
     if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(one);
   }
-  if (found.empty()) throw InputFailure("--family", 0, "", "names no family; plumb families lists them");
+  if (found.empty()) throw InputFailure("--family", 0, "", "names no family; " + hint);
   return found;
 }
 

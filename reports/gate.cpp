@@ -8,6 +8,7 @@
 #include "corpus/interrupt.hpp"
 #include "fuzz/arguments.hpp"
 #include "properties/families.hpp"
+#include "reports/gate_cases.hpp"
 #include "reports/gate_compare.hpp"
 #include "reports/gate_measure.hpp"
 #include "solver/method/methods.hpp"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 struct Options {
   bool check = false, update = false;
   std::string table = PLUMB_SOURCE_DIR "/reports/gated/accuracy.txt";
-  std::string family = "all", method = "all";
+  std::string family = "all", method = "all", frozen;
   std::uint64_t cases = 0;
   unsigned threads = default_threads();
 };
@@ -30,6 +31,8 @@ void declare(CLI::App& app, Options& options) {
                              "a line for each deviation from the table; exit 1: there is one (default)");
   auto* update = app.add_flag("--update", options.update, "write what is measured into the table")->excludes(check);
   app.add_option("--table", options.table, "default: reports/gated/accuracy.txt of the sources");
+  app.add_option("--frozen", options.frozen, "with --update: a new table, of the ladders that are kept in this folder")
+      ->needs(update);
   auto* cases = app.add_option("--cases", options.cases, "with --update: so many cases of each family from now on");
   cases->check(refuse_count)->needs(update);
   app.add_option("--family", options.family, "NAME,.. or all (plumb families lists them)")->capture_default_str();
@@ -53,8 +56,13 @@ std::uint64_t usual_cases(std::string_view family) {
   return 400;
 }
 
-GateTable first_table() {
+GateTable first_table(const std::string& frozen) {
   GateTable table;
+  table.frozen = frozen;
+  if (table.is_frozen()) {
+    if (gate_families(table).empty()) throw InputFailure("--frozen", 0, frozen, "is no folder of ladders");
+    return table;
+  }
   for (const Family& family : families()) table.cases[std::string(family.name)] = usual_cases(family.name);
   return table;
 }
@@ -66,7 +74,7 @@ std::string text_of(const fs::path& table) {
 
 int check(const Options& options) {
   const GateTable table = read_gate_table(options.table);
-  const auto rows = measure_rows(find_families(options.family), solvers_of(options), table, options.threads);
+  const auto rows = measure_rows(chosen_families(table, options.family), solvers_of(options), table, options.threads);
   std::vector<std::string> lines;
   for (const GateRow& row : rows) {
     const GateRow* wanted = table.find(row.family, row.method);
@@ -83,20 +91,21 @@ int check(const Options& options) {
 }
 
 /// In the order of `plumb families` and `plumb methods`.
-std::vector<GateRow> sorted(const std::vector<GateRow>& rows) {
+std::vector<GateRow> sorted_rows(const GateTable& table) {
   std::vector<GateRow> out;
-  for (const Family& family : families())
+  for (const std::string& family : gate_families(table))
     for (const Method& method : methods())
-      for (const GateRow& row : rows)
-        if (row.family == family.name && row.method == method.name) out.push_back(row);
+      for (const GateRow& row : table.rows)
+        if (row.family == family && row.method == method.name) out.push_back(row);
   return out;
 }
 
 int update(const Options& options) {
-  GateTable table = fs::exists(options.table) ? read_gate_table(options.table) : first_table();
-  const auto chosen = find_families(options.family);
+  GateTable table = fs::exists(options.table) ? read_gate_table(options.table) : first_table(options.frozen);
+  const auto chosen = chosen_families(table, options.family);
   for (const std::string& family : chosen)
-    if (options.cases > 0) table.cases[family] = options.cases;
+    if (options.cases > 0 || table.is_frozen())
+      table.cases[family] = table.is_frozen() ? count_kept(table, family) : options.cases;
   const auto rows = measure_rows(chosen, solvers_of(options), table, options.threads);
   if (interrupted()) return exit_interrupted;
   for (const GateRow& row : rows) {
@@ -104,7 +113,7 @@ int update(const Options& options) {
     std::erase_if(table.rows, [&](const GateRow& r) { return r.family == row.family && r.method == row.method; });
     table.rows.push_back(wanted);
   }
-  table.rows = sorted(table.rows);
+  table.rows = sorted_rows(table);
   write_file(options.table, gate_table_text(table));
   print_line(fmt::format("{} rows written to {}", rows.size(), text_of(options.table)));
   return exit_done;

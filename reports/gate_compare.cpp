@@ -29,6 +29,11 @@ class Deviations {
     if (!is_within(measured, wanted))
       add(measure, error_text(wanted), fmt::format("{:.3g}", measured), std::isnan(measured) || measured > wanted);
   }
+  /// 0, which is nowhere, is beyond the last.
+  void compare_steps(std::uint64_t wanted, std::uint64_t measured) {
+    const auto text = [](std::uint64_t step) { return step == 0 ? "nowhere" : fmt::format("step {}", step); };
+    add("lets_go", text(wanted), text(measured), measured - 1 < wanted - 1);
+  }
   [[nodiscard]] std::vector<std::string> lines() && { return std::move(lines_); }
 
  private:
@@ -69,6 +74,7 @@ std::vector<std::string> deviations(const GateRow& wanted, const GateRow& measur
     const auto kind = static_cast<FindingKind>(i);
     out.compare_counts(name(kind), count_of(wanted, kind), count_of(measured, kind), true);
   }
+  if (wanted.lets_go != measured.lets_go) out.compare_steps(wanted.lets_go, measured.lets_go);
   return std::move(out).lines();
 }
 

@@ -7,7 +7,7 @@
 
 #include "corpus/interrupt.hpp"
 #include "fuzz/judging.hpp"
-#include "properties/families.hpp"
+#include "reports/gate_cases.hpp"
 #include "reports/quantile.hpp"
 
 namespace plumb::reports {
@@ -16,29 +16,33 @@ namespace {
 /// One case, and what was found of each solver.
 struct Task {
   std::string family;
-  std::uint64_t index = 0;
+  Case c;
   std::vector<JudgedAnswer> answers;
 };
 
 std::vector<Task> tasks_of(const std::vector<std::string>& families, const GateTable& table) {
   std::vector<Task> tasks;
   for (const std::string& family : families)
-    for (std::uint64_t i = 0; i < table.cases.at(family); ++i) tasks.push_back({family, i, {}});
+    for (Case& c : gate_cases(table, family)) tasks.push_back({family, std::move(c), {}});
   return tasks;
 }
 
-void judge(Task& task, const std::vector<Solver>& solvers, std::uint64_t seed) {
-  const Case c = generate(task.family, seed, task.index);
-  Judge judge(c.pair);
-  for (const Solver& solver : solvers) task.answers.push_back(solve_and_judge(judge, c.pair, solver));
+void judge(Task& task, const std::vector<Solver>& solvers) {
+  Judge judge(task.c.pair);
+  for (const Solver& solver : solvers) task.answers.push_back(solve_and_judge(judge, task.c.pair, solver));
 }
 
-void judge_all(std::vector<Task>& tasks, const std::vector<Solver>& solvers, std::uint64_t seed, unsigned count) {
+/// Of a ladder's case.
+std::uint64_t step_of(const Case& c) {
+  return c.provenance.is_object() ? c.provenance.value("step", std::uint64_t{0}) : 0;
+}
+
+void judge_all(std::vector<Task>& tasks, const std::vector<Solver>& solvers, unsigned count) {
   std::atomic<std::size_t> next{0};
   std::vector<std::jthread> threads;
   for (unsigned thread = 0; thread < count; ++thread)
     threads.emplace_back([&] {
-      for (std::size_t i = next++; i < tasks.size() && !interrupted(); i = next++) judge(tasks[i], solvers, seed);
+      for (std::size_t i = next++; i < tasks.size() && !interrupted(); i = next++) judge(tasks[i], solvers);
     });
 }
 
@@ -70,7 +74,10 @@ GateRow row_of(const std::string& family, std::size_t solver, const std::vector<
     const auto& [answer, judgement, nanoseconds] = task.answers[solver];
     const FindingKind kind = judgement.finding.kind;
     row.judged += judgement.judged || kind != FindingKind::none ? 1 : 0;
-    if (kind != FindingKind::none) ++row.findings[kind];
+    if (kind != FindingKind::none) {
+      ++row.findings[kind];
+      if (row.lets_go == 0) row.lets_go = step_of(task.c);
+    }
     if (answer.status != Status::converged) continue;
     ++row.converged;
     samples.add(judgement);
@@ -84,7 +91,7 @@ GateRow row_of(const std::string& family, std::size_t solver, const std::vector<
 std::vector<GateRow> measure_rows(const std::vector<std::string>& families, const std::vector<Solver>& solvers,
                                   const GateTable& table, unsigned threads) {
   std::vector<Task> tasks = tasks_of(families, table);
-  judge_all(tasks, solvers, table.seed, threads);
+  judge_all(tasks, solvers, threads);
   std::vector<GateRow> rows;
   if (interrupted()) return rows;
   for (const std::string& family : families)

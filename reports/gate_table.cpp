@@ -12,7 +12,7 @@
 #include "corpus/case.hpp"
 #include "corpus/number_text.hpp"
 #include "corpus/words.hpp"
-#include "properties/families.hpp"
+#include "reports/gate_cases.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb::reports {
@@ -27,7 +27,10 @@ constexpr std::string_view header =
     "points:\n"
     "# relative to the size, against the method's own problem; -: no answer could be judged.\n";
 
-constexpr std::string_view columns = "{:<13}{:<27}{:>7}{:>10}";
+constexpr std::string_view frozen_header = "# frozen: every case of the ladders kept there, the easiest step first; "
+                                           "lets_go=STEP: the easiest with a finding.\n";
+
+constexpr std::string_view columns = "{:<26}{:<27}{:>7}{:>10}";
 
 /// The words of one line, taken one after the other.
 class Words {
@@ -68,9 +71,13 @@ class Words {
   int number_;
 };
 
-bool is_family(const std::string& word) {
-  const auto is_it = [&](const Family& family) { return family.name == word; };
-  return std::any_of(families().begin(), families().end(), is_it);
+bool is_family(const std::string& word, const GateTable& table) {
+  const auto known = gate_families(table);
+  return std::find(known.begin(), known.end(), word) != known.end();
+}
+
+void refuse_family(const Words& words, const std::string& field, const GateTable& table, const std::string& reason) {
+  words.refuse(field, reason + (table.is_frozen() ? table.frozen + " has the ladders" : "plumb families lists them"));
 }
 
 FindingKind kind_of(const Words& words, const std::string& word) {
@@ -80,11 +87,21 @@ FindingKind kind_of(const Words& words, const std::string& word) {
   return static_cast<FindingKind>(found - known.begin());
 }
 
-/// FINDING=COUNT, up to the end of the line.
+std::uint64_t read_step(const Words& words, const std::string& text) {
+  const auto step = number_from<std::uint64_t>(text);
+  if (!step || *step == 0) words.refuse("lets_go", fmt::format("'{}' is no step", text));
+  return *step;
+}
+
+/// FINDING=COUNT and lets_go=STEP, up to the end of the line.
 void read_findings(Words& words, GateRow& row, std::uint64_t cases) {
   for (std::string word = words.next(); !word.empty(); word = words.next()) {
     const std::size_t sign = std::min(word.find('='), word.size());
     const std::string name = word.substr(0, sign);
+    if (name == "lets_go" && row.lets_go == 0) {
+      row.lets_go = read_step(words, word.substr(std::min(sign + 1, word.size())));
+      continue;
+    }
     const FindingKind kind = kind_of(words, name);
     const auto count = number_from<std::uint64_t>(word.substr(std::min(sign + 1, word.size())));
     if (!count || *count == 0 || *count > cases)
@@ -95,7 +112,7 @@ void read_findings(Words& words, GateRow& row, std::uint64_t cases) {
 
 void read_cases(Words& words, GateTable& table) {
   const std::string family = words.next();
-  if (!is_family(family)) words.refuse("cases", "no family '" + family + "'; plumb families lists them");
+  if (!is_family(family, table)) refuse_family(words, "cases", table, "no family '" + family + "'; ");
   constexpr std::uint64_t most = 1'000'000'000;
   const std::uint64_t count = words.count("cases", most);
   if (count == 0) words.refuse("cases", "is 0");
@@ -108,11 +125,17 @@ void read_seed(Words& words, GateTable& table) {
   words.end();
 }
 
+void read_frozen(Words& words, GateTable& table) {
+  table.frozen = words.next();
+  if (gate_families(table).empty()) words.refuse("frozen", "'" + table.frozen + "' is no folder of ladders");
+  words.end();
+}
+
 void read_row(Words& words, const std::string& family, GateTable& table) {
-  if (!is_family(family)) words.refuse(family, "is neither seed nor cases nor a family; plumb families lists them");
+  if (!is_family(family, table)) refuse_family(words, family, table, "is neither seed nor cases nor a family; ");
   if (!table.cases.contains(family)) words.refuse(family, "has no line 'cases' above");
   const std::uint64_t cases = table.cases.at(family);
-  GateRow row{family, words.next(), 0, 0, {}, {}};
+  GateRow row{family, words.next(), 0, 0, {}, {}, 0};
   if (find_method(row.method) == nullptr) words.refuse("method", "plumb has no method '" + row.method + "'");
   if (table.find(family, row.method) != nullptr) words.refuse(family, row.method + " stands there twice");
   row.judged = words.count("judged", cases);
@@ -126,6 +149,8 @@ void read_line(Words& words, GateTable& table) {
   const std::string first = words.next();
   if (first == "seed")
     read_seed(words, table);
+  else if (first == "frozen")
+    read_frozen(words, table);
   else if (first == "cases")
     read_cases(words, table);
   else if (!first.empty() && !first.starts_with('#'))
@@ -136,6 +161,7 @@ std::string row_text(const GateRow& row) {
   std::string text = fmt::format(columns, row.family, row.method, row.judged, row.converged);
   for (const double error : row.errors) text += fmt::format("{:>12}", error_text(error));
   for (const auto& [kind, count] : row.findings) text += fmt::format("  {}={}", name(kind), count);
+  if (row.lets_go > 0) text += fmt::format("  lets_go={}", row.lets_go);
   return text + "\n";
 }
 
@@ -156,16 +182,18 @@ GateTable read_gate_table(const std::filesystem::path& file) {
     Words words(line, file.string(), ++number);
     read_line(words, table);
   }
-  for (const Family& family : families())
-    if (!table.cases.contains(std::string(family.name)))
-      throw InputFailure(file.string(), 0, "cases", fmt::format("{} has no line", family.name));
+  for (const std::string& family : gate_families(table))
+    if (!table.cases.contains(family))
+      throw InputFailure(file.string(), 0, "cases", fmt::format("{} has no line", family));
   return table;
 }
 
 std::string gate_table_text(const GateTable& table) {
-  std::string text = fmt::format("{}seed {}\n", header, table.seed);
-  for (const Family& family : families())
-    text += fmt::format("cases {} {}\n", family.name, table.cases.at(std::string(family.name)));
+  std::string text(header);
+  text += table.is_frozen() ? fmt::format("{}frozen {}\n", frozen_header, table.frozen)
+                            : fmt::format("seed {}\n", table.seed);
+  for (const std::string& family : gate_families(table))
+    text += fmt::format("cases {} {}\n", family, table.cases.at(family));
   text += fmt::format(columns, "# family", "method", "judged", "converged");
   for (const std::string_view error : error_names) text += fmt::format("{:>12}", error);
   text += "  findings\n";

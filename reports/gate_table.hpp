@@ -25,12 +25,17 @@ struct GateRow {
   std::uint64_t judged = 0, converged = 0;  ///< answers
   Errors errors{};                          ///< measured, or the bound e of (e/2, e]; NaN: there is none
   std::map<FindingKind, std::uint64_t> findings;
+  std::uint64_t lets_go = 0;  ///< the easiest step of a ladder with a finding, from 1; 0: none
 };
 
+/// `family`: one of the random families; or, where `frozen` names a folder, a ladder that is kept there (LADDER.jsonl).
 struct GateTable {
+  std::string frozen;  ///< as the table has it: absolute, or from the top of the sources
   std::uint64_t seed = 1;
   std::map<std::string, std::uint64_t> cases;  ///< of each family
   std::vector<GateRow> rows;
+
+  [[nodiscard]] bool is_frozen() const { return !frozen.empty(); }
 
   /// nullptr where there is none.
   [[nodiscard]] const GateRow* find(const std::string& family, const std::string& method) const;
