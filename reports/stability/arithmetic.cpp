@@ -1,0 +1,101 @@
+#include "reports/stability/arithmetic.hpp"
+
+#include <algorithm>
+#include <cfenv>
+#include <filesystem>
+
+#include "corpus/program_folder.hpp"
+#include "corpus/solver.hpp"
+#include "reports/precision_error.hpp"
+#include "reports/precision_methods.hpp"
+#include "reports/stability/stochastic_methods.hpp"
+#include "solver/scalar.hpp"
+
+namespace plumb::reports {
+namespace {
+
+using Answer = std::optional<Contact<Real50>>;
+
+template <class S>
+Answer solve_in(std::string_view method, const Pair& pair) {
+  const SolveFunction<S> solve = find_iteration<S>(method);
+  if (solve == nullptr) return std::nullopt;
+  return widened(solve(pair, {}, nullptr));
+}
+
+template <class S>
+Arithmetic scalar(bool vouches) {
+  return {std::string(name_of_scalar<S>), static_cast<double>(std::numeric_limits<S>::epsilon()), 1, vouches,
+          [](std::string_view method, const Pair& pair, std::uint64_t) { return solve_in<S>(method, pair); }};
+}
+
+/// The mode of <cfenv>, of this thread, while it lives: SSE's and x87's.
+class RoundingMode {
+ public:
+  explicit RoundingMode(int mode) : before_(std::fegetround()) { std::fesetround(mode); }
+  ~RoundingMode() { std::fesetround(before_); }
+  RoundingMode(const RoundingMode&) = delete;
+  RoundingMode& operator=(const RoundingMode&) = delete;
+
+ private:
+  int before_;
+};
+
+Arithmetic rounded(const char* name, int mode) {
+  return {name, epsilon<double>(), 1, true, [mode](std::string_view method, const Pair& pair, std::uint64_t) -> Answer {
+            const SolveFunction<double> solve = find_iteration<double>(method);
+            if (solve == nullptr) return std::nullopt;
+            Contact<double> answer;
+            {
+              const RoundingMode rounding(mode);
+              answer = solve(pair, {}, nullptr);
+            }
+            return widened(answer);
+          }};
+}
+
+Arithmetic stochastic(std::uint64_t samples) {
+  return {"stochastic", epsilon<double>(), samples, true,
+          [](std::string_view method, const Pair& pair, std::uint64_t sample) {
+            seed_rounding(sample);
+            return solve_in<Stochastic>(method, pair);
+          }};
+}
+
+/// `auto`, compiled as the file's name says (reports/stability/variants.cmake).
+Arithmetic compiled(const std::filesystem::path& library) {
+  std::string name = library.stem().string();
+  std::replace(name.begin(), name.end(), '_', ' ');
+  const Solver solver = load_solver(library.string());
+  return {name, epsilon<double>(), 1, true,
+          [solver](std::string_view method, const Pair& pair, std::uint64_t) -> Answer {
+            if (method != "auto") return std::nullopt;
+            return widened(solver.solve(pair, {}, nullptr));
+          }};
+}
+
+std::vector<std::filesystem::path> variants_built() {
+  std::vector<std::filesystem::path> out;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(program_folder() / "variants", none))
+    if (entry.path().extension() == ".so") out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+}  // namespace
+
+std::vector<Arithmetic> arithmetics(std::uint64_t samples) {
+  std::vector<Arithmetic> out{scalar<double>(true),
+                              rounded("double, down", FE_DOWNWARD),
+                              rounded("double, up", FE_UPWARD),
+                              rounded("double, to zero", FE_TOWARDZERO),
+                              stochastic(samples),
+                              scalar<float>(false),
+                              scalar<long double>(true),
+                              scalar<Real50>(true)};
+  for (const auto& library : variants_built()) out.push_back(compiled(library));
+  return out;
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,28 @@
+// The arithmetics that a method is solved in: scalars, rounding modes, stochastic rounding, other compilers and options.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/contact.hpp"
+#include "solver/reference/real.hpp"
+
+namespace plumb::reports {
+
+struct Arithmetic {
+  std::string name;
+  double epsilon;
+  std::uint64_t samples;  ///< more than one where the rounding is random
+  bool
+      vouches;  ///< whether a wrong or lost answer of `auto` is a failure: not of float, whose range and digits are no DEM code's
+  /// nullopt where it has no such method.
+  std::function<std::optional<Contact<Real50>>(std::string_view method, const Pair&, std::uint64_t sample)> solve;
+};
+
+/// In the order of the tables. `samples`: of stochastic rounding.
+[[nodiscard]] std::vector<Arithmetic> arithmetics(std::uint64_t samples);
+
+}  // namespace plumb::reports

@@ -1,0 +1,185 @@
+#include "reports/stability/certified.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/decimal.hpp"
+#include "corpus/fields.hpp"
+#include "solver/reference/solution_set.hpp"
+
+namespace plumb::reports {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Real50 read_real(const Field& field, Rounding rounding = Rounding::nearest) {
+  const Real50 x = read_decimal(field.text(), rounding);
+  if (!isfinite(x)) field.fail("is no decimal number");
+  return x;
+}
+
+Vec3<Real50> read_reals(const Field& field) {
+  Vec3<Real50> out;
+  for (int i = 0; i < 3; ++i) out[i] = read_real(field.element(static_cast<std::size_t>(i), 3, "numbers"));
+  return out;
+}
+
+double read_radius(const Field& field) {
+  return static_cast<double>(read_real(field, Rounding::up));
+}
+
+Bounds read_bounds(const Field& field) {
+  Bounds out;
+  if (const auto lower = field.find("lower")) out.lower = read_real(*lower, Rounding::down);
+  if (const auto upper = field.find("upper")) out.upper = read_real(*upper, Rounding::up);
+  return out;
+}
+
+Condition read_condition(const Field& field) {
+  const auto factor = [&](const char* key) {
+    const Field at = field.member(key);
+    return at.value() == "infinite" ? infinite : at.number();
+  };
+  return {factor("overlap"), factor("normal"), factor("points")};
+}
+
+/// Nothing where normal or points are not located.
+void append_answer(const Field& field, std::vector<CertifiedAnswer>& out) {
+  if (!field.has("normal") || !field.has("points") || !field.has("condition")) return;
+  const Field points = field.member("points");
+  out.push_back({read_bounds(field.member("overlap")), read_reals(field.member("normal")),
+                 read_reals(points.element(0, 2, "points")), read_reals(points.element(1, 2, "points")),
+                 read_radius(field.member("normal_radius")), read_radius(field.member("points_radius")),
+                 read_condition(field.member("condition"))});
+}
+
+std::optional<SolutionBalls> read_balls(const Field& certificate) {
+  const auto set = certificate.find("solutions_within");
+  if (!set) return std::nullopt;
+  SolutionBalls out;
+  if (const auto radius = set->find("normal_radius")) {
+    out.normal = set->member("normal").vector().cast<Real50>();
+    out.normal_radius = radius->number();
+  }
+  if (const auto radius = set->find("points_radius")) {
+    const Field points = set->member("points");
+    out.point1 = points.element(0, 2, "points").vector().cast<Real50>();
+    out.point2 = points.element(1, 2, "points").vector().cast<Real50>();
+    out.points_radius = radius->number();
+  }
+  return out;
+}
+
+void read_certificate(const Field& provenance, CertifiedCase& out) {
+  const Field knob = provenance.member("knob"), certificate = provenance.member("certificate");
+  out.ladder = provenance.member("generator").text();
+  out.knob = knob.member("name").text();
+  out.value = knob.member("value").number();
+  out.step = static_cast<std::uint64_t>(provenance.member("step").whole_number(1, 1000));
+  out.overlap = read_bounds(certificate.member("overlap"));
+  if (certificate.has("condition")) out.condition = read_condition(certificate.member("condition"));
+  append_answer(certificate, out.answers);
+  for (const char* others : {"tied", "close"})
+    if (const auto list = certificate.find(others))
+      for (const Field& other : list->elements()) append_answer(other, out.answers);
+  out.balls = read_balls(certificate);
+}
+
+double length_of(const Vec3<Real50>& v) {
+  const double out = static_cast<double>(Real50(v.norm()));
+  return out == out ? out : infinite;
+}
+
+double angle_of(const Vec3<Real50>& a, const Vec3<Real50>& b) {
+  const double out =
+      2 * std::atan2(length_of(a.normalized() - b.normalized()), length_of(a.normalized() + b.normalized()));
+  return out == out ? out : infinite;
+}
+
+/// What the errors are relative to, and what a world-frame point may be off for its representation.
+struct Lengths {
+  double scale, sum, far, least;
+};
+
+Lengths lengths_of(const CertifiedCase& truth) {
+  const double size = size_of(truth.c.pair), depth = std::abs(static_cast<double>(truth.overlap.upper));
+  const auto reach = [](const Body& body) { return body.position.lpNorm<Eigen::Infinity>(); };
+  return {std::max(size, depth), size + depth, std::max(reach(truth.c.pair.body1), reach(truth.c.pair.body2)),
+          std::numeric_limits<double>::denorm_min()};
+}
+
+/// k epsilon times a condition number, where that bounds anything; in double and better the ball else, in float nothing.
+double allowed_by(double condition, double few, double ball) {
+  constexpr double first_order = 1e-3;
+  const double linear = few * condition;
+  if (linear <= first_order) return linear;
+  const bool is_of_double = few <= reference::rounding_epsilons * std::numeric_limits<double>::epsilon();
+  return is_of_double ? std::max(std::isfinite(linear) ? linear : 0, ball) : infinite;
+}
+
+double overlap_error(const Bounds& bounds, const Real50& overlap) {
+  const Real50 off = std::max(Real50(overlap - bounds.upper), Real50(bounds.lower - overlap));
+  const double out = static_cast<double>(off);
+  return out == out ? std::max(0.0, out) : infinite;
+}
+
+Errors3 errors_to(const CertifiedAnswer& truth, const Contact<Real50>& answer, double scale) {
+  return {overlap_error(truth.overlap, answer.overlap) / scale, angle_of(answer.normal, truth.normal),
+          std::max(length_of(answer.point1 - truth.point1), length_of(answer.point2 - truth.point2)) / scale};
+}
+
+/// Where a ball takes the place of a condition number the error is still the distance from the answer; what is in the ball is right.
+void admit_balls(const CertifiedCase& truth, const Contact<Real50>& answer, double rounding, CertifiedErrors& out) {
+  if (!truth.balls) return;
+  const SolutionBalls& balls = *truth.balls;
+  if (angle_of(answer.normal, balls.normal) <= balls.normal_radius)
+    out.allowed.normal = std::max(out.allowed.normal, out.error.normal);
+  const double off = std::max(length_of(answer.point1 - balls.point1), length_of(answer.point2 - balls.point2));
+  if (off <= balls.points_radius + rounding) out.allowed.points = std::max(out.allowed.points, out.error.points);
+}
+
+}  // namespace
+
+CertifiedCase read_certified(Case c, const std::string& file, int line) {
+  CertifiedCase out;
+  try {
+    const Json document{{"provenance", c.provenance}};
+    read_certificate(Field(document).member("provenance"), out);
+  } catch (const FieldError& error) {
+    throw InputFailure(file, line, error.field, error.what());
+  }
+  out.c = std::move(c);
+  return out;
+}
+
+bool CertifiedErrors::is_right() const {
+  return error.overlap <= allowed.overlap && !(error.normal > allowed.normal) && !(error.points > allowed.points);
+}
+
+CertifiedErrors errors_against(const CertifiedCase& truth, const Contact<Real50>& answer, double epsilon) {
+  const double few = reference::rounding_epsilons * epsilon;
+  const Lengths length = lengths_of(truth);
+  const double tiny = reference::rounding_epsilons * length.least / length.scale;
+  const double of_overlap = few * truth.condition.overlap * length.sum / length.scale + tiny;
+  const double rounding = few * (length.sum + length.far) / length.scale + tiny;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  CertifiedErrors out{{overlap_error(truth.overlap, answer.overlap) / length.scale, nan, nan},
+                      {of_overlap, infinite, infinite}};
+  const double highest = static_cast<double>(truth.overlap.upper) + of_overlap * length.scale;
+  double best = infinite;
+  for (const CertifiedAnswer& other : truth.answers) {
+    const Errors3 error = errors_to(other, answer, length.scale);
+    if (static_cast<double>(other.overlap.lower) > highest || !(error.normal < best)) continue;
+    best = error.normal;
+    out.error.normal = error.normal;
+    out.error.points = error.points;
+    out.allowed.normal = allowed_by(1 + other.condition.normal, few, 0) + other.normal_radius;
+    out.allowed.points = allowed_by(other.condition.points, few, 0) * (length.sum / length.scale) + rounding +
+                         other.points_radius / length.scale;
+    admit_balls(truth, answer, rounding * length.scale, out);
+  }
+  return out;
+}
+
+}  // namespace plumb::reports

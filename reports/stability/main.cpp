@@ -1,0 +1,190 @@
+// plumb report-stability: do answers keep their digits? The frozen hard cases solved in every arithmetic - float to 50 digits, all
+// rounding modes, stochastic rounding, other compilers and options - each held against its certificate.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "corpus/build_info.hpp"
+#include "corpus/command.hpp"
+#include "corpus/interrupt.hpp"
+#include "corpus/solver.hpp"
+#include "reports/stability/rows.hpp"
+
+namespace plumb::reports {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths, arithmetic;
+  std::string method = "auto", out;
+  std::uint64_t samples = 5;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  bool json = false, list = false;
+};
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("PATH", options.paths, "frozen ladders (plumb ladder --write), and folders of them")->required();
+  app.add_option("--method", options.method, "common-normal methods: NAME,.. or all")->capture_default_str();
+  app.add_option("--arithmetic", options.arithmetic, "NAME,..; default: all that this build has")->delimiter(';');
+  app.add_option("--samples", options.samples, "solves of each case in stochastic rounding")
+      ->capture_default_str()
+      ->check(refuse_count);
+  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
+  app.add_flag("--list", options.list, "every answer that is lost or wrong, a line each, also of published methods");
+  app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
+  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+}
+
+std::vector<std::string> methods_of(const Options& options) {
+  std::vector<std::string> out;
+  for (const Solver& solver : find_solvers(options.method)) {
+    const bool is_one = solver.problem == Problem::common_normal && !solver.name.starts_with("peer");
+    if (!is_one && options.method != "all")
+      throw InputFailure("--method", 0, solver.name, "is no common-normal method of plumb's");
+    if (is_one) out.push_back(solver.name);
+  }
+  return out;
+}
+
+std::vector<Arithmetic> arithmetics_of(const Options& options) {
+  std::vector<Arithmetic> known = arithmetics(options.samples);
+  if (options.arithmetic.empty()) return known;
+  std::vector<Arithmetic> out;
+  for (const std::string& name : options.arithmetic) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Arithmetic& a) { return a.name == name; });
+    if (found != known.end()) {
+      out.push_back(*found);
+      continue;
+    }
+    std::vector<std::string> names;
+    for (const Arithmetic& one : known) names.push_back(one.name);
+    throw InputFailure("--arithmetic", 0, name, fmt::format("not in this build, which has {}", fmt::join(names, "; ")));
+  }
+  return out;
+}
+
+std::vector<CertifiedCase> cases_of(const Options& options) {
+  std::vector<CertifiedCase> out;
+  for (const auto& file : find_case_files(options.paths)) {
+    CaseReader reader(file.string());
+    for (std::optional<Case> c = reader.next(); c; c = reader.next())
+      out.push_back(read_certified(*std::move(c), file.string(), reader.line()));
+  }
+  if (out.empty()) throw InputFailure(options.paths.front(), 0, "", "holds no case");
+  return out;
+}
+
+Json json_of(const StabilityRow& row) {
+  const auto counts = [&](std::uint64_t StepCounts::* which) {
+    Json out = Json::array();
+    for (const StepCounts& step : row.steps) out.push_back(step.*which);
+    return out;
+  };
+  Json out{{"kind", "row"},       {"ladder", row.ladder}, {"knob", row.knob},
+           {"steps", row.values}, {"method", row.method}, {"arithmetic", row.arithmetic}};
+  out["cases"] = counts(&StepCounts::answers);
+  out["right"] = counts(&StepCounts::right);
+  out["lost"] = counts(&StepCounts::lost);
+  out["wrong"] = counts(&StepCounts::wrong);
+  const auto digits = [&](double error) {
+    return row.total().right > 0 ? Json(digits_of(error, row.epsilon)) : Json();
+  };
+  out["digits"] = {{"overlap", digits(row.largest.overlap)},
+                   {"normal", digits(row.largest.normal)},
+                   {"points", digits(row.largest.points)}};
+  out["lets_go"] = row.lets_go() > 0 ? Json(row.lets_go()) : Json();
+  return out;
+}
+
+std::string json_lines(const StabilityResults& results, const Options& options) {
+  const std::string command = fmt::format("plumb report-stability {} --method {} --samples {}",
+                                          fmt::join(options.paths, " "), options.method, options.samples);
+  std::string text = write_json({{"kind", "run"}, {"command", command}, {"host", host_json()}}) + "\n";
+  for (const StabilityRow& row : results.rows) text += write_json(json_of(row)) + "\n";
+  return text;
+}
+
+/// The rows of a method in an arithmetic as one.
+StabilityRow joined(const std::vector<StabilityRow>& rows, const std::string& method, const std::string& arithmetic) {
+  StabilityRow out;
+  out.steps.emplace_back();
+  for (const StabilityRow& row : rows) {
+    if (row.method != method || row.arithmetic != arithmetic) continue;
+    const StepCounts total = row.total();
+    out.epsilon = row.epsilon;
+    out.steps[0].answers += total.answers;
+    out.steps[0].right += total.right;
+    out.steps[0].lost += total.lost;
+    out.steps[0].wrong += total.wrong;
+    out.largest = {std::max(out.largest.overlap, row.largest.overlap), std::max(out.largest.normal, row.largest.normal),
+                   std::max(out.largest.points, row.largest.points)};
+  }
+  return out;
+}
+
+void print_arithmetics(const StabilityResults& results, const std::vector<std::string>& methods,
+                       const std::vector<Arithmetic>& of) {
+  print_line(fmt::format("{:<16}{:<34}{:>9}{:>8}{:>7}{:>7}{:>16}", "method", "arithmetic", "answers", "right", "lost",
+                         "wrong", "overlap digits"));
+  for (const std::string& method : methods)
+    for (const Arithmetic& arithmetic : of) {
+      const StabilityRow row = joined(results.rows, method, arithmetic.name);
+      const StepCounts n = row.total();
+      if (n.answers > 0)
+        print_line(fmt::format("{:<16}{:<34}{:>9}{:>8}{:>7}{:>7}{:>16.1f}", method, arithmetic.name, n.answers, n.right,
+                               n.lost, n.wrong, digits_of(row.largest.overlap, row.epsilon)));
+    }
+}
+
+std::string step_text(const StabilityRow& row) {
+  const std::uint64_t step = row.lets_go();
+  return step == 0 ? "-" : fmt::format("{} ({:g})", step, row.values[step - 1]);
+}
+
+/// In double, where each method lets go.
+void print_ladders(const StabilityResults& results) {
+  print_line(fmt::format("\n{:<27}{:<16}{:<16}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", "ladder, in double", "knob", "method",
+                         "right", "of", "overlap", "normal", "points", "lets go at step"));
+  for (const StabilityRow& row : results.rows) {
+    if (row.arithmetic != "double") continue;
+    const StepCounts n = row.total();
+    const auto digits = [&](double error) {
+      return n.right > 0 ? fmt::format("{:.1f}", digits_of(error, row.epsilon)) : "-";
+    };
+    print_line(fmt::format("{:<27}{:<16}{:<16}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", row.ladder, row.knob, row.method,
+                           n.right, n.answers, digits(row.largest.overlap), digits(row.largest.normal),
+                           digits(row.largest.points), step_text(row)));
+  }
+}
+
+int report(const Options& options) {
+  const std::vector<std::string> methods = methods_of(options);
+  const std::vector<Arithmetic> of = arithmetics_of(options);
+  const StabilityResults results = measure_stability(cases_of(options), methods, of, options.threads);
+  if (interrupted()) return exit_interrupted;
+  const std::string lines = json_lines(results, options);
+  if (!options.out.empty()) write_file(options.out, lines);
+  if (options.json) {
+    print_line(lines.substr(0, lines.size() - 1));
+  } else {
+    print_arithmetics(results, methods, of);
+    print_ladders(results);
+  }
+  std::size_t vouched = 0;
+  for (const Unstable& one : results.unstable) {
+    vouched += one.vouched ? 1 : 0;
+    if (!options.json && (one.vouched || options.list)) print_line(one.line);
+  }
+  return vouched > 0 ? exit_finding : exit_done;
+}
+
+}  // namespace
+}  // namespace plumb::reports
+
+int main(int argc, char** argv) {
+  plumb::reports::Options options;
+  CLI::App app("The frozen hard cases in every arithmetic, against their certificates.", "plumb report-stability");
+  plumb::reports::declare(app, options);
+  return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
+}
