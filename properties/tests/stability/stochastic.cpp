@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "properties/stream.hpp"
+#include "solver/contact.hpp"
 #include "solver/reference/real.hpp"
 
 namespace plumb {
