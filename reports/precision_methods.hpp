@@ -20,8 +20,7 @@ inline constexpr std::string_view name_of_scalar<long double> = "long double";
 template <>
 inline constexpr std::string_view name_of_scalar<Real50> = "50 digits";
 
-/// Takes legal pairs only; the fields are the last iterate's, whatever the status. nullptr where there is none: `auto` has no
-/// 50 digits, for both.hpp holds two numbers in one vector register, and peers no iterations.
+/// Takes legal pairs only; the fields are the last iterate's, whatever the status. nullptr where there is none: peers.
 template <class S>
 [[nodiscard]] SolveFunction<S> find_iteration(std::string_view method);
 template <>

@@ -12,7 +12,8 @@
 
 namespace plumb {
 
-/// S is a scalar, or a register with a number of each of several pairs (batch/pack.hpp, which has a BothOf of its own).
+/// S is a scalar, or a register with a number of each of several pairs (batch/pack.hpp, which has a BothOf of its own, as
+/// twin.hpp has for scalars that are no built-in type).
 template <class S>
 struct BothOf {};
 /// Not fixed_size_simd, whose masks are sets of bits and cost exponents an eighth of their instructions.
@@ -60,6 +61,12 @@ template <class M, class T>
 }
 [[nodiscard, gnu::always_inline]] inline bool any_of(bool mask) {
   return mask;
+}
+[[nodiscard, gnu::always_inline]] inline bool all_of(bool mask) {
+  return mask;
+}
+[[nodiscard, gnu::always_inline]] inline bool none_of(bool mask) {
+  return !mask;
 }
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Both<S> select(const Mask<S>& mask, const Both<S>& a, const Both<S>& b) {

@@ -27,6 +27,9 @@ template <class S>
 /// Its square, the error of the linear step, is below rounding.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline S last_turn() {
+  using std::sqrt;
+  if constexpr (std::numeric_limits<S>::digits > std::numeric_limits<double>::digits + 11)  // beyond x86's long double
+    return S(0.06) * sqrt(epsilon<S>());
   return by_precision<S>(1e-9, 1e-4);
 }
 /// Error, relative to the size, from which its floor is asked for.

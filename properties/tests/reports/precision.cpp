@@ -62,11 +62,14 @@ TEST_F(Precision, ATighterToleranceIsNoWorseAndTheEndIsRounding) {
 }
 
 TEST_F(Precision, FiftyDigitsAreFifty) {
-  const auto lines = lines_of(plumb("report-precision --set spheroid --method new_cn --cases 2 --repeat 1 --json").out);
-  const std::vector<Json> points = points_of(lines, "spheroid", "new_cn", "50 digits");
-  ASSERT_EQ(points.size(), 3U);
-  EXPECT_LE(error(points.back()), 1e-48);
-  EXPECT_GT(error(points.front()), error(points.back()));
+  const auto lines =
+      lines_of(plumb("report-precision --set spheroid --method auto,new_cn --cases 2 --repeat 1 --json").out);
+  for (const char* method : {"auto", "new_cn"}) {
+    const std::vector<Json> points = points_of(lines, "spheroid", method, "50 digits");
+    ASSERT_EQ(points.size(), 3U) << method;
+    EXPECT_LE(error(points.back()), 1e-48) << method;
+    EXPECT_GT(error(points.front()), error(points.back())) << method;
+  }
 }
 
 TEST_F(Precision, ADominatedPointIsNotOnTheFront) {
@@ -118,7 +121,7 @@ TEST_F(Precision, EachLineHoldsWhatItsKindPromises) {
     return out;
   };
   EXPECT_EQ(certificates("hard"), (std::vector<std::string>{"residual", "bounds", "proof", "digits"}));
-  EXPECT_EQ(of_kind(lines, "path").size(), 6U);  // auto in three scalars
+  EXPECT_EQ(of_kind(lines, "path").size(), 8U);  // auto in four scalars
 }
 
 TEST_F(Precision, APathShowsQuadraticConvergence) {

@@ -1,0 +1,1 @@
+target_link_libraries(test_stability PRIVATE plumb_stochastic plumb_fifty_digits)
