@@ -54,11 +54,27 @@ Arithmetic rounded(const char* name, int mode) {
           }};
 }
 
+/// What it holds are doubles.
+Contact<double> plain(const Contact<Stochastic>& from) {
+  const auto vector = [](const Vec3<Stochastic>& v) {
+    return Vec3<double>(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
+  };
+  Contact<double> out;
+  out.status = from.status;
+  out.overlap = static_cast<double>(from.overlap);
+  out.normal = vector(from.normal);
+  out.point1 = vector(from.point1);
+  out.point2 = vector(from.point2);
+  return out;
+}
+
 Arithmetic stochastic(std::uint64_t samples) {
-  return {"stochastic", epsilon<double>(), samples, true,
-          [](std::string_view method, const Pair& pair, std::uint64_t sample) {
+  return {std::string(name_of_scalar<Stochastic>), epsilon<double>(), samples, true,
+          [](std::string_view method, const Pair& pair, std::uint64_t sample) -> Answer {
+            const SolveFunction<Stochastic> solve = find_iteration<Stochastic>(method);
+            if (solve == nullptr) return std::nullopt;
             seed_rounding(sample);
-            return solve_in<Stochastic>(method, pair);
+            return widened(plain(solve(pair, {}, nullptr)));
           }};
 }
 

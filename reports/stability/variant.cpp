@@ -1,4 +1,5 @@
-// `auto` behind the C door, in one compilation: what variants.cmake builds with other compilers and options.
+// `auto` behind the C door, in one compilation, contact.cpp and all: what variants.cmake builds with other compilers and options.
+#include "solver/contact.cpp"
 #include "solver/least_squares_impl.hpp"
 #include "solver/method/automatic_impl.hpp"
 #include "solver/plumb_solver.h"

@@ -5,8 +5,9 @@ set(plumb_variant_options "-O0 -ffp-contract=off" "-O2 -ffp-contract=off" "-O3 -
     "-O3 -march=native -ffp-contract=fast")
 set(plumb_variants)
 foreach(compiler g++ clang++-19)
-  find_program(PLUMB_VARIANT_${compiler} ${compiler})
-  if(NOT PLUMB_VARIANT_${compiler})
+  string(MAKE_C_IDENTIFIER PLUMB_${compiler} found)
+  find_program(${found} ${compiler})
+  if(NOT ${found})
     message(STATUS "no ${compiler}: plumb report-stability goes without its builds")
     continue()
   endif()
@@ -18,9 +19,9 @@ foreach(compiler g++ clang++-19)
     add_custom_command(
       OUTPUT ${library}
       COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/variants
-      COMMAND ${PLUMB_VARIANT_${compiler}} -std=c++20 -DNDEBUG ${flags} -fPIC -shared -fvisibility=hidden
-              -I ${PROJECT_SOURCE_DIR} -isystem ${EIGEN3_INCLUDE_DIRS} -MD -MF ${CMAKE_CURRENT_BINARY_DIR}/${name}.d -MT ${library}
-              ${CMAKE_CURRENT_SOURCE_DIR}/stability/variant.cpp ${PROJECT_SOURCE_DIR}/solver/contact.cpp -o ${library}
+      COMMAND ${${found}} -std=c++20 -w -DNDEBUG ${flags} -fPIC -shared
+              -I ${PROJECT_SOURCE_DIR} -isystem "$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>" -MD -MF ${CMAKE_CURRENT_BINARY_DIR}/${name}.d -MT ${library}
+              ${CMAKE_CURRENT_SOURCE_DIR}/stability/variant.cpp -o ${library}
       DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/stability/variant.cpp
       DEPFILE ${CMAKE_CURRENT_BINARY_DIR}/${name}.d
       VERBATIM)

@@ -64,7 +64,7 @@ class EllipsoidPack {
     const Symmetric3<P> h = sum(radii(pair_, at_.touch));
     Vector3<P> step = newton_step(h, at_);
     P turn = squared_turn(pair_, at_, step);
-    where(active, iterations_) += P(1.0);
+    iterations_ = blend(active, iterations_ + P(1.0), iterations_);
     Lanes last = active && turn < newton::last_turn<P>() * newton::last_turn<P>();
     if (any_of(last)) {
       last = last && landing_error(h, at_, step) <= floor_;
@@ -102,7 +102,7 @@ class EllipsoidPack {
   }
 
   [[gnu::always_inline]] void evaluate(const Lanes& counted, const Vector3<P>& n) {
-    where(counted, evaluations_) += P(1.0);
+    evaluations_ = blend(counted, evaluations_ + P(1.0), evaluations_);
     at_ = direction_point(pair_, n);
   }
 
@@ -129,7 +129,7 @@ class EllipsoidPack {
     for (int i = 0; i < newton::most_settling; ++i) {
       const Lanes moving = lanes && now.error > floor_;
       if (none_of(moving)) break;
-      where(moving, evaluations_) += P(1.0);
+      evaluations_ = blend(moving, evaluations_ + P(1.0), evaluations_);
       at_.touch.u = blend(TwinMask<P>(moving, moving), moved_points(pair_, at_, now), at_.touch.u);
       now = settling(pair_, at_);
     }

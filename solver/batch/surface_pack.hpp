@@ -64,7 +64,7 @@ class SurfacePack {
   }
 
   [[gnu::always_inline]] void step(const P& now) {
-    where(active_, out_.iterations) += P(1.0);
+    out_.iterations = blend(active_, out_.iterations + P(1.0), out_.iterations);
     const std::array<P, 4> x = cleaned(solve4(system()));
     const Lanes close = active_ && f_.opposite && now < P(1e-7);
     if (any_of(close)) follow(close, x);
@@ -113,7 +113,7 @@ class SurfacePack {
   }
 
   [[gnu::always_inline]] void move(const std::array<P, 4>& x) {
-    where(active_, out_.evaluations) += P(1.0);
+    out_.evaluations = blend(active_, out_.evaluations + P(1.0), out_.evaluations);
     const P square = squared_length(x), whole = blend(square > P(1.0), P(P(1.0) / sqrt(square)), P(1.0));
     const P t = blend(active_, whole, P(0.0));
     move_surfaces<P, false>(pair_, pair_.inner, pair_.outer, *here_, both<P>(x[0], x[2]) * Both<P>(t),

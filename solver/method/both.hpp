@@ -46,7 +46,12 @@ template <class S, class Abi>
 [[nodiscard, gnu::always_inline]] inline std::experimental::simd<S, Abi>
 blend(const std::experimental::simd_mask<S, Abi>& mask, std::experimental::simd<S, Abi> a,
       const std::experimental::simd<S, Abi>& b) {
+#if defined(__clang__) && defined(__AVX512F__)
+  // Where a mask is a set of bits, clang makes nothing of libstdc++ 12's masked assignment: it assigns nowhere.
+  a = std::experimental::simd<S, Abi>([&](auto lane) { return mask[lane] ? S(a[lane]) : S(b[lane]); });
+#else
   where(!mask, a) = b;
+#endif
   return a;
 }
 /// The same of one number.
