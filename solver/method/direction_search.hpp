@@ -34,7 +34,7 @@ class DirectionSearch {
   DirectionSearch(const Form& form, const S& size, const Answer& first) : form_(form), found_(form, size, first) {
     if (found_.is_found()) centre_on(first.normal);
     const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
-    forwards_ = largest(forwards) < S(2) ? forwards : axes_[0];  // else the centres coincide; rounded up it is above 1
+    forwards_ = largest(forwards) <= S(2) ? forwards : axes_[0];  // else the centres coincide; 1 but for rounding
   }
 
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.

@@ -53,7 +53,8 @@ class MeridianSearch {
 
   void push(const Cell& cell) { open_[open_count_++] = cell; }
 
-  void look_at(const Cell cell) {  // a copy: its place is taken by its halves
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): a copy, for its place is taken by its halves
+  void look_at(const Cell cell) {
     using std::ldexp;
     const Piece& piece = pieces_[static_cast<std::size_t>(cell.piece)];
     const S half = ldexp(S(0.5), -cell.level);

@@ -30,6 +30,20 @@ TEST(StochasticMethods, AutoConvergesToDoublesAnswer) {
     }
 }
 
+/// Deep ones, whose lowest common normal the search over directions finds.
+TEST(StochasticMethods, TheSearchFindsTheLowestWhateverTheRounding) {
+  const SolveFunction<Stochastic> solve = reports::find_iteration<Stochastic>("auto");
+  for (const std::uint64_t i : {2800U, 4242U, 9441U}) {
+    const Pair pair = generate("ellipsoid", 1, i).pair;
+    const double lowest = find_method("auto")->solve(pair, {}, nullptr).overlap;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      seed_rounding(seed);
+      EXPECT_NEAR(static_cast<double>(solve(pair, {}, nullptr).overlap), lowest, 1e-14 * size_of(pair))
+          << i << " seed " << seed;
+    }
+  }
+}
+
 TEST(StochasticMethods, AnAnswerIsItsSeeds) {
   const Pair pair = generate("superquadric", 6, 1).pair;
   const auto overlap = [&](std::uint64_t seed) {
