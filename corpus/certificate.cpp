@@ -10,6 +10,7 @@
 #include "corpus/fields.hpp"
 #include "corpus/reference_json.hpp"
 #include "solver/reference/condition_proof.hpp"
+#include "solver/reference/nearby.hpp"
 
 namespace plumb {
 namespace {
@@ -189,6 +190,8 @@ void put_condition_claims(Json& out, const Pair& pair, const Solution& found) {
       proof.overlap = certify_overlap_condition(pair, set, found.condition.overlap);
     out["solutions_within"] = solution_set_json(set);
   }
+  const NearbyAnswers nearby = nearby_answers(pair, found, rounding_epsilons);
+  out["nearby"] = {{"epsilons", rounding_epsilons}, {"normal", nearby.normal}, {"points", nearby.points}};
   out["condition_claims"] = {
       {"overlap", name(proof.overlap)}, {"normal", name(proof.normal)}, {"points", name(proof.points)}};
 }

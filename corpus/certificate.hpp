@@ -18,6 +18,7 @@ void put_reference(Json& out, const Reference& found, int digits);
 
 /// "condition_claims": what is proved of the solution's condition numbers, 50 digits given. Where one is infinite
 /// or bounds nothing (is_beyond_first_order), "solutions_within": balls that hold the normals and points of every input within 8 epsilon.
+/// "nearby": how far the exact answers to such inputs are, each number changed alone.
 void put_condition_claims(Json& out, const Pair& pair, const Solution& found);
 
 /// "stationary": every common normal that is proved, and "complete": whether these are proved to be all.

@@ -160,13 +160,19 @@ const reference::SolutionSet& Judge::all_solutions(const Reference& found) {
   return *all_solutions_;
 }
 
+const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
+  if (!nearby_) nearby_ = reference::nearby_answers(pair_, found.common_normal, law::allowed_multiple);
+  return *nearby_;
+}
+
 Judgement Judge::judge(Problem problem, const Contact<double>& answer,
                        const std::function<Contact<double>(const Pair&)>& solve_again, bool unit_keeps_bits) {
   Judgement out;
   for (const Effort effort : efforts) {
     const Reference& against = reference(effort);
     out = plumb::judge({pair_, problem, answer, against, solution(problem, against), solve_again, unit_keeps_bits,
-                        [&]() -> const reference::SolutionSet& { return all_solutions(against); }});
+                        [&]() -> const reference::SolutionSet& { return all_solutions(against); },
+                        [&]() -> const reference::NearbyAnswers& { return nearby(against); }});
     if (out.decided) break;
   }
   return out;

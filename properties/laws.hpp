@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "solver/contact.hpp"
+#include "solver/reference/nearby.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/reference/solution_set.hpp"
 
@@ -60,6 +61,8 @@ struct Evidence {
   bool unit_keeps_bits = false;
   /// All answers to all inputs within rounding of the pair, for where a condition number is infinite; may be empty.
   std::function<const reference::SolutionSet&()> all_solutions = {};
+  /// How far the answers to inputs within rounding are, for where a condition number bounds too little; may be empty.
+  std::function<const reference::NearbyAnswers&()> nearby = {};
 };
 
 struct Law {
@@ -103,12 +106,14 @@ class Judge {
   [[nodiscard]] const Reference& reference(Effort effort);
   [[nodiscard]] const Solution& solution(Problem problem, const Reference& reference);
   [[nodiscard]] const reference::SolutionSet& all_solutions(const Reference& found);
+  [[nodiscard]] const reference::NearbyAnswers& nearby(const Reference& found);
 
   Pair pair_;
   ReferenceSource source_;
   std::deque<Reference> references_;  ///< by effort
   std::optional<Solution> deepest_, midway_;
   std::optional<reference::SolutionSet> all_solutions_;
+  std::optional<reference::NearbyAnswers> nearby_;
 };
 
 }  // namespace plumb

@@ -69,7 +69,7 @@ Contact<double> plain(const Contact<Stochastic>& from) {
 }
 
 Arithmetic stochastic(std::uint64_t samples) {
-  return {std::string(name_of_scalar<Stochastic>), epsilon<double>(), samples, true,
+  return {std::string(name_of_scalar<Stochastic>), static_cast<double>(epsilon<Stochastic>()), samples, true,
           [](std::string_view method, const Pair& pair, std::uint64_t sample) -> Answer {
             const SolveFunction<Stochastic> solve = find_iteration<Stochastic>(method);
             if (solve == nullptr) return std::nullopt;
@@ -109,7 +109,7 @@ std::vector<Arithmetic> arithmetics(std::uint64_t samples) {
                               stochastic(samples),
                               scalar<float>(false),
                               scalar<long double>(true),
-                              scalar<Real50>(true)};
+                              scalar<Real50>(false)};
   for (const auto& library : variants_built()) out.push_back(compiled(library));
   return out;
 }

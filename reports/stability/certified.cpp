@@ -51,7 +51,11 @@ void append_answer(const Field& field, std::vector<CertifiedAnswer>& out) {
   out.push_back({read_bounds(field.member("overlap")), read_reals(field.member("normal")),
                  read_reals(points.element(0, 2, "points")), read_reals(points.element(1, 2, "points")),
                  read_radius(field.member("normal_radius")), read_radius(field.member("points_radius")),
-                 read_condition(field.member("condition"))});
+                 read_condition(field.member("condition")), 0, 0});
+  const auto nearby = field.find("nearby");
+  if (!nearby) return;
+  out.back().nearby_normal = nearby->member("normal").number();
+  out.back().nearby_points = nearby->member("points").number();
 }
 
 std::optional<SolutionBalls> read_balls(const Field& certificate) {
@@ -109,13 +113,19 @@ Lengths lengths_of(const CertifiedCase& truth) {
           std::numeric_limits<double>::denorm_min()};
 }
 
-/// k epsilon times a condition number, where that bounds anything; in double and better the ball else, in float nothing.
-double allowed_by(double condition, double few, double ball) {
+/// And of stochastic rounding, whose epsilon is twice double's.
+bool is_of_double(double epsilon) {
+  return epsilon <= 2 * std::numeric_limits<double>::epsilon();
+}
+
+/// k epsilon times a condition number, and in double and better what nearby inputs do, where that is more. In float a condition
+/// number that reaches too far bounds nothing, and nothing else is certified.
+double allowed_by(double condition, double nearby, double epsilon) {
   constexpr double first_order = 1e-3;
-  const double linear = few * condition;
-  if (linear <= first_order) return linear;
-  const bool is_of_double = few <= reference::rounding_epsilons * std::numeric_limits<double>::epsilon();
-  return is_of_double ? std::max(std::isfinite(linear) ? linear : 0, ball) : infinite;
+  const double linear = reference::rounding_epsilons * epsilon * condition;
+  if (!is_of_double(epsilon)) return linear <= first_order ? linear : infinite;
+  const double epsilons = std::max(1.0, epsilon / std::numeric_limits<double>::epsilon());
+  return std::max(std::isfinite(linear) ? linear : 0, epsilons * nearby);
 }
 
 double overlap_error(const Bounds& bounds, const Real50& overlap) {
@@ -174,10 +184,11 @@ CertifiedErrors errors_against(const CertifiedCase& truth, const Contact<Real50>
     best = error.normal;
     out.error.normal = error.normal;
     out.error.points = error.points;
-    out.allowed.normal = allowed_by(1 + other.condition.normal, few, 0) + other.normal_radius;
-    out.allowed.points = allowed_by(other.condition.points, few, 0) * (length.sum / length.scale) + rounding +
-                         other.points_radius / length.scale;
-    admit_balls(truth, answer, rounding * length.scale, out);
+    out.allowed.normal = allowed_by(1 + other.condition.normal, other.nearby_normal, epsilon) + other.normal_radius;
+    out.allowed.points =
+        allowed_by(other.condition.points * (length.sum / length.scale), other.nearby_points / length.scale, epsilon) +
+        rounding + other.points_radius / length.scale;
+    if (is_of_double(epsilon)) admit_balls(truth, answer, rounding * length.scale, out);
   }
   return out;
 }

@@ -17,6 +17,7 @@ struct CertifiedAnswer {
   Vec3<Real50> normal, point1, point2;
   double normal_radius = 0, points_radius = 0;  ///< of the proof
   Condition condition;
+  double nearby_normal = 0, nearby_points = 0;  ///< how far the answers to inputs within 8 epsilon of double's are
 };
 
 /// Where a condition number bounds nothing: balls that hold the answers to every input within 8 epsilon of double's.
