@@ -1,1 +1,2 @@
-target_link_libraries(test_stability PRIVATE plumb_stochastic plumb_fifty_digits)
+target_link_libraries(test_stability PRIVATE plumb_stability)
+add_dependencies(test_stability plumb plumb-ladder plumb-replay plumb-report-stability)
