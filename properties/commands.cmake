@@ -1,6 +1,7 @@
 # The commands that judge: they need the laws, so they live here and not in corpus/.
 add_executable(plumb-check check.cpp)
 add_executable(plumb-replay replay.cpp replay_case.cpp replay_reports.cpp)
-foreach(program plumb-check plumb-replay)
+add_executable(plumb-path path.cpp)
+foreach(program plumb-check plumb-replay plumb-path)
   target_link_libraries(${program} PRIVATE plumb_properties plumb_command plumb_flags)
 endforeach()
