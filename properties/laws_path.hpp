@@ -78,7 +78,7 @@ struct PathFinding {
   Finding finding;
 };
 
-/// Every law that is broken, at every step: first laws() by the cold answer, then the laws of paths.
+/// Every law that is broken, at every step: first of laws(), by the cold answer, then of paths.
 [[nodiscard]] std::vector<PathFinding> judge_path(const PathEvidence& evidence);
 
 /// Anything that answers, from an earlier contact or from none.

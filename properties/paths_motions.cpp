@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "properties/paths.hpp"
@@ -11,16 +12,16 @@ Superellipsoid<double> block(double a, double b, double c, double exponent) {
   return {{a, b, c}, exponent, exponent};
 }
 
-/// first, then 3 and 1 times each power of ten down to the last; whole decimals divided once, so that they stay short.
-std::vector<double> decades(int first, int last) {
-  std::vector<double> out{1 / std::pow(10, first)};
-  for (int power = first + 1; power <= last; ++power)
-    for (const double digit : {3.0, 1.0}) out.push_back(digit / std::pow(10, power));
+/// The digits times 1e-1 .. 1e-16, from large to small; divided once, so that they stay short decimals.
+std::vector<double> decades(std::initializer_list<double> digits) {
+  std::vector<double> out;
+  for (int power = 1; power <= 16; ++power)
+    for (const double digit : digits) out.push_back(digit / std::pow(10, power));
   return out;
 }
 
 /// The values, 0, and the values' opposites in reverse.
-std::vector<double> through_zero(std::vector<double> values) {
+std::vector<double> through_zero(const std::vector<double>& values) {
   std::vector<double> out = values;
   out.push_back(0);
   for (auto value = values.rbegin(); value != values.rend(); ++value) out.push_back(-*value);
@@ -57,7 +58,7 @@ Pair cubes(double exponent) {
 void append_around(std::vector<double>& angles, double centre) {
   for (const double end : {-1e300, 1e300}) angles.push_back(std::nextafter(centre, end));
   angles.push_back(centre);
-  for (const double beside : {1e-12, 1e-8, 1e-5, 1e-3, 2e-2})
+  for (const double beside : {1e-4, 1e-3, 5e-3, 2e-2})
     for (const double sign : {-1, 1}) angles.push_back(centre + sign * beside);
 }
 
@@ -69,7 +70,7 @@ std::vector<Draft> face_turn(double exponent) {
   pair.body2.shape = block(0.7, 0.9, 0.5, exponent);
   pair.body2.position << 0.2, 0.1, 1.099;
   // (1, 0, tilt/2, 0) keeps every digit of the smallest tilt.
-  return steer(pair, "tilt", through_zero(decades(1, 16)),
+  return steer(pair, "tilt", through_zero(decades({1, 0.3})),
                [](Draft& draft, double tilt) { draft.pair.body2.quaternion[2] = tilt / 2; });
 }
 
@@ -87,12 +88,12 @@ std::vector<Draft> slide_over_edge(double exponent) {
 }
 
 std::vector<Draft> roll_through_tie(double exponent) {
-  return steer(cubes(exponent), "turn", through_zero(decades(1, 16)),
+  return steer(cubes(exponent), "turn", through_zero(decades({1})),
                [](Draft& draft, double turn) { draft.pair.body2.quaternion[3] = turn / 2; });
 }
 
 std::vector<Draft> slide_through_tie(double exponent) {
-  return steer(cubes(exponent), "broken_by", through_zero(decades(1, 16)),
+  return steer(cubes(exponent), "broken_by", through_zero(decades({1})),
                [](Draft& draft, double shift) { draft.pair.body2.position[0] += shift; });
 }
 
@@ -101,10 +102,7 @@ std::vector<Draft> touch_and_part(double exponent) {
   pair.body1.shape = block(1, 0.7, 0.5, exponent);
   pair.body2.shape = block(0.6, 0.8, 0.4, exponent);
   pair.body2.quaternion = {0.7, 0.3, -0.5, 0.2};
-  std::vector<double> depths;
-  for (int power = 1; power <= 16; ++power) depths.push_back(-1 / std::pow(10, power));
-  depths.push_back(0);
-  for (int power = 16; power >= 1; --power) depths.push_back(1 / std::pow(10, power));
+  std::vector<double> depths = through_zero(decades({-1}));
   for (std::size_t i = depths.size() - 1; i-- > 0;) depths.push_back(depths[i]);
   const Vec3<double> normal = Vec3<double>(2, 3, 6) / 7;
   return steer(pair, "depth", depths, [&](Draft& draft, double depth) { place_at_contact(draft, normal, depth); });
@@ -117,7 +115,7 @@ std::vector<Draft> through_concentric(double exponent) {
   pair.body2.quaternion = {1, 0.2, -0.3, 0.4};
   std::vector<double> before;
   append_even(before, -15, 14, 10);
-  for (int power = 1; power <= 16; ++power) before.push_back(-1 / std::pow(10, power));
+  for (const double s : decades({-1})) before.push_back(s);
   const Vec3<double> line = Vec3<double>(2, 3, 6) / 7;
   return steer(pair, "along", through_zero(before),
                [&](Draft& draft, double s) { draft.pair.body2.position = s * line; });
