@@ -65,15 +65,27 @@ void append_step(std::vector<Track>& tracks, const std::string& file, Case step,
   tracks.back().steps.push_back(std::move(step));
 }
 
-std::vector<Track> read_tracks(const Options& options) {
-  if (options.files.empty()) throw InputFailure("FILE", 0, "", "is missing");
-  std::vector<Track> tracks;
-  for (const auto& file : find_case_files(options.files)) {
-    CaseReader reader(file);
-    while (std::optional<Case> c = reader.next()) append_step(tracks, file, std::move(*c), reader.line());
+/// After a bad line the steps before it are still followed.
+struct Tracks {
+  std::vector<Track> read;
+  std::optional<InputFailure> failure;
+};
+
+void read_file(std::vector<Track>& tracks, const std::string& file) {
+  CaseReader reader(file);
+  while (std::optional<Case> c = reader.next()) append_step(tracks, file, std::move(*c), reader.line());
+}
+
+Tracks read_tracks(const std::vector<std::string>& files) {
+  if (files.empty()) throw InputFailure("FILE", 0, "", "is missing");
+  Tracks out;
+  try {
+    for (const auto& file : find_case_files(files)) read_file(out.read, file);
+  } catch (const InputFailure& failure) {
+    out.failure = failure;
   }
-  if (tracks.empty()) throw InputFailure(options.files.front(), 0, "", "holds no case");
-  return tracks;
+  if (out.read.empty()) throw out.failure.value_or(InputFailure(files.front(), 0, "", "holds no case"));
+  return out;
 }
 
 /// What a track's answers by one solver came to.
@@ -155,11 +167,11 @@ int follow(const Options& options) {
   const std::vector<Solver> solvers =
       options.library.empty() ? find_solvers(options.methods) : std::vector{load_solver(options.library)};
   const ReferenceSource source = references_of(open_store(options.cache));
+  const Tracks tracks = read_tracks(options.files);
   bool any = false;
-  for (const Track& track : read_tracks(options)) {
-    if (interrupted()) break;
-    any = follow_track(track, solvers, source, options.json) || any;
-  }
+  for (const Track& track : tracks.read)
+    if (!interrupted()) any = follow_track(track, solvers, source, options.json) || any;
+  if (tracks.failure && !interrupted()) throw InputFailure(*tracks.failure);
   return any ? exit_finding : exit_done;
 }
 
