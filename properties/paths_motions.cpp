@@ -28,7 +28,7 @@ std::vector<double> through_zero(const std::vector<double>& values) {
   return out;
 }
 
-/// From `first` in steps of 1 / per_unit, `count` of them: each divided once.
+/// first / per_unit and on in steps of 1 / per_unit, `count` of them: each divided once.
 void append_even(std::vector<double>& out, int first, int count, double per_unit) {
   for (int i = 0; i < count; ++i) out.push_back((first + i) / per_unit);
 }
@@ -58,7 +58,7 @@ Pair cubes(double exponent) {
 void append_around(std::vector<double>& angles, double centre) {
   for (const double end : {-1e300, 1e300}) angles.push_back(std::nextafter(centre, end));
   angles.push_back(centre);
-  for (const double beside : {1e-4, 1e-3, 5e-3, 2e-2})
+  for (const double beside : {1e-4, 1e-3, 2e-2})
     for (const double sign : {-1, 1}) angles.push_back(centre + sign * beside);
 }
 
