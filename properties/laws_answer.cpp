@@ -132,10 +132,6 @@ double points_severity_in_set(const Evidence& e) {
                   severity_of(uneven, 2 * all.delta + width_of(e.reference.overlap) + 2 * point_rounding(e.pair)));
 }
 
-/// No overlap's condition number exceeds 2 sqrt(3) (1 + 2 + 1 + 2 log 2): both bodies shifted, turned, stretched, with other
-/// exponents, of reaches up to sqrt(3) semi-axes.
-constexpr double largest_overlap_condition = 19;
-
 /// How far an overlap is from the lowest, as far as that is known.
 double overlap_error(const Evidence& e, double overlap) {
   const Real50 said(overlap);
