@@ -1,6 +1,12 @@
 // plumb replay: every kept case against what it expects.
 #include <fmt/format.h>
 
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/reference_store.hpp"
@@ -17,6 +23,7 @@ struct Options {
   std::string junit;
   std::string sarif;
   std::string cache;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool quiet = false;
 };
 
@@ -27,6 +34,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");
   app.add_option("--cache", options.cache, cache_help);
+  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
   app.add_flag("--quiet", options.quiet, "print the cases that differ or were not judged, and the last line, only");
 }
 
@@ -44,15 +52,88 @@ struct By {
   ReferenceSource source;
 };
 
-void replay_file(std::vector<Replayed>& done, const std::string& file, const By& by, bool quiet) {
-  CaseReader reader(file);
-  while (!interrupted()) {
-    const std::optional<Case> c = reader.next();
-    if (!c) return;
-    done.push_back(replay_case(*c, file, reader.line(), by.instead, by.source));
-    if (!quiet || outcome(done.back()) != Outcome::as_expected) print_line(replay_line(done.back()));
+struct Kept {
+  Case c;
+  std::string file;
+  int line = 0;
+};
+
+/// What is read before a line that is none, and that line's failure.
+struct Reading {
+  std::vector<Kept> cases;
+  std::exception_ptr failure;
+};
+
+Reading read_all(const std::vector<std::string>& paths) {
+  Reading out;
+  try {
+    for (const auto& file : find_case_files(paths)) {
+      CaseReader reader(file.string());
+      for (std::optional<Case> c = reader.next(); c; c = reader.next())
+        out.cases.push_back({*std::move(c), file.string(), reader.line()});
+    }
+  } catch (const InputFailure&) {
+    out.failure = std::current_exception();
   }
+  return out;
 }
+
+/// Replays the cases on several threads, and prints them in their order, each as soon as those before it are done.
+class InOrder {
+ public:
+  InOrder(const std::vector<Kept>& cases, const By& by, bool quiet) : cases_(cases), by_(by), quiet_(quiet) {}
+
+  /// Those that are done, up to the first that is not: all of them but after Ctrl-C, or before one that cannot be replayed.
+  [[nodiscard]] std::vector<Replayed> run(unsigned threads) {
+    {
+      std::vector<std::jthread> workers;
+      for (unsigned thread = 0; thread < threads; ++thread) workers.emplace_back([this] { work(); });
+    }
+    return std::move(printed_);
+  }
+  /// Why one could not be replayed; null: all could.
+  [[nodiscard]] std::exception_ptr failure() const { return failure_; }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < cases_.size() && !interrupted(); i = next_++) {
+      std::optional<Replayed> done;
+      std::exception_ptr failure;
+      try {
+        done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source);
+      } catch (...) {
+        failure = std::current_exception();
+      }
+      const std::scoped_lock lock(mutex_);
+      waiting_.emplace(i, Ended{std::move(done), failure});
+      print_ready();
+    }
+  }
+
+  void print_ready() {
+    for (auto first = waiting_.begin(); first != waiting_.end() && first->first == printed_.size() && !failure_;
+         first = waiting_.erase(first)) {
+      failure_ = first->second.failure;
+      if (failure_) return void(next_ = cases_.size());
+      printed_.push_back(*std::move(first->second.done));
+      if (!quiet_ || outcome(printed_.back()) != Outcome::as_expected) print_line(replay_line(printed_.back()));
+    }
+  }
+
+  struct Ended {
+    std::optional<Replayed> done;
+    std::exception_ptr failure;
+  };
+
+  const std::vector<Kept>& cases_;
+  const By& by_;
+  bool quiet_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;
+  std::map<std::size_t, Ended> waiting_;
+  std::vector<Replayed> printed_;
+  std::exception_ptr failure_;
+};
 
 void write_reports(const Options& options, const std::vector<Replayed>& done) {
   if (!options.junit.empty()) write_file(options.junit, junit_report(done, !interrupted()));
@@ -62,8 +143,11 @@ void write_reports(const Options& options, const std::vector<Replayed>& done) {
 int replay(const Options& options) {
   const auto store = open_store(options.cache);
   const By by{solver_instead(options), references_of(store)};
-  std::vector<Replayed> done;
-  for (const auto& file : find_case_files(options.paths)) replay_file(done, file.string(), by, options.quiet);
+  const Reading reading = read_all(options.paths);
+  InOrder in_order(reading.cases, by, options.quiet);
+  const std::vector<Replayed> done = in_order.run(options.threads);
+  if (in_order.failure()) std::rethrow_exception(in_order.failure());
+  if (reading.failure && !interrupted()) std::rethrow_exception(reading.failure);
   if (done.empty() && !interrupted()) throw InputFailure(options.paths.front(), 0, "", "holds no case");
   write_reports(options, done);
   if (store) fmt::print(stderr, "{}\n", in_words(store->counts()));

@@ -128,14 +128,15 @@ double allowed_by(double condition, double nearby, double epsilon) {
   return std::max(std::isfinite(linear) ? linear : 0, epsilons * nearby);
 }
 
-double overlap_error(const Bounds& bounds, const Real50& overlap) {
+/// Relative to `scale`. One step between subnormal numbers is no error: it is what a double of such a length is.
+double overlap_error(const Bounds& bounds, const Real50& overlap, double scale) {
   const Real50 off = std::max(Real50(overlap - bounds.upper), Real50(bounds.lower - overlap));
-  const double out = static_cast<double>(off);
+  const double out = static_cast<double>(Real50((off - std::numeric_limits<double>::denorm_min()) / scale));
   return out == out ? std::max(0.0, out) : infinite;
 }
 
 Errors3 errors_to(const CertifiedAnswer& truth, const Contact<Real50>& answer, double scale) {
-  return {overlap_error(truth.overlap, answer.overlap) / scale, angle_of(answer.normal, truth.normal),
+  return {overlap_error(truth.overlap, answer.overlap, scale), angle_of(answer.normal, truth.normal),
           std::max(length_of(answer.point1 - truth.point1), length_of(answer.point2 - truth.point2)) / scale};
 }
 
@@ -174,7 +175,7 @@ CertifiedErrors errors_against(const CertifiedCase& truth, const Contact<Real50>
   const double of_overlap = few * truth.condition.overlap * length.sum / length.scale + tiny;
   const double rounding = few * (length.sum + length.far) / length.scale + tiny;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  CertifiedErrors out{{overlap_error(truth.overlap, answer.overlap) / length.scale, nan, nan},
+  CertifiedErrors out{{overlap_error(truth.overlap, answer.overlap, length.scale), nan, nan},
                       {of_overlap, infinite, infinite}};
   const double highest = static_cast<double>(truth.overlap.upper) + of_overlap * length.scale;
   double best = infinite;

@@ -24,7 +24,9 @@ struct Options {
 };
 
 void declare(CLI::App& app, Options& options) {
-  app.add_option("PATH", options.paths, "frozen ladders (plumb ladder --write), and folders of them")->required();
+  app.add_option("PATH", options.paths,
+                 "frozen ladders (plumb ladder --write), and folders of them; motions are left out")
+      ->required();
   app.add_option("--method", options.method, "common-normal methods: NAME,.. or all")->capture_default_str();
   app.add_option("--arithmetic", options.arithmetic, "NAME,..; default: all that this build has")->delimiter(';');
   app.add_option("--samples", options.samples, "solves of each case in stochastic rounding")
@@ -64,12 +66,17 @@ std::vector<Arithmetic> arithmetics_of(const Options& options) {
   return out;
 }
 
+/// A step of a motion is judged by plumb path.
+bool is_of_motion(const Case& c) {
+  return c.provenance.is_object() && c.provenance.contains("path");
+}
+
 std::vector<CertifiedCase> cases_of(const Options& options) {
   std::vector<CertifiedCase> out;
   for (const auto& file : find_case_files(options.paths)) {
     CaseReader reader(file.string());
     for (std::optional<Case> c = reader.next(); c; c = reader.next())
-      out.push_back(read_certified(*std::move(c), file.string(), reader.line()));
+      if (!is_of_motion(*c)) out.push_back(read_certified(*std::move(c), file.string(), reader.line()));
   }
   if (out.empty()) throw InputFailure(options.paths.front(), 0, "", "holds no case");
   return out;
