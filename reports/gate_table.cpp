@@ -30,7 +30,7 @@ constexpr std::string_view header =
 constexpr std::string_view frozen_header = "# frozen: every case of the ladders kept there, the easiest step first; "
                                            "lets_go=STEP: the easiest with a finding.\n";
 
-constexpr std::string_view columns = "{:<26}{:<27}{:>7}{:>10}";
+constexpr std::string_view columns = "{:<{}}{:<27}{:>7}{:>10}";
 
 /// The words of one line, taken one after the other.
 class Words {
@@ -157,8 +157,13 @@ void read_line(Words& words, GateTable& table) {
     read_row(words, first, table);
 }
 
-std::string row_text(const GateRow& row) {
-  std::string text = fmt::format(columns, row.family, row.method, row.judged, row.converged);
+/// Of the first column.
+int width_of(const GateTable& table) {
+  return table.is_frozen() ? 26 : 13;
+}
+
+std::string row_text(const GateRow& row, int width) {
+  std::string text = fmt::format(columns, row.family, width, row.method, row.judged, row.converged);
   for (const double error : row.errors) text += fmt::format("{:>12}", error_text(error));
   for (const auto& [kind, count] : row.findings) text += fmt::format("  {}={}", name(kind), count);
   if (row.lets_go > 0) text += fmt::format("  lets_go={}", row.lets_go);
@@ -194,10 +199,10 @@ std::string gate_table_text(const GateTable& table) {
                             : fmt::format("seed {}\n", table.seed);
   for (const std::string& family : gate_families(table))
     text += fmt::format("cases {} {}\n", family, table.cases.at(family));
-  text += fmt::format(columns, "# family", "method", "judged", "converged");
+  text += fmt::format(columns, "# family", width_of(table), "method", "judged", "converged");
   for (const std::string_view error : error_names) text += fmt::format("{:>12}", error);
   text += "  findings\n";
-  for (const GateRow& row : table.rows) text += row_text(row);
+  for (const GateRow& row : table.rows) text += row_text(row, width_of(table));
   return text;
 }
 
