@@ -26,29 +26,6 @@ template <class S>
   return sum(normals_at(pair, both(Vector3<S>::of(last->chart1), Vector3<S>::of(Vec3<S>(-last->chart2)))));
 }
 
-template <class S>
-[[nodiscard]] EllipsoidContact<S> cold_contact(const EllipsoidPair<S>& pair, const Want& want) {
-  EllipsoidContact<S> out = local_contact(pair, want, cold_start(pair, ellipsoid_start(pair)));
-  out.evaluations += start_corrections;
-  return out;
-}
-
-/// The common normal that the last contact leads to, or the cold start where that one is lower: a body that has left a ring
-/// leaves the warm start on a saddle, a place from which a search takes long.
-template <class S>
-[[nodiscard]] EllipsoidContact<S> first_contact(const EllipsoidPair<S>& pair, const Want& want,
-                                                const Contact<S>* last) {
-  const Vector3<S> warm = warm_direction(pair, last);
-  if (!(largest(warm) > S(0.5))) return cold_contact(pair, want);
-  EllipsoidContact<S> out = local_contact(pair, want, warm);
-  if (want.is_yes_or_no() || is_surely_lowest<S>(pair, out)) return out;
-  const int evaluations = out.evaluations;
-  const EllipsoidContact<S> cold = cold_contact(pair, want);
-  if (cold.status == Status::converged && !(out.status == Status::converged && out.overlap <= cold.overlap)) out = cold;
-  out.evaluations = evaluations + cold.evaluations;
-  return out;
-}
-
 /// What both forms found, in the pair's frame.
 template <class S>
 struct Found {
@@ -119,10 +96,12 @@ template <class S>
 [[nodiscard]] Found<S> solve_ellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
                                         const Contact<S>* last) {
   const EllipsoidPair<S> pair = ellipsoid_pair(framed);
-  EllipsoidContact<S> found = first_contact(pair, want, last);
+  const Vector3<S> warm = warm_direction(pair, last);
+  const bool is_warm = largest(warm) > S(0.5);
+  EllipsoidContact<S> found = is_warm ? local_contact(pair, want, warm) : cold_contact(pair, want);
   const auto point2 = [&] { return pair.c - second(found.at.touch.p); };
   const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, first(found.at.touch.p), point2());
-  if (!is_answered) found = lowest_contact(bodies, pair, want, found);
+  if (!is_answered) found = lowest_contact(bodies, pair, want, found, is_warm);
   const Touch<S>& touch = found.at.touch;
   return {is_answered ? Status::converged : found.status,
           found.overlap,

@@ -39,14 +39,36 @@ template <class S>
   return EllipsoidForm<S>{pair, want}.solve(start);
 }
 
+template <class S>
+[[nodiscard]] inline EllipsoidContact<S> cold_contact(const EllipsoidPair<S>& pair, const Want& want) {
+  EllipsoidContact<S> out = local_contact(pair, want, cold_start(pair, ellipsoid_start(pair)));
+  out.evaluations += start_corrections;
+  return out;
+}
+
+/// The lower of a warm start's contact and of the cold start's: a body that has left a ring of lowest normals leaves the warm
+/// start on a saddle, a place from which a search takes long.
+template <class S>
+[[nodiscard]] inline EllipsoidContact<S> or_cold_contact(const EllipsoidPair<S>& pair, const Want& want,
+                                                         const EllipsoidContact<S>& warm) {
+  EllipsoidContact<S> out = cold_contact(pair, want);
+  const int evaluations = warm.evaluations + out.evaluations;
+  const bool is_found = warm.status == Status::converged;
+  if (out.status != Status::converged || (is_found && warm.overlap <= out.overlap)) out = warm;
+  out.evaluations = evaluations;
+  return out;
+}
+
 inline constexpr int few_iterations = 14;
 
-/// `found` where it is surely the lowest, else the lowest of a search.
+/// `found` where it is surely the lowest, else the cold start's, should it be from a warm one, else the lowest of a search.
 template <class S>
 [[nodiscard]] inline EllipsoidContact<S> lowest_contact(const Pair& bodies, const EllipsoidPair<S>& pair,
-                                                        const Want& want, const EllipsoidContact<S>& found) {
+                                                        const Want& want, EllipsoidContact<S> found, bool is_warm) {
   if (is_surely_lowest<S>(pair, found)) return found;
   if (found.status != Status::converged && want.iteration_limit < few_iterations) return found;  // asked to stop
+  if (is_warm) found = or_cold_contact(pair, want, found);
+  if (is_warm && is_surely_lowest<S>(pair, found)) return found;
   const std::optional<Vector3<S>> axis = common_axis(place<S>(bodies));
   const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
   return lowest_of_search(axis, form, pair.size, found);
