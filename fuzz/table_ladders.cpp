@@ -24,6 +24,12 @@ std::vector<std::string> heading_lines(const std::string& method) {
   return lines;
 }
 
+std::string line_of(const std::string& head, const std::vector<std::string>& cells) {
+  std::string line = fmt::format(" {:<25}", head);
+  for (const std::string& cell : cells) line += fmt::format("{:>{}}", cell, kColumn);
+  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
 /// The names stand on one foot.
 std::string ladder_heading(const std::vector<std::string>& methods) {
   std::vector<std::vector<std::string>> names;
@@ -34,21 +40,25 @@ std::string ladder_heading(const std::vector<std::string>& methods) {
   }
   std::string text;
   for (std::size_t line = 0; line < height; ++line) {
-    text += fmt::format(" {:<25}", line + 1 == height ? "lets go at" : "");
+    std::vector<std::string> cells;
     for (const auto& name : names) {
       const std::size_t above = height - name.size();
-      text += fmt::format("{:>{}}", line < above ? "" : name[line - above], kColumn);
+      cells.push_back(line < above ? "" : name[line - above]);
     }
-    text += "\n";
+    text += line_of(line + 1 == height ? "lets go at" : "", cells);
   }
   return text;
+}
+
+std::string knob_value(double x) {
+  return x >= 1e3 && x < 1e6 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
 }
 
 std::string lets_go_text(const Ladder& ladder, const std::string& method) {
   const auto row = ladder.methods.find(method);
   if (row == ladder.methods.end()) return "";
   const auto step = lets_go(row->second);
-  return step ? fmt::format("{:.3g}", ladder.steps[*step]) : "-";
+  return step ? knob_value(ladder.steps[*step]) : "-";
 }
 
 }  // namespace
@@ -59,9 +69,9 @@ std::string ladders_text(const FamilyResults& family) {
   std::string text = "\n" + ladder_heading(methods);
   for (const std::string& name : ladder_order(family.ladders)) {
     const Ladder& ladder = family.ladders.at(name);
-    text += fmt::format(" {:<25}", name);
-    for (const std::string& method : methods) text += fmt::format("{:>{}}", lets_go_text(ladder, method), kColumn);
-    text += "\n";
+    std::vector<std::string> cells;
+    for (const std::string& method : methods) cells.push_back(lets_go_text(ladder, method));
+    text += line_of(name, cells);
   }
   return text + "  lets go at: the value of the ladder's easiest step with a finding; -: no step has one.\n";
 }

@@ -149,7 +149,7 @@ std::string lets_go_cell(const Ladder& ladder, const std::string& method) {
   const auto row = ladder.methods.find(method);
   const auto step = row == ladder.methods.end() ? std::nullopt : lets_go(row->second);
   if (!step) return "-";
-  return fmt::format("{} ({} of {})", figure(ladder.steps[*step]), *step + 1, ladder.steps.size());
+  return fmt::format("{:.3g} ({} of {})", ladder.steps[*step], *step + 1, ladder.steps.size());
 }
 
 std::string ladders_table(const FamilyResults& family) {
