@@ -51,7 +51,7 @@ function rung(ladder: Ladder, row: LadderRow, step: number): HTMLElement {
   const [wrong, lost] = [row.wrong[step] ?? 0, row.lost[step] ?? 0];
   const words = describeStep(ladder, row, step);
   const kind = judged === 0 ? "unknown" : row.lets_go === step + 1 ? "first" : wrong + lost === 0 ? "right" : "";
-  const style = judged > 0 ? `--wrong: ${(100 * wrong) / judged}%; --found: ${(100 * (wrong + lost)) / judged}%` : "";
+  const style = judged > 0 ? `--wrong: ${(100 * wrong) / judged}%; --lost: ${(100 * lost) / judged}%` : "";
   const text =
     judged === 0
       ? [(row.answers[step] ?? 0) > 0 ? "?" : ""]
@@ -92,20 +92,18 @@ function sorted(run: Run, view: LaddersView): Ladder[] {
   return [...run.ladders].sort((a, b) => heldPart(a, view.order) - heldPart(b, view.order));
 }
 
-const sample = (kind: string, text: string, words: string): HTMLElement =>
-  h("li", {}, h("span", { class: "rung sample", style: kind, "aria-hidden": "true" }, text), ` ${words}`);
+const sample = (kind: string, shares: string, text: Child, words: string): HTMLElement =>
+  h("li", {}, h("span", { class: `rung sample ${kind}`, style: shares, "aria-hidden": "true" }, text), ` ${words}`);
 
 function key(): HTMLElement {
-  const lost = h("i", {}, "30");
-  const sampleOfLost = h("span", { class: "rung sample", style: "--wrong: 0%; --found: 30%", "aria-hidden": "true" });
-  sampleOfLost.append(lost);
+  const lost = "% are lost: the method says that it did not converge (italic, hatched)";
   return h(
     "ul",
     { class: "rung-key" },
-    sample("--wrong: 30%; --found: 30%", "30", "% of the judged answers are wrong"),
-    h("li", {}, sampleOfLost, " % are lost: the method says that it did not converge (italic, hatched)"),
-    h("li", {}, h("span", { class: "rung sample first", "aria-hidden": "true" }), " the step at which it lets go"),
-    h("li", {}, h("span", { class: "rung sample unknown", "aria-hidden": "true" }, "?"), " none of the answers judged"),
+    sample("", "--wrong: 30%", "30", "% of the judged answers are wrong"),
+    sample("", "--lost: 30%", h("i", {}, "30"), lost),
+    sample("first", "", "", "the step at which it lets go"),
+    sample("unknown", "", "?", "no answer judged"),
   );
 }
 

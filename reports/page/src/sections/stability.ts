@@ -33,7 +33,7 @@ function mistakes(row: StabilityRow): Child[] {
 function methodCell(ladder: Rungs, row: StabilityRow | undefined): Child[] {
   if (!row) return [NONE];
   const { overlap, normal, points } = row.digits;
-  const where = row.lets_go === null ? "holds" : `lets go at ${stepName(ladder, row.lets_go)}`;
+  const where = row.lets_go === null ? "holds" : `at ${stepName(ladder, row.lets_go)}`;
   return [
     h("span", {}, `${count(sum(row.right))} of ${count(sum(row.cases))}`),
     h("small", {}, `${digits(overlap)} / ${digits(normal)} / ${digits(points)}`),
