@@ -53,6 +53,12 @@ std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
   return tallies;
 }
 
+void count_on_ladder(Round& round, const std::string& method, const JudgedAnswer& judged) {
+  if (round.source.family != "hard") return;
+  StepCounts* const step = step_of_case(round.results.families["hard"].ladders, round.c, method);
+  if (step != nullptr) step->add(judged.answer, judged.judgement);
+}
+
 /// True when the reference was beaten.
 bool judge_answer(Round& round, const Solver& solver) {
   const JudgedAnswer judged = solve_and_judge(round.judge, round.c.pair, solver);
@@ -61,6 +67,7 @@ bool judge_answer(Round& round, const Solver& solver) {
     tally->published = solver.published;
     add_answer(*tally, round.place, judged.answer, judged.judgement, judged.nanoseconds);
   }
+  count_on_ladder(round, method, judged);
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
   const double by = beats_reference(round.c.pair, judged.answer, round.judge.reference());
   if (by > 0) keep_beaten_reference(round, method, by);

@@ -32,6 +32,18 @@ void take_shards(std::map<std::uint64_t, std::string>& taken, const Asked& asked
   }
 }
 
+/// Another build may have had other steps: their counts are of other things.
+void require_same_ladders(const Results& all, const Results& next, const std::string& folder) {
+  for (const auto& [family, results] : next.families)
+    for (const auto& [name, ladder] : results.ladders) {
+      const auto earlier = all.families.find(family);
+      if (earlier == all.families.end() || !earlier->second.ladders.contains(name)) continue;
+      const Ladder& first = earlier->second.ladders.at(name);
+      if (first.knob != ladder.knob || first.steps != ladder.steps)
+        throw InputFailure(bins_in(folder), 0, "ladders." + name, "has other steps than in the folders before it");
+    }
+}
+
 }  // namespace
 
 Results merge_folders(const std::vector<std::string>& folders) {
@@ -43,6 +55,7 @@ Results merge_folders(const std::vector<std::string>& folders) {
     require_same_campaign(all.asked, folders.front(), next.asked, folder);
     take_shards(taken, next.asked, folder);
     all.asked.done.insert(next.asked.done.begin(), next.asked.done.end());
+    require_same_ladders(all, next, folder);
     all.merge(std::move(next));
   }
   all.shards_missing = all.asked.done.size() < all.asked.shards;

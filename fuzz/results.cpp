@@ -10,13 +10,14 @@
 #include "corpus/number_text.hpp"
 #include "corpus/solver.hpp"
 #include "fuzz/counts.hpp"
+#include "properties/families.hpp"
 
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "plumb/bins-5";
+constexpr const char* kFormat = "plumb/bins-6";
 
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
@@ -47,6 +48,8 @@ Tallies read_tallies(const Json& json) {
 Json family_json(const FamilyResults& family) {
   Json generators = Json::object();
   for (const auto& [name, tallies] : family.generators) generators[name] = tallies_json(tallies);
+  Json ladders = Json::object();
+  for (const auto& [name, ladder] : family.ladders) ladders[name] = ladder.to_json();
   return {{"cases", family.cases},
           {"digest", std::to_string(family.digest)},
           {"reference_unsolved", family.reference_unsolved},
@@ -54,7 +57,8 @@ Json family_json(const FamilyResults& family) {
           {"needed", family.needed},
           {"reference_beaten", family.reference_beaten},
           {"methods", tallies_json(family.methods)},
-          {"generators", generators}};
+          {"generators", generators},
+          {"ladders", ladders}};
 }
 
 FamilyResults read_family(const Json& json) {
@@ -69,6 +73,10 @@ FamilyResults read_family(const Json& json) {
   family.reference_beaten = count_at(json, "reference_beaten");
   family.methods = read_tallies(json.at("methods"));
   for (const auto& [name, tallies] : json.at("generators").items()) family.generators[name] = read_tallies(tallies);
+  for (const auto& [name, ladder] : json.at("ladders").items()) {
+    family.ladders[name] = Ladder::from_json(ladder);
+    require_whole(family.ladders[name], family.generators[name]);
+  }
   return family;
 }
 
@@ -131,6 +139,7 @@ void FamilyResults::merge(const FamilyResults& other) {
   reference_beaten += other.reference_beaten;
   merge_tallies(methods, other.methods);
   for (const auto& [name, tallies] : other.generators) merge_tallies(generators[name], tallies);
+  for (const auto& [name, ladder] : other.ladders) ladders[name].merge(ladder);
 }
 
 void Results::merge(Results&& other) {
@@ -181,6 +190,11 @@ std::vector<std::string> method_order(const Tallies& tallies) {
   std::vector<std::string> known;
   for (const Solver& solver : all_solvers()) known.push_back(solver.name);
   return ordered(tallies, known);
+}
+
+std::vector<std::string> ladder_order(const Ladders& ladders) {
+  const auto known = hard_generators();
+  return ordered(ladders, {known.begin(), known.end()});
 }
 
 void prepare_folder(const fs::path& folder) {

@@ -15,6 +15,7 @@
 
 #include "fuzz/asked.hpp"
 #include "fuzz/kept.hpp"
+#include "fuzz/ladders.hpp"
 #include "fuzz/tally.hpp"
 
 namespace plumb {
@@ -30,6 +31,7 @@ struct FamilyResults {
   std::array<std::uint64_t, 3> needed{};  ///< cases by the dearest Effort that their answers took to judge
   Tallies methods;
   std::map<std::string, Tallies> generators;  ///< of the family `hard`
+  Ladders ladders;                            ///< the same, by step
 
   void merge(const FamilyResults& other);
 };
@@ -61,6 +63,8 @@ struct Results {
 /// real, spheroid, ellipsoid, superquadric, hard; methods in the order of `plumb methods`, foreign ones last.
 [[nodiscard]] std::vector<std::string> family_order(const Results& results);
 [[nodiscard]] std::vector<std::string> method_order(const Tallies& tallies);
+/// Ladders in the order of `plumb families`.
+[[nodiscard]] std::vector<std::string> ladder_order(const Ladders& ladders);
 
 /// Cases by the dearest effort that judging them took.
 [[nodiscard]] Json needed_json(const FamilyResults& family);

@@ -1,6 +1,8 @@
 // The contract's summary.json; what goes beyond it has names that begin with "x_".
 #include "fuzz/results.hpp"
 
+#include <algorithm>
+
 namespace plumb {
 namespace {
 
@@ -70,6 +72,45 @@ Json generators_json(const Results& results) {
   return json;
 }
 
+Json let_go_json(const Ladder& ladder, const StepRow& row) {
+  const auto step = lets_go(row);
+  if (!step) return nullptr;
+  return {{"step", *step + 1}, {"value", ladder.steps[*step]}};
+}
+
+/// The kinds of finding that occur, each with its count on every step.
+Json step_findings_json(const StepRow& row) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kFindingKinds; ++i) {
+    const auto kind = static_cast<FindingKind>(i);
+    std::vector<std::uint64_t> counts;
+    for (const StepCounts& step : row) counts.push_back(step.of(kind));
+    if (std::any_of(counts.begin(), counts.end(), [](std::uint64_t n) { return n > 0; }))
+      json[std::string(name(kind))] = counts;
+  }
+  return json;
+}
+
+Json step_row_json(const Ladder& ladder, const StepRow& row) {
+  Json json{{"findings", step_findings_json(row)}, {"lets_go", let_go_json(ladder, row)}};
+  for (const StepCounts& step : row) {
+    json["answers"].push_back(step.answers);
+    json["judged"].push_back(step.judged());
+    json["not_converged"].push_back(step.not_converged);
+  }
+  return json;
+}
+
+Json ladders_json(const Results& results) {
+  Json json = Json::object();
+  for (const auto& [family, found] : results.families)
+    for (const auto& [name, ladder] : found.ladders) {
+      json[name] = {{"knob", ladder.knob}, {"steps", ladder.steps}, {"methods", Json::object()}};
+      for (const auto& [method, row] : ladder.methods) json[name]["methods"][method] = step_row_json(ladder, row);
+    }
+  return json;
+}
+
 Json timing_json(const Results& results) {
   Json methods = Json::object();
   const Tallies tallies = results.methods();
@@ -99,6 +140,7 @@ Json summary_json(const Results& results) {
   for (const std::string& family : family_order(results))
     json["x_families"][family] = family_summary(results.families.at(family));
   json["x_generators"] = generators_json(results);
+  json["x_ladders"] = ladders_json(results);
   json["x_buckets"] = results.buckets;
   json["timing"] = timing_json(results);
   json["host"] = results.hosts_json();

@@ -142,6 +142,7 @@ std::string table_text(const Results& results) {
     text += family_heading(name, family) + header();
     for (const std::string& method : method_order(family.methods))
       text += method_rows(method, family.methods.at(method));
+    text += ladders_text(family);
   }
   return text + notes(results);
 }

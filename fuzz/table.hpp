@@ -11,6 +11,9 @@ namespace plumb {
 /// Per family and method: converged share, the share of each finding with its 95 % interval, angle error, iterations, time.
 [[nodiscard]] std::string table_text(const Results& results);
 
+/// By ladder and method, the value at which the method lets go: of the easiest step with a finding; empty without ladders.
+[[nodiscard]] std::string ladders_text(const FamilyResults& family);
+
 /// The kept failures, those of plumb's own code first, then the most frequent, each with the command that replays it.
 [[nodiscard]] std::string kept_text(const Results& results, const std::filesystem::path& folder);
 

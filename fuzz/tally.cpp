@@ -165,7 +165,7 @@ void add_answer(Tally& tally, const Place& place, const Contact<double>& answer,
                 double nanoseconds) {
   const auto kind = static_cast<std::size_t>(judgement.finding.kind);
   const bool converged = answer.status == Status::converged, broken = judgement.finding.kind != FindingKind::none;
-  const bool unjudged = !judgement.judged && !broken;
+  const bool unjudged = !is_judged(judgement);
   ++tally.cases;
   ++tally.statuses[static_cast<std::size_t>(answer.status)];
   tally.atlas.add(place, {1, unjudged ? 0u : 1u, broken ? 1u : 0u, converged ? 0u : 1u,

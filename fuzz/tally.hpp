@@ -69,6 +69,11 @@ struct Tally {
   [[nodiscard]] static Tally from_json(const Json& json);
 };
 
+/// A finding counts as judged also where there is no reference to hold the answer against.
+[[nodiscard]] inline bool is_judged(const Judgement& judgement) {
+  return judgement.judged || judgement.finding.kind != FindingKind::none;
+}
+
 /// `place`: of the pair, in the atlas.
 void add_answer(Tally& tally, const Place& place, const Contact<double>& answer, const Judgement& judgement,
                 double nanoseconds);

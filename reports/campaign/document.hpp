@@ -33,6 +33,12 @@ struct Shown {
 /// From the JSON lines of `plumb report-precision --out FILE`; throws InputFailure.
 [[nodiscard]] Json precision_json(const std::filesystem::path& file);
 
+/// From the JSON lines of `plumb report-stability --out FILE`; throws InputFailure.
+[[nodiscard]] Json stability_json(const std::filesystem::path& file);
+
+/// The ladders of the family hard, each method's answers by step; empty where the run has none.
+[[nodiscard]] Json ladders_json(const Results& results);
+
 /// Machine and build: of parts on several, each field's values one after the other.
 [[nodiscard]] Json host_of(const Results& results);
 

@@ -9,6 +9,9 @@ namespace plumb::reports {
 /// is not known is empty.
 [[nodiscard]] std::string csv(const std::vector<Run>& runs);
 
+/// The same of the ladders of the family hard: a row for each run, ladder, method and step.
+[[nodiscard]] std::string ladders_csv(const std::vector<Run>& runs);
+
 /// For the summary page of a CI job: the last run, and what changed from the first. `report`: the whole document.
 [[nodiscard]] std::string markdown(const std::vector<Run>& runs, const Json& report);
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, precision, solver;
+  std::string out, precision, stability, solver;
   std::size_t failures = 500;
 };
 
@@ -31,6 +31,8 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("-o,--out", args.out, "the page, FILE.html")->required();
   app.add_option("--precision", args.precision,
                  "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
+  app.add_option("--stability", args.stability,
+                 "what plumb report-stability --out left; else the last DIR's stability.jsonl, where there is one");
   app.add_option("--solver", args.solver,
                  "the shared library of a foreign solver whose failures are to be solved again");
   app.add_option("--failures", args.failures,
@@ -63,9 +65,10 @@ std::string page_of(const std::string& json) {
                       "<script type=\"application/json\" id=\"plumb-data\">" + inert(json) + "</script>");
 }
 
-fs::path precision_file(const Arguments& args) {
-  if (!args.precision.empty()) return args.precision;
-  const fs::path beside = fs::path(args.folders.back()) / "precision.jsonl";
+/// What an option named, else the last folder's file of that name, where there is one.
+fs::path given_or_beside(const std::string& given, const Arguments& args, const char* name) {
+  if (!given.empty()) return given;
+  const fs::path beside = fs::path(args.folders.back()) / name;
   return fs::exists(beside) ? beside : fs::path();
 }
 
@@ -73,6 +76,7 @@ std::string command_of(const Arguments& args) {
   std::string out = "plumb report";
   for (const std::string& folder : args.folders) out += " " + shell_word(folder);
   if (!args.precision.empty()) out += " --precision " + shell_word(args.precision);
+  if (!args.stability.empty()) out += " --stability " + shell_word(args.stability);
   if (!args.solver.empty()) out += " --solver " + shell_word(args.solver);
   if (args.failures != Arguments().failures) out += fmt::format(" --failures {}", args.failures);
   return out + " -o " + shell_word(args.out);
@@ -106,6 +110,7 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
       {"runs", Json::array()},
       {"comparisons", Json::array()},
       {"precision", nullptr},
+      {"stability", nullptr},
       {"findings", findings_json()},
       {"laws", laws_json()}};
   Shown shown{args.failures, std::nullopt};
@@ -113,7 +118,10 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   for (const Run& run : runs) out["runs"].push_back(run_json(run, shown));
   name_apart(out["runs"]);
   for (std::size_t i = 1; i < runs.size(); ++i) out["comparisons"].push_back(comparison_json(runs[0], runs[i]));
-  if (const fs::path file = precision_file(args); !file.empty()) out["precision"] = precision_json(file);
+  const fs::path precision = given_or_beside(args.precision, args, "precision.jsonl");
+  if (!precision.empty()) out["precision"] = precision_json(precision);
+  const fs::path stability = given_or_beside(args.stability, args, "stability.jsonl");
+  if (!stability.empty()) out["stability"] = stability_json(stability);
   return out;
 }
 
@@ -129,6 +137,7 @@ int report(const Arguments& args) {
   const auto beside = [&](const char* extension) { return fs::path(page).replace_extension(extension); };
   write_file(beside(".json"), json + "\n");
   write_file(beside(".csv"), csv(runs));
+  write_file(beside(".ladders.csv"), ladders_csv(runs));
   write_file(beside(".md"), markdown(runs, whole));
   write_file(beside(".junit.xml"), junit(runs.back()));
   write_file(beside(".sarif"), sarif(runs.back()));
@@ -142,8 +151,9 @@ int report(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::reports::Arguments args;
-  CLI::App app("Campaigns as one self-contained page, with .json, .csv, .md, .junit.xml and .sarif beside it.",
-               "plumb report");
+  CLI::App app(
+      "Campaigns as one self-contained page, with .json, .csv, .ladders.csv, .md, .junit.xml and .sarif beside it.",
+      "plumb report");
   plumb::reports::declare(app, args);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(args); });
 }

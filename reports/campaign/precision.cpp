@@ -1,8 +1,6 @@
-#include <optional>
-
-#include "corpus/fields.hpp"
-#include "corpus/object_reader.hpp"
+#include "corpus/case.hpp"
 #include "reports/campaign/document.hpp"
+#include "reports/campaign/lines.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -102,14 +100,6 @@ Json& set_of(Json& sets, const Field& line) {
   return *set;
 }
 
-void take_run(Json& out, const Field& line) {
-  const Field host = line.member("host");
-  out["commit"] = host.member("commit").text();
-  out["host"] = Json::object();
-  for (const char* name : {"system", "machine", "compiler", "flags"}) out["host"][name] = host.member(name).text();
-  out["command"] = line.member("command").text();
-}
-
 void take(Json& out, const Field& line) {
   const std::string kind = line.member("kind").text();
   if (kind == "run") {
@@ -133,15 +123,7 @@ void take(Json& out, const Field& line) {
 Json precision_json(const std::filesystem::path& file) {
   Json out{
       {"commit", "unknown"}, {"host", nullptr}, {"command", ""}, {"without", Json::array()}, {"sets", Json::array()}};
-  ObjectReader objects(file.string(), ObjectReader::Layout::by_content);
-  while (const std::optional<std::string> text = objects.next()) {
-    try {
-      const Json line = read_json(*text);
-      take(out, Field(line));
-    } catch (const FieldError& e) {
-      throw InputFailure(file.string(), objects.line(), e.field, e.what());
-    }
-  }
+  for_each_line(file, [&](const Field& line) { take(out, line); });
   if (out["sets"].empty()) throw InputFailure(file.string(), 0, "", "holds no set of plumb report-precision");
   return out;
 }

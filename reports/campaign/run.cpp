@@ -193,6 +193,7 @@ Json run_json(const Run& run, const Shown& shown) {
             {"cases_per_second", seconds > 0 ? static_cast<double>(results.cases()) / seconds : 0.0}}},
           {"families", families},
           {"atlases", atlases_json(results)},
+          {"ladders", ladders_json(results)},
           {"kept_failures", kept_cases(results)},
           {"failures", failures_json(run, shown)}};
 }

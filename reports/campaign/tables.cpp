@@ -84,6 +84,32 @@ std::string method_line(const Run& run, const std::string& family, const std::st
   return row.line();
 }
 
+std::string ladder_heading() {
+  Row row;
+  for (const char* name : {"run", "commit", "seed", "ladder", "knob", "step", "value", "method", "published", "answers",
+                           "judged", "not_converged"})
+    row.add(std::string(name));
+  for (std::size_t i = 0; i < kFindingKinds; ++i) row.add(std::string(name(static_cast<FindingKind>(i))));
+  return row.line();
+}
+
+/// A method's lines, the easiest step first.
+std::string ladder_lines(const Run& run, const std::string& name, const Ladder& ladder, const std::string& method,
+                         bool published) {
+  const std::string commit = host_of(run.results)["commit"];
+  std::string out;
+  for (std::size_t i = 0; i < ladder.steps.size(); ++i) {
+    const StepCounts& step = ladder.methods.at(method)[i];
+    Row row;
+    row.add(run.folder.string()).add(commit).add(run.results.asked.seed).add(name).add(ladder.knob);
+    row.add(std::uint64_t{i + 1}).add(ladder.steps[i]).add(method).add(std::string(published ? "yes" : "no"));
+    row.add(step.answers).add(step.judged()).add(step.not_converged);
+    for (const std::uint64_t n : step.findings) row.add(n);
+    out += row.line();
+  }
+  return out;
+}
+
 std::string percent(const Share& s) {
   if (std::isnan(s.share)) return "-";
   return fmt::format("{:.4g} [{:.3g}, {:.3g}]", 100 * s.share, 100 * s.low, 100 * s.high);
@@ -119,6 +145,40 @@ std::string family_table(const std::string& name, const FamilyResults& family) {
   return out;
 }
 
+std::string lets_go_cell(const Ladder& ladder, const std::string& method) {
+  const auto row = ladder.methods.find(method);
+  const auto step = row == ladder.methods.end() ? std::nullopt : lets_go(row->second);
+  if (!step) return "-";
+  return fmt::format("{:.3g} ({} of {})", ladder.steps[*step], *step + 1, ladder.steps.size());
+}
+
+std::string ladders_table(const FamilyResults& family) {
+  if (family.ladders.empty()) return "";
+  const std::vector<std::string> methods = method_order(family.methods);
+  std::string out =
+      "\n#### Where each method lets go: the easiest step of a ladder with a finding\n\n| ladder | knob |";
+  for (const std::string& method : methods) out += " " + method + " |";
+  out += "\n|---|---|";
+  for (std::size_t i = 0; i < methods.size(); ++i) out += "---|";
+  for (const std::string& name : ladder_order(family.ladders)) {
+    const Ladder& ladder = family.ladders.at(name);
+    out += fmt::format("\n| {} | {} |", name, ladder.knob);
+    for (const std::string& method : methods) out += " " + lets_go_cell(ladder, method) + " |";
+  }
+  return out + "\n";
+}
+
+std::string stability_list(const Json& stability) {
+  if (stability.is_null()) return "";
+  std::string out = fmt::format("\n### Stability, commit {}{}\n\n", stability["commit"].get<std::string>(),
+                                stability["interrupted"] == true ? " - INCOMPLETE" : "");
+  for (const Json& total : stability["totals"])
+    out += fmt::format("- {} in {}: right in {} of {} cases, {} lost, {} wrong\n", total["method"].get<std::string>(),
+                       total["arithmetic"].get<std::string>(), total["right"].dump(), total["cases"].dump(),
+                       total["lost"].dump(), total["wrong"].dump());
+  return out;
+}
+
 std::string changes(const Json& comparison) {
   constexpr std::size_t shown = 20;
   std::string out = fmt::format(
@@ -150,13 +210,26 @@ std::string csv(const std::vector<Run>& runs) {
   return out;
 }
 
+std::string ladders_csv(const std::vector<Run>& runs) {
+  std::string out = ladder_heading();
+  for (const Run& run : runs)
+    for (const auto& [family_name, family] : run.results.families)
+      for (const std::string& name : ladder_order(family.ladders))
+        for (const std::string& method : method_order(family.generators.at(name)))
+          out +=
+              ladder_lines(run, name, family.ladders.at(name), method, family.generators.at(name).at(method).published);
+  return out;
+}
+
 std::string markdown(const std::vector<Run>& runs, const Json& report) {
   const Results& results = runs.back().results;
   const Json& last = report["runs"].back();
   std::string out = fmt::format("## plumb: {} cases, seed {}, commit {}{}\n", results.cases(), results.asked.seed,
                                 last["commit"].get<std::string>(), results.incomplete() ? " - INCOMPLETE" : "");
   for (const auto& [message, n] : results.harness_errors) out += fmt::format("\n- HARNESS ERROR {} ({})\n", message, n);
-  for (const std::string& family : family_order(results)) out += family_table(family, results.families.at(family));
+  for (const std::string& family : family_order(results))
+    out += family_table(family, results.families.at(family)) + ladders_table(results.families.at(family));
+  out += stability_list(report["stability"]);
   for (const Json& comparison : report["comparisons"]) out += changes(comparison);
   return out;
 }

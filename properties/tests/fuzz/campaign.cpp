@@ -73,6 +73,16 @@ TEST_F(Campaign, CountsEveryCaseOnce) {
   }
 }
 
+TEST_F(Campaign, TheStepsOfEachLadderAreItsGenerator) {
+  const FamilyResults& hard = single->families.at("hard");
+  EXPECT_EQ(hard.ladders.size(), hard_generators().size());
+  for (const auto& [name, ladder] : hard.ladders) {
+    EXPECT_EQ(ladder.methods.size(), hard.methods.size()) << name;
+    EXPECT_NO_THROW(require_whole(ladder, hard.generators.at(name))) << name;
+  }
+  EXPECT_TRUE(single->families.at("spheroid").ladders.empty());
+}
+
 TEST_F(Campaign, FindsWhatIsKnownOfTheOriginalMethod) {
   const Tally& original = single->families.at("spheroid").methods.at("original_cn");
   EXPECT_GT(original.failures(), 0u);

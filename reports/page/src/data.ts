@@ -12,6 +12,7 @@ export interface Report {
   /** The first run against each of the others. */
   comparisons: Comparison[];
   precision: Precision | null;
+  stability: Stability | null;
   /** The contract's words with what each means, in order of precedence; "none" last. */
   findings: { word: string; meaning: string }[];
   laws: { name: string; statement: string; file: string; line: number }[];
@@ -40,6 +41,8 @@ export interface Run {
   timing: { seconds: number; threads: number; cases_per_second: number };
   families: Family[];
   atlases: Atlas[];
+  /** Of the family hard; empty where it was not asked for. */
+  ladders: Ladder[];
   /** In the run's folder; `failures` may hold fewer. */
   kept_failures: number;
   failures: Failure[];
@@ -96,6 +99,31 @@ export interface Cell {
   not_converged: number;
   /** Mean of all answers. */
   iterations: number | null;
+}
+
+/** A generator of the family hard: what it steers, from easy to the last representable value. */
+export interface Ladder {
+  name: string;
+  knob: string;
+  /** The easiest first. */
+  steps: number[];
+  methods: LadderRow[];
+}
+/** A number for each step. */
+export interface LadderRow {
+  method: string;
+  published: boolean;
+  answers: number[];
+  judged: number[];
+  /** By their status, of all answers. */
+  not_converged: number[];
+  /** Findings, of the judged: nonconverged, and all others. */
+  lost: number[];
+  wrong: number[];
+  /** By the contract's words, those that occur; without "none". */
+  findings: Record<string, number[]>;
+  /** The easiest step with a finding, from 1. */
+  lets_go: number | null;
 }
 
 export type Vec = [number, number, number];
@@ -210,4 +238,29 @@ export interface PrecisionPoint {
   normal: Quantiles;
   points: Quantiles;
   pareto: boolean;
+}
+
+/** From `plumb report-stability`. */
+export interface Stability {
+  commit: string;
+  host: { system: string; machine: string; compiler: string; flags: string } | null;
+  command: string;
+  interrupted: boolean;
+  ladders: { name: string; knob: string; steps: number[]; rows: StabilityRow[] }[];
+  /** Over all ladders, by method and arithmetic. */
+  totals: { method: string; arithmetic: string; cases: number; right: number; lost: number; wrong: number }[];
+}
+/** A number for each step, of one method in one arithmetic. */
+export interface StabilityRow {
+  method: string;
+  /** "double", "float", "up", "g++ -O0", ... */
+  arithmetic: string;
+  cases: number[];
+  right: number[];
+  lost: number[];
+  wrong: number[];
+  /** The fewest significant digits of all answers given; null where there are none. */
+  digits: { overlap: number | null; normal: number | null; points: number | null };
+  /** From 1. */
+  lets_go: number | null;
 }

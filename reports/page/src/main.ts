@@ -8,6 +8,7 @@ import { compareSection } from "./sections/compare";
 import { footer } from "./sections/footer";
 import { gallerySection } from "./sections/gallery";
 import { header } from "./sections/header";
+import { laddersSection } from "./sections/ladders";
 import { machineSection } from "./sections/machine";
 import { nav } from "./sections/nav";
 import { precisionSection } from "./sections/precision";
@@ -23,14 +24,16 @@ function readReport(): Report | null {
 }
 
 function sections(state: State): HTMLElement[] {
-  return [
+  const all = [
     summarySection(state),
     precisionSection(state),
     atlasSection(state),
+    laddersSection(state),
     gallerySection(state),
     compareSection(state),
     machineSection(state),
   ];
+  return all.filter((part) => part !== null);
 }
 
 function show(report: Report, page: HTMLElement): void {

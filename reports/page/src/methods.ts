@@ -46,6 +46,7 @@ export function meetMethods(report: Report): void {
         meet(row.method);
         if (!row.published) own.add(row.method);
       }
+  for (const ladder of report.stability?.ladders ?? []) for (const row of ladder.rows) meet(row.method);
   for (const set of report.precision?.sets ?? []) for (const point of set.points) meet(point.method);
   for (const comparison of report.comparisons) for (const row of comparison.rows) meet(row.method);
   own.add("auto");

@@ -111,3 +111,50 @@ test("an axis has a floor for 0 and a gutter for no value, and neither without n
   const plain = logScale([1e-12, 1e-3]);
   assert.deepEqual([plain.floor, plain.gutter], [null, null]);
 });
+
+const LADDER = { name: "tie", knob: "broken_by", steps: [1e-2, 1e-8, 0] };
+const ladderRow = (judged, wrong, lost) => {
+  const failing = wrong.findIndex((n, step) => n + lost[step] > 0);
+  return {
+    method: "new_cn",
+    answers: [9, 9, 9],
+    judged,
+    wrong,
+    lost,
+    findings: { misaligned: wrong, nonconverged: lost },
+    lets_go: failing < 0 ? null : failing + 1,
+  };
+};
+
+test("a ladder says where a method lets go, and what of it is known", async () => {
+  const { describeStep, firstFinding, holdsOn, stepName, wholePercent } = await load("sections/ladder_words.ts");
+  const row = ladderRow([8, 200, 0], [0, 1, 0], [0, 20, 0]);
+  assert.equal(stepName(LADDER, 2), "1e-8 (step 2 of 3)");
+  assert.equal(firstFinding(row), "nonconverged");
+  assert.equal(
+    describeStep(LADDER, row, 1),
+    "new_cn, broken_by 1e-8 (step 2 of 3): of 200 judged answers 0.5 % wrong, 10.0 % lost (nonconverged 20, misaligned 1)",
+  );
+  assert.equal(describeStep(LADDER, row, 2), "new_cn, broken_by 0 (step 3 of 3): 9 answers, none judged");
+  assert.equal(holdsOn(ladderRow([1, 1, 1], [0, 0, 0], [0, 0, 0])), "all 3 steps");
+  assert.equal(holdsOn(ladderRow([1, 0, 1], [0, 0, 0], [0, 0, 0])), "2 of 3 steps judged");
+  assert.deepEqual(
+    [
+      [0, 9],
+      [1, 900],
+      [899, 900],
+      [1, 3],
+      [9, 9],
+    ].map(([part, of]) => wholePercent(part, of)),
+    ["0", "<1", ">99", "33", "100"],
+  );
+});
+
+test("ladders are ordered by how far a method gets", async () => {
+  const { heldPart } = await load("sections/ladder_words.ts");
+  const of = (row) => heldPart({ ...LADDER, methods: [row] }, "new_cn");
+  const first = of(ladderRow([1, 1, 1], [1, 1, 1], [0, 0, 0]));
+  const last = of(ladderRow([1, 1, 1], [0, 0, 1], [0, 0, 0]));
+  const none = of(ladderRow([1, 1, 1], [0, 0, 0], [0, 0, 0]));
+  assert.ok(first < last && last < none);
+});

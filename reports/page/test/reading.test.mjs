@@ -101,6 +101,22 @@ test("a run without failures, precision or a second run says so", () =>
     assert.deepEqual(noticed, { console: [], requests: [] });
   }));
 
+test("a run without ladders says so beside one that has them, and alone has no section for them", async () => {
+  const report = small({ second: true, stability: false, precision: false });
+  report.runs.at(-1).ladders = [];
+  await withPage(report, {}, async (page) => {
+    assert.match(await page.$eval("#ladders .empty", (note) => note.textContent), /holds no ladders/);
+    await page.select("#run-choice select", "0");
+    assert.ok((await page.$$("#ladders .ladder")).length > 0);
+  });
+  report.runs[0].ladders = [];
+  await withPage(report, {}, async (page, noticed) => {
+    assert.equal(await page.$("#ladders"), null);
+    assert.equal(await page.$('nav a[href="#ladders"]'), null);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+});
+
 test("two runs with nothing in common say so", () => {
   const report = small({ second: true, precision: false });
   report.comparisons[0].rows = [];

@@ -6,6 +6,7 @@ import { h } from "../dom";
 const SIDECARS: [string, string][] = [
   [".json", "everything on this page"],
   [".csv", "the summary's rows"],
+  [".ladders.csv", "the hard cases, ladder by ladder"],
   [".md", "a summary to read"],
   [".sarif", "findings, for code hosts"],
   [".junit.xml", "results, for CI"],

@@ -38,6 +38,7 @@ const NAMES: Record<string, string> = {
   summary: "Summary",
   precision: "Precision",
   atlas: "Atlas",
+  ladders: "Ladders",
   gallery: "Gallery",
   compare: "Compare",
   machine: "Machine",

@@ -1,5 +1,6 @@
 // A report as plumb would write it, from a seed: sizes and shapes of a real campaign, contents made up.
 import { contactPair } from "./fixture-geometry.mjs";
+import { makeLadders, makeStability } from "./fixture-ladders.mjs";
 
 export function stream(seed) {
   let state = seed >>> 0;
@@ -232,6 +233,7 @@ export function makeRun(options = {}) {
         ["aspect-overlap", "exponent-tilt"].map((map) => atlasOf(random, family, method, map)),
       ),
     ),
+    ladders: families.includes("hard") ? makeLadders(stream(seed * 31), methods) : [],
     kept_failures: failures + 7,
     failures: Array.from({ length: failures }, (_, index) => failureOf(random, index, methods)),
   };
@@ -288,6 +290,7 @@ export function makeReport(options = {}) {
     runs,
     comparisons: runs.slice(1).map((run) => compare(first, run, options.sameCases ?? true)),
     precision,
+    stability: options.stability === false ? null : makeStability(stream(17), METHODS),
     findings: FINDINGS,
     laws: LAWS,
   };
