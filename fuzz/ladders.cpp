@@ -106,7 +106,8 @@ StepCounts* step_of_case(Ladders& ladders, const Case& c, const std::string& met
 }
 
 void require_whole(const Ladder& ladder, const std::map<std::string, Tally>& generator) {
-  if (ladder.methods.size() != generator.size()) throw FieldError("ladders", "one has other methods than its generator");
+  if (ladder.methods.size() != generator.size())
+    throw FieldError("ladders", "one has other methods than its generator");
   for (const auto& [method, row] : ladder.methods) {
     const StepCounts sum = sum_of(row);
     const auto whole = generator.find(method);

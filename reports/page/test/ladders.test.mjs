@@ -73,7 +73,7 @@ test("a method's box hides its strips, and the order follows a method", () =>
   withPage(async (page) => {
     const before = (await texts(page, "#ladders .ladder tbody th")).filter((name) => name.startsWith("new_cn")).length;
     assert.equal(before, ladders.length);
-    await page.click("#ladders .legend label:nth-of-type(2) input");
+    await page.$eval("#ladders .legend label:nth-of-type(2) input", (box) => box.click());
     const after = (await texts(page, "#ladders .ladder tbody th")).filter((name) => name.startsWith("new_cn")).length;
     assert.equal(after, 0);
     await page.select("#ladders .controls select", "corrected_cn");
