@@ -122,10 +122,15 @@ void zero_coordinate(Stream& stream, double coordinate, Draft& draft) {
   // Both bodies keep the coordinate planes, so that the centre line's zeros are zeros of every gradient on the way.
   draft.pair.body2.quaternion = random_axis_rotation(stream);
   Vec3<double> line = random_direction(stream);
-  const auto kept = static_cast<int>(stream.below(3));
+  const auto chosen = static_cast<int>(stream.below(3));
   const bool plane = stream.chance(0.5);
+  if (plane)
+    line[chosen] = 0;
+  else
+    line = Vec3<double>::Unit(chosen) * (line[chosen] < 0 ? -1 : 1);
+  line.normalize();
   for (int i = 0; i < 3; ++i)
-    if (plane ? i == kept : i != kept) line[i] = stream.sign() * coordinate;
+    if (plane == (i == chosen)) line[i] = stream.sign() * coordinate;
   place_at_ratio(draft, line.normalized(), stream.signed_log_uniform(1e-6, 0.5));
   draft.facts["zeros"] = plane ? 1 : 2;
 }

@@ -84,9 +84,9 @@ TEST_F(Certifying, GivesTheContractsFields) {
   const Json found = certificate("a.json");
   std::vector<std::string> keys;
   for (const auto& [key, value] : found.items()) keys.push_back(key);
-  const std::vector<std::string> wanted{"name",   "verdict",       "overlap",          "normal", "normal_radius",
-                                        "points", "points_radius", "unique",           "global", "tied",
-                                        "digits", "condition",     "condition_claims", "timing"};
+  const std::vector<std::string> wanted{"name",   "verdict",       "overlap", "normal",           "normal_radius",
+                                        "points", "points_radius", "unique",  "global",           "tied",
+                                        "digits", "condition",     "nearby",  "condition_claims", "timing"};
   EXPECT_EQ(keys, wanted);
   EXPECT_EQ(found["name"], "sample");
   EXPECT_EQ(found["verdict"], "overlapping");

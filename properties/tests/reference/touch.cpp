@@ -194,7 +194,7 @@ TEST(Touch, ParallelFacesTurnedStillBoundTheDistance) {
 /// Where the deepest point's own equations find nothing, growing body 2 does; aspects of a thousand and more.
 TEST(Touch, NeedlesAgainstDiscs) {
   for (const std::uint64_t index : {9, 102, 193, 223}) {
-    const Case c = generate("hard", 3, index);
+    const Case c = generate_hard("needle_against_disc", 3, index);
     const Solution found = find_potential_reference(c.pair, Problem::deepest_points);
     EXPECT_TRUE(found.proved) << c.name << ": " << found.reason;
   }
