@@ -132,14 +132,14 @@ StabilityRow joined(const std::vector<StabilityRow>& rows, const std::string& me
 
 void print_arithmetics(const StabilityResults& results, const std::vector<std::string>& methods,
                        const std::vector<Arithmetic>& of) {
-  print_line(fmt::format("{:<16}{:<34}{:>9}{:>8}{:>7}{:>7}{:>16}", "method", "arithmetic", "answers", "right", "lost",
+  print_line(fmt::format("{:<16}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", "method", "arithmetic", "answers", "right", "lost",
                          "wrong", "overlap digits"));
   for (const std::string& method : methods)
     for (const Arithmetic& arithmetic : of) {
       const StabilityRow row = joined(results.rows, method, arithmetic.name);
       const StepCounts n = row.total();
       if (n.answers > 0)
-        print_line(fmt::format("{:<16}{:<34}{:>9}{:>8}{:>7}{:>7}{:>16.1f}", method, arithmetic.name, n.answers, n.right,
+        print_line(fmt::format("{:<16}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16.1f}", method, arithmetic.name, n.answers, n.right,
                                n.lost, n.wrong, digits_of(row.largest.overlap, row.epsilon)));
     }
 }
