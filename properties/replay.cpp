@@ -97,15 +97,14 @@ class InOrder {
  private:
   void work() {
     for (std::size_t i = next_++; i < cases_.size() && !interrupted(); i = next_++) {
-      std::optional<Replayed> done;
-      std::exception_ptr failure;
+      Ended ended;
       try {
-        done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source);
+        ended.done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source);
       } catch (...) {
-        failure = std::current_exception();
+        ended.failure = std::current_exception();
       }
       const std::scoped_lock lock(mutex_);
-      waiting_.emplace(i, Ended{std::move(done), failure});
+      waiting_.emplace(i, std::move(ended));
       print_ready();
     }
   }
@@ -115,13 +114,13 @@ class InOrder {
          first = waiting_.erase(first)) {
       failure_ = first->second.failure;
       if (failure_) return void(next_ = cases_.size());
-      printed_.push_back(*std::move(first->second.done));
+      printed_.push_back(std::move(first->second.done));
       if (!quiet_ || outcome(printed_.back()) != Outcome::as_expected) print_line(replay_line(printed_.back()));
     }
   }
 
   struct Ended {
-    std::optional<Replayed> done;
+    Replayed done;
     std::exception_ptr failure;
   };
 
