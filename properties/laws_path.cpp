@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "corpus/interrupt.hpp"
 #include "properties/allowance.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
@@ -247,7 +248,7 @@ PathJudge::PathJudge(const std::vector<Pair>& pairs, const ReferenceSource& sour
 
 PathEvidence PathJudge::follow(Problem problem, const WarmSolve& solve) {
   PathEvidence out{problem, {}};
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+  for (std::size_t i = 0; i < pairs_.size() && !interrupted(); ++i) {
     PathStep step{pairs_[i], solve(pairs_[i], nullptr), {}, {}, {}, nullptr, nullptr};
     step.warm = i == 0 ? step.cold : solve(pairs_[i], &out.steps.back().warm);
     step.broken_cold = judges_[i].judge(problem, step.cold).finding;

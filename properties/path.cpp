@@ -157,6 +157,7 @@ bool follow_track(const Track& track, const std::vector<Solver>& solvers, const 
   bool any = false;
   for (const Solver& solver : solvers) {
     const Judged judged = judge_track(track, solver, judge);
+    if (interrupted()) return any;  // what is done of it is no track
     print_judged(judged, json);
     any = any || (!solver.published && !judged.findings.empty());
   }

@@ -105,7 +105,12 @@ class InOrder {
       }
       const std::scoped_lock lock(mutex_);
       waiting_.emplace(i, std::move(ended));
-      print_ready();
+      try {
+        print_ready();
+      } catch (...) {  // what cannot be written
+        failure_ = std::current_exception();
+        next_ = cases_.size();
+      }
     }
   }
 

@@ -26,6 +26,7 @@ template <class S>
   const auto wide = [](const Vec3<S>& v) -> Vec3<Real50> { return {Real50(v[0]), Real50(v[1]), Real50(v[2])}; };
   Contact<Real50> out;
   out.status = from.status;
+  out.verdict = from.verdict;
   out.iterations = from.iterations;
   out.overlap = Real50(from.overlap);
   out.normal = wide(from.normal);

@@ -16,9 +16,9 @@ struct Arithmetic {
   std::string name;
   double epsilon;
   std::uint64_t samples;  ///< more than one where the rounding is random
-  /// Whether a wrong or lost answer of `auto` is a failure. Not of float, which has no huge or tiny lengths; not of 50 digits, in
-  /// which the search runs out of evaluations on flats and ties that it settles in double.
-  bool vouches;
+  /// Whether `auto` may lose an answer in it, though never give a wrong one: float has no huge or tiny lengths, and in 50 digits the
+  /// search runs out of evaluations on flats and ties that it settles in double.
+  bool may_lose;
   /// nullopt where it has no such method.
   std::function<std::optional<Contact<Real50>>(std::string_view method, const Pair&, std::uint64_t sample)> solve;
 };

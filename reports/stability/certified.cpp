@@ -6,7 +6,9 @@
 
 #include "corpus/decimal.hpp"
 #include "corpus/fields.hpp"
+#include "solver/pose.hpp"
 #include "solver/reference/solution_set.hpp"
+#include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -39,7 +41,9 @@ Bounds read_bounds(const Field& field) {
 Condition read_condition(const Field& field) {
   const auto factor = [&](const char* key) {
     const Field at = field.member(key);
-    return at.value() == "infinite" ? infinite : at.number();
+    const double value = at.value() == "infinite" ? infinite : at.number();
+    if (!(value >= 0)) at.fail("is negative");
+    return value;
   };
   return {factor("overlap"), factor("normal"), factor("points")};
 }
@@ -80,8 +84,11 @@ void read_certificate(const Field& provenance, CertifiedCase& out) {
   out.ladder = provenance.member("generator").text();
   out.knob = knob.member("name").text();
   out.value = knob.member("value").number();
-  out.step = static_cast<std::uint64_t>(provenance.member("step").whole_number(1, 1000));
+  out.step = static_cast<std::uint64_t>(
+      provenance.member("step").whole_number(1, provenance.member("steps").whole_number(1, 1000)));
   out.overlap = read_bounds(certificate.member("overlap"));
+  if (!(out.overlap.lower <= out.overlap.upper) || !isfinite(Real50(out.overlap.upper - out.overlap.lower)))
+    certificate.member("overlap").fail("is no pair of bounds, lower and upper");
   if (certificate.has("condition")) out.condition = read_condition(certificate.member("condition"));
   append_answer(certificate, out.answers);
   for (const char* others : {"tied", "close"})
@@ -141,13 +148,44 @@ Errors3 errors_to(const CertifiedAnswer& truth, const Contact<Real50>& answer, d
 }
 
 /// Where a ball takes the place of a condition number the error is still the distance from the answer; what is in the ball is right.
-void admit_balls(const CertifiedCase& truth, const Contact<Real50>& answer, double rounding, CertifiedErrors& out) {
+void admit_balls(const CertifiedCase& truth, const Contact<Real50>& answer, const Condition& condition, double rounding,
+                 CertifiedErrors& out) {
   if (!truth.balls) return;
+  using reference::is_beyond_first_order;
   const SolutionBalls& balls = *truth.balls;
-  if (angle_of(answer.normal, balls.normal) <= balls.normal_radius)
+  if (is_beyond_first_order(condition.normal) && angle_of(answer.normal, balls.normal) <= balls.normal_radius)
     out.allowed.normal = std::max(out.allowed.normal, out.error.normal);
   const double off = std::max(length_of(answer.point1 - balls.point1), length_of(answer.point2 - balls.point2));
-  if (off <= balls.points_radius + rounding) out.allowed.points = std::max(out.allowed.points, out.error.points);
+  if (is_beyond_first_order(condition.points) && off <= balls.points_radius + rounding)
+    out.allowed.points = std::max(out.allowed.points, out.error.points);
+}
+
+/// How far a point is from a body's surface, to first order; infinite for NaN.
+double gap(const Body& body, const Vec3<Real50>& point) {
+  const Superellipsoid<Real50> shape{body.shape.semi_axes.cast<Real50>(), body.shape.n1, body.shape.n2};
+  const Vec3<Real50> x = rotation<Real50>(body.quaternion).transpose() * (point - body.position.cast<Real50>());
+  const NormValue<Real50> g = gauge_gradient<Real50>(shape, x);
+  const double out = static_cast<double>(Real50(abs(Real50(g.value - 1)) / g.gradient.norm()));
+  return out == out ? out : infinite;
+}
+
+/// What needs no certificate but for the sign of the overlap. `rounding`: of a point, a length; `of_overlap`: a length.
+std::string contradiction(const CertifiedCase& truth, const Contact<Real50>& answer, double epsilon, double rounding,
+                          double of_overlap) {
+  const Pair& pair = truth.c.pair;
+  const double few = reference::rounding_epsilons * epsilon;
+  if (truth.overlap.lower > of_overlap && answer.verdict != Verdict::overlapping) return "says that they are apart";
+  if (truth.overlap.upper < -of_overlap && answer.verdict == Verdict::overlapping) return "says that they overlap";
+  if (!(std::abs(length_of(answer.normal) - 1) <= few)) return "the normal is no unit vector";
+  const Vec3<Real50> d = answer.point1 - answer.point2;
+  const double allowed = 2 * (rounding + few * static_cast<double>(abs(answer.overlap)));
+  if (!(length_of(Vec3<Real50>(d - answer.overlap * answer.normal)) <= allowed))
+    return "p1 - p2 is not overlap times normal";
+  const double thinnest = std::min(pair.body1.shape.semi_axes.minCoeff(), pair.body2.shape.semi_axes.minCoeff());
+  const bool is_resolved = rounding < thinnest;  // else the world's numbers do not tell a body's sides
+  if (is_resolved && !(std::max(gap(pair.body1, answer.point1), gap(pair.body2, answer.point2)) <= rounding))
+    return "a point is off its surface";
+  return "";
 }
 
 }  // namespace
@@ -165,7 +203,8 @@ CertifiedCase read_certified(Case c, const std::string& file, int line) {
 }
 
 bool CertifiedErrors::is_right() const {
-  return error.overlap <= allowed.overlap && !(error.normal > allowed.normal) && !(error.points > allowed.points);
+  return broken.empty() && error.overlap <= allowed.overlap && !(error.normal > allowed.normal) &&
+         !(error.points > allowed.points);
 }
 
 CertifiedErrors errors_against(const CertifiedCase& truth, const Contact<Real50>& answer, double epsilon) {
@@ -176,7 +215,8 @@ CertifiedErrors errors_against(const CertifiedCase& truth, const Contact<Real50>
   const double rounding = few * (length.sum + length.far) / length.scale + tiny;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CertifiedErrors out{{overlap_error(truth.overlap, answer.overlap, length.scale), nan, nan},
-                      {of_overlap, infinite, infinite}};
+                      {of_overlap, infinite, infinite},
+                      contradiction(truth, answer, epsilon, rounding * length.scale, 2 * of_overlap * length.scale)};
   const double highest = static_cast<double>(truth.overlap.upper) + of_overlap * length.scale;
   double best = infinite;
   for (const CertifiedAnswer& other : truth.answers) {
@@ -189,7 +229,7 @@ CertifiedErrors errors_against(const CertifiedCase& truth, const Contact<Real50>
     out.allowed.points =
         allowed_by(other.condition.points * (length.sum / length.scale), other.nearby_points / length.scale, epsilon) +
         rounding + other.points_radius / length.scale;
-    if (is_of_double(epsilon)) admit_balls(truth, answer, rounding * length.scale, out);
+    if (is_of_double(epsilon)) admit_balls(truth, answer, other.condition, rounding * length.scale, out);
   }
   return out;
 }

@@ -47,8 +47,9 @@ struct Errors3 {
 };
 
 struct CertifiedErrors {
-  Errors3 error;    ///< against the nearest answer that ties within rounding; NaN where there is none
-  Errors3 allowed;  ///< infinite where nothing is certified
+  Errors3 error;       ///< against the nearest answer that ties within rounding; NaN where there is none
+  Errors3 allowed;     ///< infinite where nothing is certified
+  std::string broken;  ///< what the answer contradicts in itself; empty: nothing
   [[nodiscard]] bool is_right() const;
 };
 

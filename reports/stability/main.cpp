@@ -55,8 +55,9 @@ std::vector<Arithmetic> arithmetics_of(const Options& options) {
   std::vector<Arithmetic> out;
   for (const std::string& name : options.arithmetic) {
     const auto found = std::find_if(known.begin(), known.end(), [&](const Arithmetic& a) { return a.name == name; });
+    const bool is_there = std::any_of(out.begin(), out.end(), [&](const Arithmetic& a) { return a.name == name; });
     if (found != known.end()) {
-      out.push_back(*found);
+      if (!is_there) out.push_back(*found);
       continue;
     }
     std::vector<std::string> names;
@@ -109,6 +110,7 @@ std::string json_lines(const StabilityResults& results, const Options& options) 
                                           fmt::join(options.paths, " "), options.method, options.samples);
   std::string text = write_json({{"kind", "run"}, {"command", command}, {"host", host_json()}}) + "\n";
   for (const StabilityRow& row : results.rows) text += write_json(json_of(row)) + "\n";
+  if (interrupted()) text += write_json({{"kind", "interrupted"}}) + "\n";
   return text;
 }
 
@@ -130,6 +132,11 @@ StabilityRow joined(const std::vector<StabilityRow>& rows, const std::string& me
   return out;
 }
 
+/// Of the answers that are right.
+std::string digits_text(const StabilityRow& row, double error) {
+  return row.total().right > 0 ? fmt::format("{:.1f}", digits_of(error, row.epsilon)) : "-";
+}
+
 void print_arithmetics(const StabilityResults& results, const std::vector<std::string>& methods,
                        const std::vector<Arithmetic>& of) {
   print_line(fmt::format("{:<16}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", "method", "arithmetic", "answers", "right", "lost",
@@ -139,8 +146,8 @@ void print_arithmetics(const StabilityResults& results, const std::vector<std::s
       const StabilityRow row = joined(results.rows, method, arithmetic.name);
       const StepCounts n = row.total();
       if (n.answers > 0)
-        print_line(fmt::format("{:<16}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16.1f}", method, arithmetic.name, n.answers, n.right,
-                               n.lost, n.wrong, digits_of(row.largest.overlap, row.epsilon)));
+        print_line(fmt::format("{:<16}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", method, arithmetic.name, n.answers, n.right,
+                               n.lost, n.wrong, digits_text(row, row.largest.overlap)));
     }
 }
 
@@ -156,12 +163,9 @@ void print_ladders(const StabilityResults& results) {
   for (const StabilityRow& row : results.rows) {
     if (row.arithmetic != "double") continue;
     const StepCounts n = row.total();
-    const auto digits = [&](double error) {
-      return n.right > 0 ? fmt::format("{:.1f}", digits_of(error, row.epsilon)) : "-";
-    };
     print_line(fmt::format("{:<27}{:<16}{:<16}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", row.ladder, row.knob, row.method,
-                           n.right, n.answers, digits(row.largest.overlap), digits(row.largest.normal),
-                           digits(row.largest.points), step_text(row)));
+                           n.right, n.answers, digits_text(row, row.largest.overlap),
+                           digits_text(row, row.largest.normal), digits_text(row, row.largest.points), step_text(row)));
   }
 }
 
@@ -169,7 +173,6 @@ int report(const Options& options) {
   const std::vector<std::string> methods = methods_of(options);
   const std::vector<Arithmetic> of = arithmetics_of(options);
   const StabilityResults results = measure_stability(cases_of(options), methods, of, options.threads);
-  if (interrupted()) return exit_interrupted;
   const std::string lines = json_lines(results, options);
   if (!options.out.empty()) write_file(options.out, lines);
   if (options.json) {
@@ -178,12 +181,12 @@ int report(const Options& options) {
     print_arithmetics(results, methods, of);
     print_ladders(results);
   }
-  std::size_t vouched = 0;
+  std::size_t failures = 0;
   for (const Unstable& one : results.unstable) {
-    vouched += one.vouched ? 1 : 0;
-    if (!options.json && (one.vouched || options.list)) print_line(one.line);
+    failures += one.is_failure ? 1 : 0;
+    if (!options.json && (one.is_failure || options.list)) print_line(one.line);
   }
-  return vouched > 0 ? exit_finding : exit_done;
+  return failures > 0 ? exit_finding : exit_done;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 struct Outcome {
   StepCounts counts;
   Errors3 largest;
-  std::vector<std::string> lines;
+  std::vector<Unstable> unstable;
 };
 
 void raise(double& most, double error) {
@@ -24,6 +24,7 @@ void raise(double& most, double error) {
 }
 
 std::string off_in_words(const CertifiedErrors& found) {
+  if (!found.broken.empty()) return found.broken;
   return fmt::format("off by {:.3g} overlap, {:.3g} rad, {:.3g} points; allowed {:.3g}, {:.3g}, {:.3g}",
                      found.error.overlap, found.error.normal, found.error.points, found.allowed.overlap,
                      found.allowed.normal, found.allowed.points);
@@ -32,17 +33,18 @@ std::string off_in_words(const CertifiedErrors& found) {
 void add(const CertifiedCase& truth, const std::string& method, const Arithmetic& arithmetic,
          const Contact<Real50>& answer, Outcome& out) {
   ++out.counts.answers;
-  const auto say = [&](const std::string& what) {
-    out.lines.push_back(fmt::format("{}: {} in {}: {}", truth.c.name, method, arithmetic.name, what));
+  const auto say = [&](const std::string& what, bool is_failure) {
+    out.unstable.push_back(
+        {fmt::format("{}: {} in {}: {}", truth.c.name, method, arithmetic.name, what), method == "auto" && is_failure});
   };
   if (answer.status != Status::converged) {
     ++out.counts.lost;
-    return say(fmt::format("lost, {}", name(answer.status)));
+    return say(fmt::format("lost, {}", name(answer.status)), !arithmetic.may_lose);
   }
   const CertifiedErrors found = errors_against(truth, answer, arithmetic.epsilon);
   if (!found.is_right()) {
     ++out.counts.wrong;
-    return say(off_in_words(found));
+    return say(off_in_words(found), true);
   }
   ++out.counts.right;
   raise(out.largest.overlap, found.error.overlap);
@@ -128,14 +130,13 @@ StabilityResults measure_stability(const std::vector<CertifiedCase>& cases, cons
       });
   }
   StabilityResults out;
-  if (interrupted()) return out;
   for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (outcomes[i].empty()) continue;  // Ctrl-C
     auto outcome = outcomes[i].begin();
     for (const std::string& method : methods)
       for (const Arithmetic& arithmetic : arithmetics) {
         if (outcome->counts.answers > 0) merge(cases[i], *outcome, row_of(out, cases[i], method, arithmetic));
-        for (std::string& line : outcome->lines)
-          out.unstable.push_back({std::move(line), method == "auto" && arithmetic.vouches});
+        std::move(outcome->unstable.begin(), outcome->unstable.end(), std::back_inserter(out.unstable));
         ++outcome;
       }
   }

@@ -27,7 +27,7 @@ struct StabilityRow {
 /// A lost or wrong answer, for people: where the case is, the arithmetic, what is off and what was allowed.
 struct Unstable {
   std::string line;
-  bool vouched = false;  ///< of `auto`, in an arithmetic that vouches
+  bool is_failure = false;  ///< of `auto`: wrong, or lost in an arithmetic that may not lose
 };
 
 struct StabilityResults {
@@ -35,7 +35,7 @@ struct StabilityResults {
   std::vector<Unstable> unstable;
 };
 
-/// Deterministic, whatever the number of threads. Empty after Ctrl-C.
+/// Deterministic, whatever the number of threads. After Ctrl-C of the cases that are done.
 [[nodiscard]] StabilityResults measure_stability(const std::vector<CertifiedCase>& cases,
                                                  const std::vector<std::string>& methods,
                                                  const std::vector<Arithmetic>& arithmetics, unsigned threads);

@@ -55,12 +55,20 @@ void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, 
   }
 }
 
+/// Whether the scalar has lengths like the pair's: float has no 1e100, and no 1e-100.
+template <class S>
+[[nodiscard]] bool has_length(const PairFrame<S>& frame, const S& size) {
+  if constexpr (std::is_same_v<InputScalar<S>, S>) return true;
+  const S length = frame.to_world_length(size);
+  return length >= std::numeric_limits<S>::min() && length < std::numeric_limits<S>::infinity();
+}
+
 template <class S>
 [[nodiscard]] Contact<S> contact_of(const Found<S>& found, const Want& want, const PairFrame<S>& frame, const S& size,
                                     const Pair& pair) {
   Contact<S> out;
   out.method = "auto";
-  out.status = found.status;
+  out.status = has_length<S>(frame, size) ? found.status : Status::not_finite;
   out.iterations = found.iterations;
   out.evaluations = found.evaluations;
   const S undecided = S(undecided_multiple) + S(want.tolerance) / epsilon<S>();  // a residual that was allowed counts

@@ -57,14 +57,17 @@ double distance(const Vec3<Real50>& a, const Vec3<Real50>& b) {
   return static_cast<double>(Real50((a - b).norm()));
 }
 
-/// How far the common normal of another pair is from `found`, followed from the same places on the bodies.
-NearbyAnswers change_to(const Pair& other, const BodyPoints& from, const Solution& found) {
+/// How far the common normal of another pair is from `found`, followed from the same places on the bodies. Nothing where it is
+/// another one: `most` is what the change of input can do to an overlap.
+NearbyAnswers change_to(const Pair& other, const BodyPoints& from, const Solution& found, double most) {
   const PlacedPair<Real50> placed = place<Real50>(other);
   const ChartPair<Real50> start{chart_of_point<Real50>(placed.body1.shape, from.x1),
                                 chart_of_point<Real50>(placed.body2.shape, from.x2)};
   const LocalSolution<Real50> solution = solve_from_charts<Real50>(placed, {}, start);
   if (!solution.converged) return {};
   const ChartResidual<Real50> at = chart_residual<Real50>(placed, {}, solution.at);
+  const Real50 overlap = placed.to_world_length(Real50(at.normal1.dot(at.point1 - at.point2)));
+  if (abs(Real50(overlap - found.overlap)) > most) return {};
   return {distance(at.normal1, found.normal),
           std::max(distance(placed.to_world_point(at.point1, other), found.point1),
                    distance(placed.to_world_point(at.point2, other), found.point2))};
@@ -74,6 +77,8 @@ NearbyAnswers change_to(const Pair& other, const BodyPoints& from, const Solutio
 
 NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) {
   const double step = k * std::numeric_limits<double>::epsilon();
+  constexpr double largest_overlap_condition = 19;  // properties/allowance.hpp
+  const double most = largest_overlap_condition * step * (size_of(pair) + std::abs(static_cast<double>(found.overlap)));
   const BodyPoints from = on_bodies(pair, found);
   NearbyAnswers out;
   for (const Change& change : all_changes()) {
@@ -82,7 +87,7 @@ NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) 
       Pair other = pair;
       change(other, side);
       if (!is_valid(other)) continue;
-      const NearbyAnswers one = change_to(other, from, found);
+      const NearbyAnswers one = change_to(other, from, found, most);
       largest = {std::max(largest.normal, one.normal), std::max(largest.points, one.points)};
     }
     out.normal += largest.normal;

@@ -16,7 +16,7 @@ struct NearbyAnswers {
   double points = 0;  ///< the larger of both points', a length
 };
 
-/// `found`: solved. A neighbour whose own answer is not found counts as none.
+/// `found`: solved. A neighbour whose own answer is not found, or is another common normal, counts as none.
 [[nodiscard]] NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k);
 
 }  // namespace plumb::reference
