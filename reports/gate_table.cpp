@@ -127,7 +127,8 @@ void read_seed(Words& words, GateTable& table) {
 
 void read_frozen(Words& words, GateTable& table) {
   table.frozen = words.next();
-  if (table.frozen.empty() || gate_families(table).empty()) words.refuse("frozen", "'" + table.frozen + "' is no folder of ladders");
+  if (table.frozen.empty() || gate_families(table).empty())
+    words.refuse("frozen", "'" + table.frozen + "' is no folder of ladders");
   words.end();
 }
 
