@@ -31,9 +31,7 @@ inline constexpr double wrong_altogether = 1e16;
   return size_of(e.pair) + std::abs(static_cast<double>(truth.overlap));
 }
 
-/// No overlap's condition number exceeds 2 sqrt(3) (1 + 2 + 1 + 2 log 2): both bodies shifted, turned, stretched, with other
-/// exponents, of reaches up to sqrt(3) semi-axes.
-inline constexpr double largest_overlap_condition = 19;
+using reference::largest_overlap_condition;
 
 /// Whether a solution's overlap is the lowest to within rounding.
 [[nodiscard]] inline bool ties(const Evidence& e, const Solution& other) {

@@ -1,7 +1,6 @@
 // plumb ladder: the hard cases, each ladder step by step; --write freezes them with what is certified of each.
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <thread>
@@ -9,6 +8,7 @@
 #include "corpus/case.hpp"
 #include "corpus/certificate.hpp"
 #include "corpus/command.hpp"
+#include "corpus/in_parallel.hpp"
 #include "corpus/interrupt.hpp"
 #include "properties/families.hpp"
 
@@ -23,11 +23,14 @@ struct Options {
   std::uint64_t seed = 1, index = 0, variants = 2;
 };
 
+std::vector<std::string> all_ladders() {
+  const auto names = hard_generators();
+  return {names.begin(), names.end()};
+}
+
 void declare(CLI::App& app, Options& options) {
-  std::vector<std::string> names;
-  for (const std::string_view name : hard_generators()) names.emplace_back(name);
   app.add_option("LADDER", options.ladder, "one ladder (plumb families lists them); all without")
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember(all_ladders()));
   app.add_option("--step", options.step, "one step, from 1; all without")->check(CLI::Range(1, 1000));
   app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str();
   auto* index = app.add_option("--index", options.index, "which variant is printed")->capture_default_str();
@@ -52,10 +55,7 @@ std::vector<std::size_t> steps_of(std::string_view ladder, const Options& option
 }
 
 std::vector<std::string> ladders_of(const Options& options) {
-  if (!options.ladder.empty()) return {options.ladder};
-  std::vector<std::string> out;
-  for (const std::string_view name : hard_generators()) out.emplace_back(name);
-  return out;
+  return options.ladder.empty() ? all_ladders() : std::vector{options.ladder};
 }
 
 Json certificate_of(const Pair& pair, const Reference& found) {
@@ -90,14 +90,8 @@ std::string frozen_ladder(const std::string& ladder, const Options& options) {
   std::vector<Case> cases;
   for (const std::size_t step : steps_of(ladder, options))
     for (std::uint64_t i = 0; i < options.variants; ++i) cases.push_back(ladder_case(ladder, step, options.seed, i));
-  std::atomic<std::size_t> next{0};
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned thread = 0; thread < std::max(1u, std::thread::hardware_concurrency()); ++thread)
-      threads.emplace_back([&] {
-        for (std::size_t i = next++; i < cases.size() && !interrupted(); i = next++) cases[i] = frozen(cases[i]);
-      });
-  }
+  in_parallel(cases.size(), std::max(1u, std::thread::hardware_concurrency()),
+              [&](std::size_t i) { cases[i] = frozen(cases[i]); });
   std::string text;
   for (const Case& c : cases) text += format_case(c) + "\n";
   return text;

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "corpus/command.hpp"
-#include "corpus/interrupt.hpp"
+#include "corpus/in_parallel.hpp"
 #include "corpus/reference_store.hpp"
 #include "properties/replay_case.hpp"
 #include "properties/replay_reports.hpp"
@@ -85,40 +85,36 @@ class InOrder {
 
   /// Those that are done, up to the first that is not: all of them but after Ctrl-C, or before one that cannot be replayed.
   [[nodiscard]] std::vector<Replayed> run(unsigned threads) {
-    {
-      std::vector<std::jthread> workers;
-      for (unsigned thread = 0; thread < threads; ++thread) workers.emplace_back([this] { work(); });
-    }
+    in_parallel(cases_.size(), threads, [this](std::size_t i) { work(i); });
     return std::move(printed_);
   }
   /// Why one could not be replayed; null: all could.
   [[nodiscard]] std::exception_ptr failure() const { return failure_; }
 
  private:
-  void work() {
-    for (std::size_t i = next_++; i < cases_.size() && !interrupted(); i = next_++) {
-      Ended ended;
-      try {
-        ended.done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source);
-      } catch (...) {
-        ended.failure = std::current_exception();
-      }
-      const std::scoped_lock lock(mutex_);
-      waiting_.emplace(i, std::move(ended));
-      try {
-        print_ready();
-      } catch (...) {  // what cannot be written
-        failure_ = std::current_exception();
-        next_ = cases_.size();
-      }
+  void work(std::size_t i) {
+    if (has_failed_) return;
+    Ended ended;
+    try {
+      ended.done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source);
+    } catch (...) {
+      ended.failure = std::current_exception();
     }
+    const std::scoped_lock lock(mutex_);
+    waiting_.emplace(i, std::move(ended));
+    try {
+      print_ready();
+    } catch (...) {  // what cannot be written
+      failure_ = std::current_exception();
+    }
+    has_failed_ = failure_ != nullptr;
   }
 
   void print_ready() {
     for (auto first = waiting_.begin(); first != waiting_.end() && first->first == printed_.size() && !failure_;
          first = waiting_.erase(first)) {
       failure_ = first->second.failure;
-      if (failure_) return void(next_ = cases_.size());
+      if (failure_) return;
       printed_.push_back(std::move(first->second.done));
       if (!quiet_ || outcome(printed_.back()) != Outcome::as_expected) print_line(replay_line(printed_.back()));
     }
@@ -132,7 +128,7 @@ class InOrder {
   const std::vector<Kept>& cases_;
   const By& by_;
   bool quiet_;
-  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> has_failed_{false};
   std::mutex mutex_;
   std::map<std::size_t, Ended> waiting_;
   std::vector<Replayed> printed_;

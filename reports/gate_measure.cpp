@@ -1,11 +1,9 @@
 #include "reports/gate_measure.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
-#include "corpus/interrupt.hpp"
+#include "corpus/in_parallel.hpp"
 #include "fuzz/judging.hpp"
 #include "reports/gate_cases.hpp"
 #include "reports/quantile.hpp"
@@ -35,15 +33,6 @@ void judge(Task& task, const std::vector<Solver>& solvers) {
 /// Of a ladder's case.
 std::uint64_t step_of(const Case& c) {
   return c.provenance.is_object() ? c.provenance.value("step", std::uint64_t{0}) : 0;
-}
-
-void judge_all(std::vector<Task>& tasks, const std::vector<Solver>& solvers, unsigned count) {
-  std::atomic<std::size_t> next{0};
-  std::vector<std::jthread> threads;
-  for (unsigned thread = 0; thread < count; ++thread)
-    threads.emplace_back([&] {
-      for (std::size_t i = next++; i < tasks.size() && !interrupted(); i = next++) judge(tasks[i], solvers);
-    });
 }
 
 /// The errors of a row's answers, unknown ones left out.
@@ -91,7 +80,7 @@ GateRow row_of(const std::string& family, std::size_t solver, const std::vector<
 std::vector<GateRow> measure_rows(const std::vector<std::string>& families, const std::vector<Solver>& solvers,
                                   const GateTable& table, unsigned threads) {
   std::vector<Task> tasks = tasks_of(families, table);
-  judge_all(tasks, solvers, threads);
+  in_parallel(tasks.size(), threads, [&](std::size_t i) { judge(tasks[i], solvers); });
   std::vector<GateRow> rows;
   if (interrupted()) return rows;
   for (const std::string& family : families)

@@ -128,9 +128,8 @@ bool is_of_double(double epsilon) {
 /// k epsilon times a condition number, and in double and better what nearby inputs do, where that is more. In float a condition
 /// number that reaches too far bounds nothing, and nothing else is certified.
 double allowed_by(double condition, double nearby, double epsilon) {
-  constexpr double first_order = 1e-3;
   const double linear = reference::rounding_epsilons * epsilon * condition;
-  if (!is_of_double(epsilon)) return linear <= first_order ? linear : infinite;
+  if (!is_of_double(epsilon)) return linear <= reference::first_order_range ? linear : infinite;
   const double epsilons = std::max(1.0, epsilon / std::numeric_limits<double>::epsilon());
   return std::max(std::isfinite(linear) ? linear : 0, epsilons * nearby);
 }

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
-#include "corpus/interrupt.hpp"
+#include "corpus/in_parallel.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -76,8 +74,8 @@ StabilityRow& row_of(StabilityResults& results, const CertifiedCase& truth, cons
   const auto is_it = [&](const StabilityRow& row) {
     return row.ladder == truth.ladder && row.method == method && row.arithmetic == arithmetic.name;
   };
-  const auto found = std::find_if(results.rows.begin(), results.rows.end(), is_it);
-  if (found != results.rows.end()) return *found;
+  const auto found = std::find_if(results.rows.rbegin(), results.rows.rend(), is_it);  // the last ladder's, most often
+  if (found != results.rows.rend()) return *found;
   results.rows.push_back({truth.ladder, truth.knob, method, arithmetic.name, {}, {}, {}, arithmetic.epsilon});
   return results.rows.back();
 }
@@ -120,15 +118,7 @@ StepCounts StabilityRow::total() const {
 StabilityResults measure_stability(const std::vector<CertifiedCase>& cases, const std::vector<std::string>& methods,
                                    const std::vector<Arithmetic>& arithmetics, unsigned threads) {
   std::vector<CaseOutcomes> outcomes(cases.size());
-  std::atomic<std::size_t> next{0};
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned thread = 0; thread < threads; ++thread)
-      workers.emplace_back([&] {
-        for (std::size_t i = next++; i < cases.size() && !interrupted(); i = next++)
-          outcomes[i] = outcomes_of(cases[i], methods, arithmetics);
-      });
-  }
+  in_parallel(cases.size(), threads, [&](std::size_t i) { outcomes[i] = outcomes_of(cases[i], methods, arithmetics); });
   StabilityResults out;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (outcomes[i].empty()) continue;  // Ctrl-C

@@ -77,7 +77,6 @@ NearbyAnswers change_to(const Pair& other, const BodyPoints& from, const Solutio
 
 NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) {
   const double step = k * std::numeric_limits<double>::epsilon();
-  constexpr double largest_overlap_condition = 19;  // properties/allowance.hpp
   const double most = largest_overlap_condition * step * (size_of(pair) + std::abs(static_cast<double>(found.overlap)));
   const BodyPoints from = on_bodies(pair, found);
   NearbyAnswers out;

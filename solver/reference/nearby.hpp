@@ -11,6 +11,10 @@
 
 namespace plumb::reference {
 
+/// No overlap's condition number exceeds 2 sqrt(3) (1 + 2 + 1 + 2 log 2): both bodies shifted, turned, stretched, with other
+/// exponents, of reaches up to sqrt(3) semi-axes.
+inline constexpr double largest_overlap_condition = 19;
+
 struct NearbyAnswers {
   double normal = 0;  ///< rad
   double points = 0;  ///< the larger of both points', a length

@@ -36,11 +36,12 @@ struct SolutionSet {
 /// The k of a solver that rounds: what an answer in double is held to, and what a certificate prints.
 inline constexpr double rounding_epsilons = 8;
 
-/// Whether so many epsilon times a condition number, which is a first derivative, reach so far that they bound nothing any more
-/// (always where it is infinite): the set takes its place.
+/// Up to here (rad, sizes) a change of the input may move an answer for its condition number, a first derivative, to bound it.
+inline constexpr double first_order_range = 1e-3;
+
+/// Whether so many epsilon times a condition number reach further than that (always where it is infinite): the set takes its place.
 [[nodiscard]] inline bool is_beyond_first_order(double condition) {
-  constexpr double first_order = 1e-3;
-  return rounding_epsilons * std::numeric_limits<double>::epsilon() * condition > first_order;
+  return rounding_epsilons * std::numeric_limits<double>::epsilon() * condition > first_order_range;
 }
 
 struct SolutionSetLimits {

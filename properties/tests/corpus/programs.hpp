@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "corpus/case.hpp"
 #include "properties/tests/corpus/sample.hpp"
@@ -43,6 +45,14 @@ class Commands : public testing::Test {
     write_file(path_ / name, text);
     return (path_ / name).string();
   }
+  /// What a program left in the folder.
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ifstream in(path_ / name);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+  [[nodiscard]] Json json(const std::string& name) const { return Json::parse(read(name)); }
   /// In the folder, so that messages carry bare names.
   [[nodiscard]] Ran plumb(const std::string& arguments) const {
     return run("cd " + path_.string() + " && " + plumb_program + arguments);

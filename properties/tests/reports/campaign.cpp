@@ -1,7 +1,6 @@
 // plumb report: the statistics of its comparison, and what it writes beside the page.
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "properties/tests/corpus/programs.hpp"
 #include "reports/campaign/compare.hpp"
@@ -67,13 +66,6 @@ class Report : public Commands {
               0);
     return name;
   }
-  [[nodiscard]] std::string read(const std::string& name) const {
-    std::ifstream in(path_ / name);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-  [[nodiscard]] Json json(const std::string& name) const { return Json::parse(read(name)); }
 };
 
 Json row_of(const Json& comparison, const std::string& method, const std::string& measure) {

@@ -1,6 +1,4 @@
 // plumb report: the hard cases ladder by ladder, and what plumb report-stability left.
-#include <fstream>
-#include <sstream>
 
 #include "properties/families.hpp"
 #include "properties/tests/corpus/programs.hpp"
@@ -16,13 +14,6 @@ class LadderReport : public Commands {
     ASSERT_LE(plumb("campaign --family hard --cases 33 --seed 1 --method auto,original_cn --out run 2>/dev/null").code,
               1);
   }
-  [[nodiscard]] std::string read(const std::string& name) const {
-    std::ifstream in(path_ / name);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-  [[nodiscard]] Json json(const std::string& name) const { return Json::parse(read(name)); }
   void refuses(const std::string& lines, const std::string& reason) const {
     write_file(path_ / "bad.jsonl", lines);
     expect_refusal("report run -o page.html --stability bad.jsonl", "bad.jsonl:" + reason);
