@@ -118,6 +118,14 @@ template <class B, class S = Single<B>>
   return {second<S>(v.x), second<S>(v.y), second<S>(v.z)};
 }
 template <class B, class S = Single<B>>
+[[nodiscard, gnu::always_inline]] inline Matrix3<S> first(const Matrix3<B>& m) {
+  return {first(m.row0), first(m.row1), first(m.row2)};
+}
+template <class B, class S = Single<B>>
+[[nodiscard, gnu::always_inline]] inline Matrix3<S> second(const Matrix3<B>& m) {
+  return {second(m.row0), second(m.row1), second(m.row2)};
+}
+template <class B, class S = Single<B>>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> sum(const Vector3<B>& v) {
   return {sum<S>(v.x), sum<S>(v.y), sum<S>(v.z)};
 }

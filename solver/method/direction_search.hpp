@@ -5,16 +5,15 @@
 //
 // Half      the bodies are their own mirror images through their centres, so that o(-n) = o(n) + 2 n.c: the lowest common normal
 //           has n.c >= 0, and only such directions are looked at (c from body 1's centre to body 2's)
-// Cells     a quadtree on the faces of a cube of directions, level by level; the cube is turned so that the common normal at hand
-//           is the middle of a cell of the level that first explains
-// Excluded  where a witness (lowest.hpp) says so at a cell's four corners
-// Explained s looks convex on the hull of the cell and of a common normal n already known: of its values at the corners, at
-//           the middle and there none lies below a tangent plane at another. The plane at n is (o(n) - o) n.v, not negative
-//           where n.v is not, and s lies above it
-// Else      the cell is divided. A local solve starts from its middle where o is lower there, and every third level anyway:
-//           what it finds becomes known
+// Cells     a quadtree on the faces of a cube of directions, level by level
+// Excluded  where a witness (lowest.hpp) says so at a cell's four corners, or a mixture of several does (witness_game.hpp)
+// Explained in a square about a known common normal n on which s is convex, for f is curved by more than the level there
+//           (curvature_floor.hpp): s lies above its tangent plane at n, (o(n) - o) n.v
+// Else      o is evaluated at the cell's middle, or where the witnesses are the lowest, which in narrow grooves of o is
+//           another matter; then the cell is divided. A local solve starts there where o is lower, and at every third level
+//           anyway: what it finds becomes known
 //
-// What it does not promise. `Explained` looks at six points, and plain doubles are no intervals: a proof is reference/'s
+// What it does not promise. Its proofs are made in the scalar's own rounding, not in intervals: those are reference/'s
 // business. The number of evaluations is limited: an answer is not called converged where cells are left, or above any o
 // that was seen on the way.
 #pragma once
@@ -24,7 +23,7 @@
 #include <cstdint>
 
 #include "solver/method/lowest.hpp"
-#include "solver/shape/tangent.hpp"
+#include "solver/method/witness_game.hpp"
 
 namespace plumb {
 
@@ -32,9 +31,8 @@ template <class S, class Form, class Answer>
 class DirectionSearch {
  public:
   DirectionSearch(const Form& form, const S& size, const Answer& first) : form_(form), found_(form, size, first) {
-    if (found_.is_found()) centre_on(first.normal);
     const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
-    forwards_ = largest(forwards) <= S(2) ? forwards : axes_[0];  // else the centres coincide; 1 but for rounding
+    forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
   }
 
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
@@ -48,16 +46,21 @@ class DirectionSearch {
 
  private:
   using Found = Lowest<S, Form, Answer>;
+  using Game = WitnessGame<S>;
+  using Corners = typename Game::Corners;
 
   static constexpr int faces = 6;
-  static constexpr int deepest = 22;    // 2^-22 of a face
-  static constexpr int solve_each = 3;  // levels between two local solves
+  static constexpr int deepest = 24;        // 2^-24 of a face
+  static constexpr int first_game = 3;      // of wider cells no mixture says more than one witness
+  static constexpr int first_groove = 8;    // narrower cells are cut more than once
+  static constexpr int most_cuts = 3;       // evaluations in a cell
+  static constexpr int last_witnesses = 6;  // more save evaluations, and no time
+  static constexpr int solve_each = 3;      // levels between two local solves
   static constexpr int most_known = 16;
-  static constexpr int last_witnesses = 8;  // more save no more time than they take
-  static constexpr int most_fruitless = 4;  // solves in a row that find what is known
-  static constexpr double explained_reach = 4,
-                          longest_reach = 0.4;  // half edges of a cell, of the cube: see no further
-  static constexpr int last_insisting = 700;    // a descent below
+  static constexpr int most_fruitless = 4;    // solves in a row that find what is known
+  static constexpr int patience = 2;          // levels from a solve in vain to the next
+  static constexpr double known_reach = 4;    // half edges of a cell
+  static constexpr int last_insisting = 700;  // a descent below
   static constexpr int most_seen = Found::most_evaluations + 8,
                        longest_queue = 4096;  // four parts of each that was seen
 
@@ -70,158 +73,139 @@ class DirectionSearch {
     [[nodiscard]] S half() const { return S(1) / static_cast<S>(1 << level); }
   };
 
-  struct Sample {
-    Vector3<S> v;      ///< on the face's plane
-    Vector3<S> slope;  ///< of s
-  };
-
-  using Samples = std::array<Sample, 6>;
-  using Corners = std::array<Vector3<S>, 4>;
-
   struct Known {
     Vector3<S> normal;
-    S overlap;
+    DirectionSquare<S> explained{};  ///< by a level that only falls: s is the more convex for it
+    bool is_measured = false;
   };
 
   [[nodiscard]] bool is_complete() const { return looked_at_ == pushed_ || found_.is_settled(); }
 
-  /// Turns the cube.
-  void centre_on(const Vector3<S>& n) {
-    const S half = S(1) / static_cast<S>(1 << form_.least_level());
-    const Vec3<S> middle = Vec3<S>(S(1), S(3) * half, S(3) * half).normalized();
-    const Tangent<S> from = tangent_basis<S>(middle), to = tangent_basis<S>(n.eigen());
-    const Mat3<S> turn = to * from.transpose() + n.eigen() * middle.transpose();
-    for (int k = 0; k < 3; ++k) axes_[static_cast<std::size_t>(k)] = Vector3<S>::of(turn.col(k));
-  }
-
-  [[nodiscard]] Vector3<S> on_face(const Cell& cell, const S& u, const S& v) const {
-    const auto k = static_cast<std::size_t>(cell.face / 2);
+  [[nodiscard]] static Vector3<S> on_face(const Cell& cell, const S& u, const S& v) {
     const S w = cell.face % 2 == 0 ? S(1) : S(-1);
-    return axes_[k] * w + axes_[(k + 1) % 3] * u + axes_[(k + 2) % 3] * v;
+    if (cell.face < 2) return {w, u, v};
+    return cell.face < 4 ? Vector3<S>{v, w, u} : Vector3<S>{u, v, w};
   }
 
-  [[nodiscard]] Corners corners(const Cell& c) const {
+  [[nodiscard]] static Vector3<S> unit(const Vector3<S>& v) { return v * (S(1) / length(v)); }
+
+  [[nodiscard]] static Corners corners_of(const Cell& c) {
     const S u(c.u), v(c.v), h = c.half();
-    return {on_face(c, u - h, v - h), on_face(c, u + h, v - h), on_face(c, u - h, v + h), on_face(c, u + h, v + h)};
+    return {unit(on_face(c, u - h, v - h)), unit(on_face(c, u + h, v - h)), unit(on_face(c, u - h, v + h)),
+            unit(on_face(c, u + h, v + h))};
   }
 
   void push(const Cell& cell) { queue_[static_cast<std::size_t>(pushed_++ % longest_queue)] = cell; }
+
+  void look_at(const Cell cell) {  // a copy: its place in the queue may be taken
+    const Corners corners = corners_of(cell);
+    if (is_mirrored(corners) || is_excluded(corners, cell.witness) || is_explained(corners)) return;
+    if (becomes_excluded(cell, corners) || is_explained(corners)) return;
+    const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v));
+    const bool is_due = cell.level > 0 && cell.level % solve_each == 0 && fruitless_ < most_fruitless;
+    if (is_due && !is_known_near(cell, middle)) explore_from(middle);
+    if (cell.level < deepest) return divide(cell);
+    solve_from(middle, true);
+    is_too_deep_ = is_too_deep_ || !is_explained(corners);
+  }
 
   [[nodiscard]] bool is_mirrored(const Corners& corners) const {
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(v, forwards_) <= S(0); });
   }
 
   [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>& witness) const {
-    return std::all_of(corners.begin(), corners.end(),
-                       [&](const Vector3<S>& v) { return found_.excludes(witness, v); });
+    const S height = found_.excluded_height();
+    return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(witness, v) >= height; });
   }
 
   /// By what was seen of the cell above, or by one of the last.
   [[nodiscard]] bool is_excluded(const Corners& corners, int above) const {
     if (above >= 0 && is_excluded(corners, seen_[static_cast<std::size_t>(above)])) return true;
-    for (int k = seen_count_; k-- > std::max(0, seen_count_ - last_witnesses);)
+    for (int k = seen_count_; k-- > first_of_last();)
       if (is_excluded(corners, seen_[static_cast<std::size_t>(k)])) return true;
     return false;
   }
 
-  void look_at(const Cell cell) {  // a copy: its place in the queue may be taken
-    const Corners around = corners(cell);
-    if (is_mirrored(around) || is_excluded(around, cell.witness)) return;
-    const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v)), g = farthest(middle);
-    const int witness = seen_count_ - 1;
-    if (is_excluded(around, seen_[static_cast<std::size_t>(witness)])) return;
-    const bool is_lower = found_.sees_lower(middle, g);
-    if (is_lower) solve_from(middle, found_.best().evaluations < last_insisting);
-    if (may_be_explained(cell, around, middle) && is_explained(cell, around, {middle, slope(middle, g)})) return;
-    const bool is_due = !is_lower && cell.level > 0 && cell.level % solve_each == 0;
-    if (is_due && fruitless_ < most_fruitless && !is_known_near(cell, middle)) explore_from(middle);
-    if (cell.level < deepest) return divide(cell, witness);
-    solve_from(middle, true);
-    is_too_deep_ = is_too_deep_ || !is_explained(cell, around, {middle, slope(middle, g)});
-  }
+  [[nodiscard]] int first_of_last() const { return std::max(0, seen_count_ - last_witnesses); }
 
-  /// Whether it is small enough for six points.
-  [[nodiscard]] bool may_be_explained(const Cell& cell, const Corners& around, const Vector3<S>& middle) const {
-    constexpr double margin = 1.5;  // half diagonals: a fold not far past the cell counts as well
-    return cell.level >= form_.least_level() &&
-           cell.level >= form_.least_level(middle, length(around[0] - middle) * S(margin));
-  }
-
-  void divide(const Cell& c, int witness) {
-    const auto level = static_cast<std::int8_t>(c.level + 1);
-    const float half = static_cast<float>(c.half()) / 2;
-    for (const float u : {c.u - half, c.u + half})
-      for (const float v : {c.v - half, c.v + half}) push({u, v, c.face, level, static_cast<std::int16_t>(witness)});
-  }
-
-  [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
-    const Vector3<S> g = found_.farthest(v);
-    seen_[static_cast<std::size_t>(seen_count_++)] = found_.witness(v, g);
-    return g;
-  }
-
-  [[nodiscard]] Vector3<S> slope(const Vector3<S>& v, const Vector3<S>& g) const {
-    return g - v * (found_.level() / length(v));
-  }
-
-  [[nodiscard]] bool is_explained(const Cell& cell, const Corners& around, const Sample& middle) {
-    Samples samples;
-    samples[0] = middle;
-    std::size_t n = 1;
-    for (const Vector3<S>& v : around) {
-      const Vector3<S> g = farthest(v);
-      if (found_.sees_lower(v, g)) return false;
-      samples[n++] = {v, slope(v, g)};
-    }
-    if (!looks_convex(samples, n)) return false;
-    const Vector3<S> outwards = on_face(cell, S(0), S(0));
-    for (int k = 0; k < known_count_; ++k) {
-      const Known& known = known_[static_cast<std::size_t>(k)];
-      const S height = dot(known.normal, outwards);
-      const bool is_beside = height > S(0.25);  // and not beyond a neighbouring face
-      if (!is_beside || !is_on_this_side(around, known.normal)) continue;
-      samples[n] = {known.normal * (S(1) / height), known.normal * (known.overlap - found_.level())};
-      const S reach = std::min(S(longest_reach), S(explained_reach) * cell.half());
-      if (largest(samples[n].v - middle.v) > reach) continue;
-      if (looks_convex(samples, n + 1)) return true;
+  /// Sees more of the cell; whether nothing in it is lower. Ends as well where o is lower than that of any common normal
+  /// known, and where what the witnesses do not exclude is between the corners alone, which dividing brings closer.
+  [[nodiscard]] bool becomes_excluded(const Cell& cell, const Corners& corners) {
+    const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v));
+    if (cell.level < first_game) return !see(middle, cell.level) && is_excluded(corners, seen_[last_seen()]);
+    Game game = witnesses_for(cell);
+    const int cuts = cell.level < first_groove ? 1 : most_cuts;
+    for (int cut = 0; cut <= cuts; ++cut) {
+      const auto [mixture, place] = game.play(corners, found_.excluded_height());
+      if (is_excluded(corners, mixture)) return true;
+      const bool is_enough = cut == cuts || !found_.may_go_on();
+      if (is_enough || (cut > 0 && game.reaches(found_.excluded_height(), place))) return false;
+      if (see(place, cell.level)) return false;
+      if (is_excluded(corners, seen_[last_seen()])) return true;
+      game.add(seen_[last_seen()]);
     }
     return false;
   }
 
-  [[nodiscard]] static bool is_on_this_side(const Corners& around, const Vector3<S>& n) {
-    return std::all_of(around.begin(), around.end(), [&](const Vector3<S>& v) { return dot(n, v) >= S(0); });
+  [[nodiscard]] Game witnesses_for(const Cell& cell) const {
+    Game out;
+    out.add(seen_[static_cast<std::size_t>(cell.witness)]);
+    if (found_.is_found()) out.add(found_.witness(found_.best()));
+    for (int k = seen_count_; k-- > first_of_last();) out.add(seen_[static_cast<std::size_t>(k)]);
+    return out;
   }
 
-  /// s(v) = slope.v, and above all tangent planes, to rounding. A corner or middle that is the known normal says nothing.
-  [[nodiscard]] bool looks_convex(const Samples& samples, std::size_t n) const {
-    const S same = by_precision<S>(1e-12, 1e-6);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) {
-        const S distance = length(samples[i].v - samples[j].v);
-        const S above = dot(samples[i].slope - samples[j].slope, samples[i].v);
-        if (distance > same && !(above >= -found_.rounding())) return false;
-      }
+  [[nodiscard]] std::size_t last_seen() const { return static_cast<std::size_t>(seen_count_ - 1); }
+
+  /// Evaluates o along v; whether it is lower than that of any common normal known. Solves from there then, unless that was in
+  /// vain a short while ago.
+  bool see(const Vector3<S>& v, int level) {
+    const Vector3<S> g = found_.farthest(v);
+    seen_[static_cast<std::size_t>(seen_count_++)] = found_.witness(v, g);
+    if (!found_.sees_lower(v, g)) return false;
+    if (level >= next_solve_)
+      next_solve_ = solve_from(v, found_.best().evaluations < last_insisting) ? 0 : level + patience;
     return true;
   }
 
-  void solve_from(const Vector3<S>& v, bool insists) {
-    const Answer found = found_.solve(v, insists);
-    if (found.status == Status::converged) take(found);
+  void divide(const Cell& c) {
+    const auto level = static_cast<std::int8_t>(c.level + 1);
+    const auto witness = static_cast<std::int16_t>(seen_count_ - 1);
+    const float half = static_cast<float>(c.half()) / 2;
+    for (const float u : {c.u - half, c.u + half})
+      for (const float v : {c.v - half, c.v + half}) push({u, v, c.face, level, witness});
   }
 
-  void take(const Answer& found) {
+  [[nodiscard]] bool is_explained(const Corners& corners) {
+    for (int k = 0; k < known_count_; ++k) {
+      Known& known = known_[static_cast<std::size_t>(k)];
+      if (!known.is_measured) known.explained = convex_square<S>(form_.support_shapes(), known.normal, found_.level());
+      known.is_measured = true;
+      if (std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return known.explained.holds(v); }))
+        return true;
+    }
+    return false;
+  }
+
+  /// Whether the common normal found is the lowest so far.
+  bool solve_from(const Vector3<S>& v, bool insists) {
+    const Answer found = found_.solve(v, insists);
+    return found.status == Status::converged && take(found);
+  }
+
+  bool take(const Answer& found) {
     remember(found);
-    found_.take(found);
+    const bool is_lower = found_.take(found);
     const bool is_backwards = dot(found.normal, form_.centre()) < -found_.rounding();  // then -n is as much lower
-    if (is_backwards && found.overlap <= found_.level()) solve_from(found.normal * S(-1), true);
+    if (is_backwards && found.overlap <= found_.best().overlap) solve_from(found.normal * S(-1), true);
+    return is_lower;
   }
 
   /// A local solve would find that one again.
   [[nodiscard]] bool is_known_near(const Cell& cell, const Vector3<S>& v) const {
-    const Vector3<S> n = v * (S(1) / length(v));
-    return std::any_of(known_.begin(), known_.begin() + known_count_, [&](const Known& known) {
-      return largest(known.normal - n) < S(explained_reach) * cell.half();
-    });
+    const Vector3<S> n = unit(v);
+    return std::any_of(known_.begin(), known_.begin() + known_count_,
+                       [&](const Known& known) { return largest(known.normal - n) < S(known_reach) * cell.half(); });
   }
 
   void explore_from(const Vector3<S>& v) {
@@ -234,18 +218,18 @@ class DirectionSearch {
     const S same = by_precision<S>(1e-6, 1e-3);
     for (int k = 0; k < known_count_; ++k)
       if (largest(known_[static_cast<std::size_t>(k)].normal - found.normal) < same) return;
-    if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)] = {found.normal, found.overlap};
+    if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)].normal = found.normal;
   }
 
   const Form& form_;
   Found found_;
   Vector3<S> forwards_;
-  std::array<Vector3<S>, 3> axes_{{{S(1), S(0), S(0)}, {S(0), S(1), S(0)}, {S(0), S(0), S(1)}}};
   std::array<Known, most_known> known_;
   int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;
   std::array<Vector3<S>, most_seen> seen_;  ///< every witness
   std::array<Cell, longest_queue> queue_;
   int looked_at_ = 0, pushed_ = 0;
+  int next_solve_ = 0;  ///< the level of the next local solve where o is lower
   bool is_too_deep_ = false;
 };
 

@@ -13,11 +13,12 @@ struct EllipsoidForm {
   const Want& want;
   Vector3<S> axis{S(0), S(0), S(0)};  ///< as for EllipsoidNewton
 
-  [[nodiscard]] int least_level() const { return 3; }
-  [[nodiscard]] int least_level(const Vector3<S>& /*v*/, const S& /*reach*/) const { return least_level(); }
   [[nodiscard]] S rolling_ball() const { return plumb::rolling_ball(pair); }
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
+  [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const {
+    return {SupportShape<S>{first(pair.map), S(2), S(2)}, SupportShape<S>{second(pair.map), S(2), S(2)}};
+  }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start, bool /*insists*/ = true) const {
     EllipsoidContact<S> out;
     EllipsoidNewton<S>(pair, want, axis).solve(out, start);

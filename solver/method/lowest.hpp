@@ -5,10 +5,9 @@
 //                 normal, iterations, evaluations
 //                 Vector3<S> centre(): from body 1's centre to body 2's
 //                 S rolling_ball(): radius of a ball that rolls inside the bodies' Minkowski sum K, or less
-//                 int least_level(): of a cell that six points can explain; higher where o has narrow folds
-//                 int least_level(v, reach): the same within that distance of v, of any length; not less
+//                 std::array<SupportShape<S>, 2> support_shapes()
 //
-// Excluded        K = K' + (ball of radius r), so that o - r is the overlap with K'. f'(v) = (o - r)|v| >= g'.v for any g' of K',
+// Witness         K = K' + (ball of radius r), so that o - r is the overlap with K'. f'(v) = (o - r)|v| >= g'.v for any g' of K',
 //                 wherever it was found, and g'.v - (level - r)|v| is concave: where it is not negative at some
 //                 directions nothing between them is lower
 #pragma once
@@ -16,8 +15,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/method/vector3.hpp"
-#include "solver/scalar.hpp"
+#include "solver/method/curvature_floor.hpp"
 
 namespace plumb {
 
@@ -33,14 +31,11 @@ class Lowest {
   [[nodiscard]] bool is_found() const { return best_.status == Status::converged; }
   [[nodiscard]] bool may_go_on() const { return best_.evaluations < most_evaluations; }
 
-  /// o of the lowest.
-  [[nodiscard]] S level() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }
+  /// The lowest o that was seen, of a common normal or not: that of the lowest common normal is not above it.
+  [[nodiscard]] S level() const { return std::min(found_level(), lowest_seen_); }
 
   /// There is one common normal of o <= r: nothing is lower.
-  [[nodiscard]] bool is_settled() const { return !(level() > ball_); }
-
-  /// Of o.
-  [[nodiscard]] S rounding() const { return S(noise) * epsilon<S>() * size_; }
+  [[nodiscard]] bool is_settled() const { return !(found_level() > ball_); }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     ++best_.evaluations;
@@ -52,16 +47,17 @@ class Lowest {
     return g - v * (ball_ / length(v));
   }
 
-  /// Whether the witness shows that o along v is not below the level by more than `slack`.
-  [[nodiscard]] bool excludes(const Vector3<S>& witness, const Vector3<S>& v, const S& slack = S(0)) const {
-    return dot(witness, v) >= (level() - ball_ - slack) * length(v);
-  }
+  /// g' of a common normal.
+  [[nodiscard]] Vector3<S> witness(const Answer& found) const { return found.normal * (found.overlap - ball_); }
 
-  /// Whether o along v is below the level; g = farthest(v).
+  /// A witness as high as this along a unit vector shows that o there is not below the level, to rounding.
+  [[nodiscard]] S excluded_height() const { return level() - ball_ - rounding(); }
+
+  /// Whether o along v is below that of every common normal found; g = farthest(v).
   [[nodiscard]] bool sees_lower(const Vector3<S>& v, const Vector3<S>& g) {
     const S here = dot(g, v) / length(v);
     lowest_seen_ = std::min(lowest_seen_, here);
-    return here < level() - rounding();
+    return here < found_level() - rounding();
   }
 
   [[nodiscard]] Answer solve(const Vector3<S>& v, bool insists) {
@@ -70,23 +66,30 @@ class Lowest {
     return found;
   }
 
-  /// A converged answer.
-  void take(const Answer& found) {
-    if (is_found() && !(found.overlap < best_.overlap)) return;
+  /// A converged answer; whether it is the lowest so far.
+  bool take(const Answer& found) {
+    if (is_found() && !(found.overlap < best_.overlap)) return false;
     const int evaluations = best_.evaluations;
     best_ = found;
     best_.evaluations = evaluations;
+    return true;
   }
 
   /// The lowest; not converged where it is not known to be that, or o was seen below it.
   [[nodiscard]] Answer answer(bool is_complete) const {
     Answer out = best_;
-    if (is_found() && (!is_complete || lowest_seen_ < level() - rounding())) out.status = Status::stalled;
+    if (is_found() && (!is_complete || lowest_seen_ < found_level() - rounding())) out.status = Status::stalled;
     return out;
   }
 
+  /// Of o.
+  [[nodiscard]] S rounding() const { return S(noise) * epsilon<S>() * size_; }
+
  private:
   static constexpr double noise = 64;  // epsilon times this and the size: rounding of a gradient
+
+  /// o of the lowest common normal found.
+  [[nodiscard]] S found_level() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }
 
   const Form& form_;
   S size_, ball_;

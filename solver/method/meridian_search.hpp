@@ -100,7 +100,8 @@ class MeridianSearch {
   }
 
   [[nodiscard]] bool is_excluded(const Vector3<S>& from, const Vector3<S>& to, const Vector3<S>& witness) const {
-    return found_.excludes(witness, from, found_.rounding()) && found_.excludes(witness, to, found_.rounding());
+    const S height = found_.excluded_height();
+    return dot(witness, from) >= height * length(from) && dot(witness, to) >= height * length(to);
   }
 
   Lowest<S, Form, Answer> found_;

@@ -136,37 +136,16 @@ template <class S>
   return false;
 }
 
-/// An exponent below 2 makes edges and tips without a radius of curvature, and o folds there within a narrow band: x = 0 and
-/// y = 0 in body axes where n2 is below 2, z = 0 where n1 is. The narrower beside a body's own axis, where a flat leaves its
-/// normal all but as it is, and the narrowest where both bodies have one. Of a cell of directions within `reach` of v: the
-/// level that six points can explain, `least` far from folds.
-template <class S>
-[[nodiscard]] inline int level_of_folds(const SuperellipsoidPair<S>& pair, const Vector3<S>& v, const S& reach,
-                                        int least) {
-  const Vector3<Both<S>> w = pair.rotation.transposed_times(twice(v)), square = times(w, w);
-  const Both<S> limit(reach * reach), all = square.x + square.y + square.z;
-  const Mask<S> on_axis = all - square.x <= limit || all - square.y <= limit || all - square.z <= limit;
-  const Mask<S> on_edge =
-      (pair.inner.dual && (square.x <= limit || square.y <= limit)) || (pair.outer.dual && square.z <= limit);
-  if (all_of(on_axis)) return 21;
-  return any_of(on_axis) || any_of(on_edge) ? 12 : least;
-}
-
 /// What the search over directions asks of a form.
 template <class S>
 struct SurfaceForm {
   const SurfaceSolver<S>& solver;
 
-  /// Exponents above 10 fold o where edges meet within a few degrees.
-  [[nodiscard]] int least_level() const {
-    return solver.pair().any_dual ? 7 : solver.pair().greatest_nu > S(10) ? 5 : 4;
-  }
-  [[nodiscard]] int least_level(const Vector3<S>& v, const S& reach) const {
-    return solver.pair().any_dual ? level_of_folds(solver.pair(), v, reach, least_level()) : least_level();
-  }
   [[nodiscard]] S rolling_ball() const { return solver.pair().rolling_ball; }
   [[nodiscard]] Vector3<S> centre() const { return solver.pair().c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
+
+  [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const { return plumb::support_shapes(solver.pair()); }
 
   /// By Newton where it does not run away uphill, else, where it insists, by descent.
   [[nodiscard]] SurfaceContact<S> solve(const Vector3<S>& v, bool insists) const {
@@ -174,9 +153,13 @@ struct SurfaceForm {
     ++out.evaluations;
     const Vector3<S> n = v * (S(1) / length(v));
     const S highest = dot(farthest(n), n) + by_precision<S>(1e-9, 1e-4) * solver.pair().size;
-    solver.attempt(n, StartKind::normal, Attempt{.limit = 14}, out);
-    const bool is_found = out.minimum && out.overlap <= highest;
-    if (!is_found && !(insists && SurfaceDescent<S>(solver, out).solve(n))) out.status = Status::stalled;
+    const auto finds = [&](StartKind start) {
+      solver.attempt(n, start, Attempt{.limit = 14}, out);
+      return out.minimum && out.overlap <= highest;
+    };
+    if (finds(StartKind::normal)) return out;
+    if (insists && (finds(StartKind::middle) || SurfaceDescent<S>(solver, out).solve(n))) return out;
+    out.status = Status::stalled;
     return out;
   }
 };

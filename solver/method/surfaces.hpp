@@ -7,6 +7,7 @@
 // N             the normal times any length
 #pragma once
 
+#include "solver/method/curvature_floor.hpp"
 #include "solver/method/framed_pair.hpp"
 #include "solver/method/level.hpp"
 
@@ -184,6 +185,20 @@ template <class S>
   const Vector3<Both<S>> p =
       pair.rotation * times(pair.semi_axes, Vector3<Both<S>>{o.point_a * i.point_a, o.point_a * i.point_b, o.point_b});
   return first(p) - second(p) - pair.c;
+}
+
+/// The bodies' support functions.
+template <class S>
+[[nodiscard]] inline std::array<SupportShape<S>, 2> support_shapes(const SuperellipsoidPair<S>& pair) {
+  const Vector3<Both<S>>& a = pair.semi_axes;
+  const Matrix3<Both<S>>& r = pair.rotation;
+  const Matrix3<Both<S>> map{Vector3<Both<S>>{r.row0.x, r.row1.x, r.row2.x} * a.x,
+                             Vector3<Both<S>>{r.row0.y, r.row1.y, r.row2.y} * a.y,
+                             Vector3<Both<S>>{r.row0.z, r.row1.z, r.row2.z} * a.z};
+  const auto dual = [](const LevelShape<S>& level) { return select<S>(level.dual, level.nu, S(1) + level.inverse); };
+  const Both<S> m1 = dual(pair.outer), m2 = dual(pair.inner);
+  return {SupportShape<S>{first(map), first<S>(m1), first<S>(m2)},
+          SupportShape<S>{second(map), second<S>(m1), second<S>(m2)}};
 }
 
 }  // namespace plumb

@@ -1,0 +1,173 @@
+// What the search over directions rests on: the lower bound of curvature, and the game of witnesses.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "properties/generators.hpp"
+#include "solver/method/curvature_floor.hpp"
+#include "solver/method/witness_game.hpp"
+#include "solver/pose.hpp"
+#include "solver/shape/superellipsoid.hpp"
+#include "solver/shape/tangent.hpp"
+
+namespace plumb {
+namespace {
+
+/// Two bodies and a square of directions.
+struct Squared {
+  PlacedPair<double> pair;
+  DirectionSquare<double> square;
+
+  [[nodiscard]] std::array<SupportShape<double>, 2> support_shapes() const {
+    const auto of = [](const PlacedBody<double>& body) {
+      const Mat3<double> map = body.shape.semi_axes.asDiagonal() * body.rotation.transpose();
+      const auto row = [&](int i) { return Vector3<double>::of(map.row(i).transpose()); };
+      const auto dual = [](double n) { return n / (n - 1); };
+      return SupportShape<double>{{row(0), row(1), row(2)}, dual(body.shape.n1), dual(body.shape.n2)};
+    };
+    return {of(pair.body1), of(pair.body2)};
+  }
+
+  /// The least eigenvalue of the second derivative at v, from shape/'s closed form.
+  [[nodiscard]] long double least_curvature(const Vec3<long double>& v) const {
+    Eigen::Matrix<long double, 3, 2> sides;
+    sides << square.across[0].eigen().cast<long double>(), square.across[1].eigen().cast<long double>();
+    Mat3<long double> hessian = Mat3<long double>::Zero();
+    for (const PlacedBody<double>* body : {&pair.body1, &pair.body2}) {
+      const Superellipsoid<long double> shape{body->shape.semi_axes.cast<long double>(), body->shape.n1,
+                                              body->shape.n2};
+      const Mat3<long double> rotation = body->rotation.cast<long double>();
+      hessian += rotation * support_hessian<long double>(shape, rotation.transpose() * v.normalized()).hessian *
+                 rotation.transpose();
+    }
+    const Eigen::Matrix<long double, 2, 2> across = sides.transpose() * hessian * sides / v.norm();
+    return across.allFinite() ? across.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff()
+                              : std::numeric_limits<long double>::infinity();
+  }
+
+  [[nodiscard]] Vec3<long double> at(long double a, long double b) const {
+    const auto wide = [](const Vector3<double>& v) -> Vec3<long double> { return v.eigen().cast<long double>(); };
+    return wide(square.n) + square.reach * (a * wide(square.across[0]) + b * wide(square.across[1]));
+  }
+};
+
+Squared squared(const Pair& pair, const Vec3<double>& own_n, double reach) {
+  Squared out{place<double>(pair), {}};
+  const Vec3<double> n = (out.pair.body1.rotation * own_n).normalized();
+  const Tangent<double> across = tangent_basis<double>(n);
+  out.square = {
+      Vector3<double>::of(n), {Vector3<double>::of(across.col(0)), Vector3<double>::of(across.col(1))}, reach};
+  return out;
+}
+
+Squared draw_squared(const Superellipsoid<double>& shape1, const Superellipsoid<double>& shape2, Stream& stream) {
+  Pair pair{{shape1, Vec3<double>::Zero(), random_rotation(stream)}, {shape2, Vec3<double>::Zero(), {1, 0, 0, 0}}};
+  pair.body2.quaternion = stream.chance(0.3) ? pair.body1.quaternion : random_rotation(stream);
+  // Poles, edges and flats of body 1 as often as anywhere.
+  const Vec3<double> own_n = generators::draw_direction(stream);
+  return squared(pair, own_n, stream.log_uniform(1e-8, 0.5));
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+RC_GTEST_PROP(CurvatureFloor, IsBelowTheCurvatureAllOverTheSquare, ()) {
+  Stream stream("curvature floor", *rc::gen::arbitrary<std::uint64_t>(), 0);
+  const Squared drawn = draw_squared(*generators::shape(), *generators::shape(), stream);
+  const long double floor = curvature_floor<double>(drawn.support_shapes(), drawn.square, infinite);
+  RC_CLASSIFY(floor > 0, "positive");
+  for (int i = 0; i < 32; ++i) {
+    const bool is_corner = i < 4;
+    const long double a = is_corner ? (i % 2 == 0 ? -1 : 1) : stream.uniform(-1, 1),
+                      b = is_corner ? (i < 2 ? -1 : 1) : stream.uniform(-1, 1);
+    RC_ASSERT(floor <= drawn.least_curvature(drawn.at(a, b)) * (1 + 1e-9L) + 1e-12L);
+  }
+}
+
+TEST(CurvatureFloor, IsTheCurvatureOfASmallSquare) {
+  Stream stream("curvature floor", 1, 0);
+  int near = 0;
+  const int pairs = 400;
+  for (int i = 0; i < pairs; ++i) {
+    const auto shape = [&] {
+      Superellipsoid<double> out = random_ellipsoid(stream, 5);
+      out.n1 = stream.log_uniform(1.2, 20);
+      out.n2 = stream.log_uniform(1.2, 20);
+      return out;
+    };
+    const Pair pair{{shape(), Vec3<double>::Zero(), random_rotation(stream)},
+                    {shape(), Vec3<double>::Zero(), random_rotation(stream)}};
+    const Squared drawn = squared(pair, random_direction(stream), 1e-9);
+    const double floor = curvature_floor<double>(drawn.support_shapes(), drawn.square, infinite);
+    near += floor >= 0.99 * static_cast<double>(drawn.least_curvature(drawn.at(0, 0))) ? 1 : 0;
+  }
+  EXPECT_GT(near, 0.99 * pairs);
+}
+
+TEST(CurvatureFloor, OfASphereIsItsRadius) {
+  const Squared spheres = squared({}, Vec3<double>(1, 2, 3), 1e-8);
+  EXPECT_NEAR(curvature_floor<double>(spheres.support_shapes(), spheres.square, infinite), 2, 1e-3);
+}
+
+using Game = WitnessGame<double>;
+
+/// The place is a mixture of these with shares whose sum is its z.
+constexpr Game::Corners flat_corners{{{-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}}};
+
+double least_height(const Vector3<double>& witness, const Game::Corners& corners) {
+  double out = infinite;
+  for (const Vector3<double>& corner : corners) out = std::min(out, dot(witness, corner));
+  return out;
+}
+
+RC_GTEST_PROP(WitnessGame, TheBestMixtureIsAsHighAsThePlaceIsLow, ()) {
+  Stream stream("witness game", *rc::gen::arbitrary<std::uint64_t>(), 0);
+  const std::size_t count = 1 + stream.below(Game::most_witnesses);
+  const double size = stream.log_uniform(1e-9, 1e9);
+  Game game;
+  std::vector<Vector3<double>> witnesses;
+  for (std::size_t j = 0; j < count; ++j) {
+    // Flat ones, and the same twice, are what a search meets.
+    const double flatness = stream.chance(0.5) ? 1 : 1e-6;
+    const bool is_known = j > 0 && stream.chance(0.1);
+    witnesses.push_back(is_known ? witnesses[stream.below(j)]
+                                 : Vector3<double>{stream.uniform(-1, 1) * flatness, stream.uniform(-1, 1) * flatness,
+                                                   stream.uniform(-1, 1)} *
+                                       size);
+    game.add(witnesses.back());
+  }
+  const auto [mixture, place] = game.play(flat_corners, -4 * size);  // below all: no early end
+  const double value = least_height(mixture, flat_corners), shares = place.z;
+  double at_place = -infinite;
+  for (const Vector3<double>& witness : witnesses) {
+    RC_ASSERT(value >= least_height(witness, flat_corners) - 1e-9 * size);
+    at_place = std::max(at_place, dot(witness, place) / shares);
+  }
+  RC_ASSERT(std::abs(place.x) <= shares * (1 + 1e-12) && std::abs(place.y) <= shares * (1 + 1e-12));
+  RC_ASSERT(std::abs(value - at_place) <= 1e-9 * size);  // no mixture is higher there, nor any place lower
+}
+
+RC_GTEST_PROP(WitnessGame, EndsEarlyWhereNoMixtureIsAsHighAsWanted, ()) {
+  Stream stream("early end", *rc::gen::arbitrary<std::uint64_t>(), 0);
+  Game game;
+  for (std::size_t j = 0; j < 8; ++j) game.add(Vector3<double>::of(random_direction(stream)));
+  const double value = least_height(game.play(flat_corners, -4).mixture, flat_corners);
+  const double wanted = value + stream.signed_log_uniform(1e-6, 1);
+  const auto [mixture, place] = game.play(flat_corners, wanted);
+  RC_ASSERT((least_height(mixture, flat_corners) >= wanted) == (value >= wanted));
+  if (value < wanted) RC_ASSERT(!game.reaches(wanted * place.z / length(place), place));
+}
+
+TEST(WitnessGame, TwoWitnessesExcludeAGrooveThatNeitherDoes) {
+  // o = |x| + 0.1 over the directions (x, y, 1): a groove along x = 0.
+  Game game;
+  const Vector3<double> left{-1, 0, 0.1}, right{1, 0, 0.1};
+  game.add(left);
+  game.add(right);
+  EXPECT_LT(least_height(left, flat_corners), 0);
+  EXPECT_LT(least_height(right, flat_corners), 0);
+  EXPECT_NEAR(least_height(game.play(flat_corners, 0).mixture, flat_corners), 0.1, 1e-12);
+}
+
+}  // namespace
+}  // namespace plumb
