@@ -41,6 +41,7 @@ class DirectionSearch {
     for (int face = 0; face < faces; ++face) push({0, 0, static_cast<std::int8_t>(face), 0, -1});
     while (!is_complete() && found_.may_go_on())
       look_at(queue_[static_cast<std::size_t>(looked_at_++ % longest_queue)]);
+    if (found_.has_seen_lower() && found_.may_go_on()) solve_from(found_.seen_along(), Tries::all);
     return found_.answer(is_complete() && !is_too_deep_);
   }
 
@@ -50,23 +51,24 @@ class DirectionSearch {
   using Corners = typename Game::Corners;
 
   static constexpr int faces = 6;
-  static constexpr int deepest = 24;        // 2^-24 of a face
-  static constexpr int first_game = 3;      // of wider cells no mixture says more than one witness
-  static constexpr int first_groove = 8;    // narrower cells are cut more than once
-  static constexpr int most_cuts = 3;       // evaluations in a cell
-  static constexpr int last_witnesses = 6;  // more save evaluations, and no time
-  static constexpr int solve_each = 3;      // levels between two local solves
+  static constexpr int deepest = std::min(26, std::numeric_limits<S>::digits - 2);  // 2^-26 of a face
+  static constexpr int first_game = 3;               // of wider cells no mixture says more than one witness
+  static constexpr int first_groove = 8;             // narrower cells are cut more than once
+  static constexpr int few_cuts = 3, most_cuts = 8;  // evaluations in a cell, in one that can't be divided
+  static constexpr int last_witnesses = 6;           // more save evaluations, and no time
+  static constexpr int solve_each = 3;               // levels between two local solves
   static constexpr int most_known = 16;
   static constexpr int most_fruitless = 4;    // solves in a row that find what is known
   static constexpr int patience = 2;          // levels from a solve in vain to the next
   static constexpr double known_reach = 4;    // half edges of a cell
+  static constexpr int first_insisting = 4;   // level: of wider cells a start may be far from the minimum
   static constexpr int last_insisting = 700;  // a descent below
   static constexpr int most_seen = Found::most_evaluations + 8,
                        longest_queue = 4096;  // four parts of each that was seen
 
-  /// Small, for there may be thousands. u and v have no more than `deepest` binary digits.
+  /// Small, for there may be thousands.
   struct Cell {
-    float u, v;  ///< the middle
+    std::int32_t u, v;  ///< the middle, in half edges of the cell
     std::int8_t face, level;
     std::int16_t witness;  ///< of the cell above; -1 for a face
 
@@ -81,8 +83,10 @@ class DirectionSearch {
 
   [[nodiscard]] bool is_complete() const { return looked_at_ == pushed_ || found_.is_settled(); }
 
-  [[nodiscard]] static Vector3<S> on_face(const Cell& cell, const S& u, const S& v) {
-    const S w = cell.face % 2 == 0 ? S(1) : S(-1);
+  /// So many half edges off the middle.
+  [[nodiscard]] static Vector3<S> at(const Cell& cell, int off_u, int off_v) {
+    const S w = cell.face % 2 == 0 ? S(1) : S(-1), u = S(cell.u + off_u) * cell.half(),
+            v = S(cell.v + off_v) * cell.half();
     if (cell.face < 2) return {w, u, v};
     return cell.face < 4 ? Vector3<S>{v, w, u} : Vector3<S>{u, v, w};
   }
@@ -90,9 +94,7 @@ class DirectionSearch {
   [[nodiscard]] static Vector3<S> unit(const Vector3<S>& v) { return v * (S(1) / length(v)); }
 
   [[nodiscard]] static Corners corners_of(const Cell& c) {
-    const S u(c.u), v(c.v), h = c.half();
-    return {unit(on_face(c, u - h, v - h)), unit(on_face(c, u + h, v - h)), unit(on_face(c, u - h, v + h)),
-            unit(on_face(c, u + h, v + h))};
+    return {unit(at(c, -1, -1)), unit(at(c, 1, -1)), unit(at(c, -1, 1)), unit(at(c, 1, 1))};
   }
 
   void push(const Cell& cell) { queue_[static_cast<std::size_t>(pushed_++ % longest_queue)] = cell; }
@@ -101,11 +103,11 @@ class DirectionSearch {
     const Corners corners = corners_of(cell);
     if (is_mirrored(corners) || is_excluded(corners, cell.witness) || is_explained(corners)) return;
     if (becomes_excluded(cell, corners) || is_explained(corners)) return;
-    const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v));
+    const Vector3<S> middle = at(cell, 0, 0);
     const bool is_due = cell.level > 0 && cell.level % solve_each == 0 && fruitless_ < most_fruitless;
     if (is_due && !is_known_near(cell, middle)) explore_from(middle);
     if (cell.level < deepest) return divide(cell);
-    solve_from(middle, true);
+    solve_from(middle, Tries::several);
     is_too_deep_ = is_too_deep_ || !is_explained(corners);
   }
 
@@ -131,10 +133,10 @@ class DirectionSearch {
   /// Sees more of the cell; whether nothing in it is lower. Ends as well where o is lower than that of any common normal
   /// known, and where what the witnesses do not exclude is between the corners alone, which dividing brings closer.
   [[nodiscard]] bool becomes_excluded(const Cell& cell, const Corners& corners) {
-    const Vector3<S> middle = on_face(cell, S(cell.u), S(cell.v));
+    const Vector3<S> middle = at(cell, 0, 0);
     if (cell.level < first_game) return !see(middle, cell.level) && is_excluded(corners, seen_[last_seen()]);
     Game game = witnesses_for(cell);
-    const int cuts = cell.level < first_groove ? 1 : most_cuts;
+    const int cuts = cell.level < first_groove ? 1 : cell.level < deepest ? few_cuts : most_cuts;
     for (int cut = 0; cut <= cuts; ++cut) {
       const auto [mixture, place] = game.play(corners, found_.excluded_height());
       if (is_excluded(corners, mixture)) return true;
@@ -163,17 +165,17 @@ class DirectionSearch {
     const Vector3<S> g = found_.farthest(v);
     seen_[static_cast<std::size_t>(seen_count_++)] = found_.witness(v, g);
     if (!found_.sees_lower(v, g)) return false;
-    if (level >= next_solve_)
-      next_solve_ = solve_from(v, found_.best().evaluations < last_insisting) ? 0 : level + patience;
+    if (level < next_solve_) return true;
+    const bool is_worth_more = level >= first_insisting && found_.best().evaluations < last_insisting;
+    next_solve_ = solve_from(v, is_worth_more ? Tries::several : Tries::one) ? 0 : level + patience;
     return true;
   }
 
   void divide(const Cell& c) {
     const auto level = static_cast<std::int8_t>(c.level + 1);
     const auto witness = static_cast<std::int16_t>(seen_count_ - 1);
-    const float half = static_cast<float>(c.half()) / 2;
-    for (const float u : {c.u - half, c.u + half})
-      for (const float v : {c.v - half, c.v + half}) push({u, v, c.face, level, witness});
+    for (const int u : {-1, 1})
+      for (const int v : {-1, 1}) push({2 * c.u + u, 2 * c.v + v, c.face, level, witness});
   }
 
   [[nodiscard]] bool is_explained(const Corners& corners) {
@@ -188,8 +190,8 @@ class DirectionSearch {
   }
 
   /// Whether the common normal found is the lowest so far.
-  bool solve_from(const Vector3<S>& v, bool insists) {
-    const Answer found = found_.solve(v, insists);
+  bool solve_from(const Vector3<S>& v, Tries tries) {
+    const Answer found = found_.solve(v, tries);
     return found.status == Status::converged && take(found);
   }
 
@@ -197,7 +199,7 @@ class DirectionSearch {
     remember(found);
     const bool is_lower = found_.take(found);
     const bool is_backwards = dot(found.normal, form_.centre()) < -found_.rounding();  // then -n is as much lower
-    if (is_backwards && found.overlap <= found_.best().overlap) solve_from(found.normal * S(-1), true);
+    if (is_backwards && found.overlap <= found_.best().overlap) solve_from(found.normal * S(-1), Tries::several);
     return is_lower;
   }
 
@@ -210,7 +212,7 @@ class DirectionSearch {
 
   void explore_from(const Vector3<S>& v) {
     const int known = known_count_;
-    solve_from(v, false);
+    solve_from(v, Tries::one);
     fruitless_ = known_count_ > known ? 0 : fruitless_ + 1;
   }
 

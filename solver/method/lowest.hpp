@@ -1,7 +1,7 @@
 // What a search for the lowest common normal has found, and what it saw on the way.
 //
 // `Form` offers   Vector3<S> farthest(v): p1 - p2 of the points farthest along v and -v, for any v but zero
-//                 Answer solve(v, insists): a local solve, by all means where it insists; Answer has status, overlap,
+//                 Answer solve(v, tries): a local solve; Answer has status, overlap,
 //                 normal, iterations, evaluations
 //                 Vector3<S> centre(): from body 1's centre to body 2's
 //                 S rolling_ball(): radius of a ball that rolls inside the bodies' Minkowski sum K, or less
@@ -18,6 +18,9 @@
 #include "solver/method/curvature_floor.hpp"
 
 namespace plumb {
+
+/// How much a local solve is worth.
+enum class Tries { one, several, all };
 
 template <class S, class Form, class Answer>
 class Lowest {
@@ -56,12 +59,16 @@ class Lowest {
   /// Whether o along v is below that of every common normal found; g = farthest(v).
   [[nodiscard]] bool sees_lower(const Vector3<S>& v, const Vector3<S>& g) {
     const S here = dot(g, v) / length(v);
-    lowest_seen_ = std::min(lowest_seen_, here);
+    if (here < lowest_seen_) lowest_seen_ = here, seen_along_ = v;
     return here < found_level() - rounding();
   }
 
-  [[nodiscard]] Answer solve(const Vector3<S>& v, bool insists) {
-    const Answer found = form_.solve(v, insists);
+  /// Whether o was seen below that of every common normal found, and where it was the lowest.
+  [[nodiscard]] bool has_seen_lower() const { return lowest_seen_ < found_level() - rounding(); }
+  [[nodiscard]] const Vector3<S>& seen_along() const { return seen_along_; }
+
+  [[nodiscard]] Answer solve(const Vector3<S>& v, Tries tries) {
+    const Answer found = form_.solve(v, tries);
     best_.evaluations += found.evaluations;
     return found;
   }
@@ -78,7 +85,7 @@ class Lowest {
   /// The lowest; not converged where it is not known to be that, or o was seen below it.
   [[nodiscard]] Answer answer(bool is_complete) const {
     Answer out = best_;
-    if (is_found() && (!is_complete || lowest_seen_ < found_level() - rounding())) out.status = Status::stalled;
+    if (is_found() && (!is_complete || has_seen_lower())) out.status = Status::stalled;
     return out;
   }
 
@@ -86,7 +93,7 @@ class Lowest {
   [[nodiscard]] S rounding() const { return S(noise) * epsilon<S>() * size_; }
 
  private:
-  static constexpr double noise = 64;  // epsilon times this and the size: rounding of a gradient
+  static constexpr double noise = 16;  // epsilon times this and the size: as much as a residual may be
 
   /// o of the lowest common normal found.
   [[nodiscard]] S found_level() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }
@@ -95,6 +102,7 @@ class Lowest {
   S size_, ball_;
   Answer best_;
   S lowest_seen_ = std::numeric_limits<S>::infinity();
+  Vector3<S> seen_along_{};  ///< of any length
 };
 
 }  // namespace plumb

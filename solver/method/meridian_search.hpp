@@ -63,7 +63,8 @@ class MeridianSearch {
     const Vector3<S> v = piece.at(cell.middle), g = found_.farthest(v), witness = found_.witness(v, g);
     if (is_excluded(from, to, witness)) return;
     if (found_.sees_lower(v, g)) {
-      const Answer there = found_.solve(piece.at(descended(piece, cell.middle - half, cell.middle + half)), true);
+      const Answer there =
+          found_.solve(piece.at(descended(piece, cell.middle - half, cell.middle + half)), Tries::several);
       if (there.status == Status::converged) found_.take(there);
     }
     if (cell.level == deepest) {

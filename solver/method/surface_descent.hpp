@@ -147,18 +147,21 @@ struct SurfaceForm {
 
   [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const { return plumb::support_shapes(solver.pair()); }
 
-  /// By Newton where it does not run away uphill, else, where it insists, by descent.
-  [[nodiscard]] SurfaceContact<S> solve(const Vector3<S>& v, bool insists) const {
+  /// By Newton where it does not run away uphill; with more tries from another start and by descent, in the end by line searches.
+  [[nodiscard]] SurfaceContact<S> solve(const Vector3<S>& v, Tries tries) const {
     SurfaceContact<S> out;
     ++out.evaluations;
     const Vector3<S> n = v * (S(1) / length(v));
     const S highest = dot(farthest(n), n) + by_precision<S>(1e-9, 1e-4) * solver.pair().size;
-    const auto finds = [&](StartKind start) {
-      solver.attempt(n, start, Attempt{.limit = 14}, out);
+    const auto finds = [&](StartKind start, const Attempt& attempt) {
+      solver.attempt(n, start, attempt, out);
       return out.minimum && out.overlap <= highest;
     };
-    if (finds(StartKind::normal)) return out;
-    if (insists && (finds(StartKind::middle) || SurfaceDescent<S>(solver, out).solve(n))) return out;
+    constexpr Attempt quick{.limit = 14}, patient{.limit = 30, .line_search = true};
+    if (finds(StartKind::normal, quick)) return out;
+    if (tries >= Tries::several && (finds(StartKind::middle, quick) || SurfaceDescent<S>(solver, out).solve(n)))
+      return out;
+    if (tries == Tries::all && (finds(StartKind::normal, patient) || finds(StartKind::middle, patient))) return out;
     out.status = Status::stalled;
     return out;
   }
