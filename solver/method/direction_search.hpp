@@ -7,6 +7,7 @@
 //           has n.c >= 0, and only such directions are looked at (c from body 1's centre to body 2's)
 // Cells     a quadtree on the faces of a cube of directions, level by level
 // Excluded  where a witness (lowest.hpp) says so at a cell's four corners, or a mixture of several does (witness_game.hpp)
+// Turned    where o changes as directions turn about an axis of revolution (turn_slope.hpp): a common normal has no such slope
 // Explained in a square about a known common normal n on which s is convex, for f is curved by more than the level there
 //           (curvature_floor.hpp): s lies above its tangent plane at n, (o(n) - o) n.v
 // Else      o is evaluated at the cell's middle, or where the witnesses are the lowest, which in narrow grooves of o is
@@ -23,6 +24,7 @@
 #include <cstdint>
 
 #include "solver/method/lowest.hpp"
+#include "solver/method/turn_slope.hpp"
 #include "solver/method/witness_game.hpp"
 
 namespace plumb {
@@ -30,7 +32,9 @@ namespace plumb {
 template <class S, class Form, class Answer>
 class DirectionSearch {
  public:
-  DirectionSearch(const Form& form, const S& size, const Answer& first) : form_(form), found_(form, size, first) {
+  DirectionSearch(const Form& form, const S& size, const Answer& first,
+                  const std::optional<TurnSlope<S>>& turn = std::nullopt)
+      : form_(form), found_(form, size, first), turn_(turn) {
     const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
     forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
   }
@@ -102,6 +106,7 @@ class DirectionSearch {
   void look_at(const Cell cell) {  // a copy: its place in the queue may be taken
     const Corners corners = corners_of(cell);
     if (is_mirrored(corners) || is_excluded(corners, cell.witness) || is_explained(corners)) return;
+    if (turn_ && turn_->has_one_sign(corners)) return;
     if (becomes_excluded(cell, corners) || is_explained(corners)) return;
     const Vector3<S> middle = at(cell, 0, 0);
     const bool is_due = cell.level > 0 && cell.level % solve_each == 0 && fruitless_ < most_fruitless;
@@ -225,6 +230,7 @@ class DirectionSearch {
 
   const Form& form_;
   Found found_;
+  std::optional<TurnSlope<S>> turn_;
   Vector3<S> forwards_;
   std::array<Known, most_known> known_;
   int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;

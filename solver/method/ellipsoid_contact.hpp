@@ -70,9 +70,10 @@ template <class S>
   if (found.status != Status::converged && want.iteration_limit < few_iterations) return found;  // asked to stop
   if (is_warm) found = or_cold_contact(pair, want, found);
   if (is_warm && is_surely_lowest<S>(pair, found)) return found;
-  const std::optional<Vector3<S>> axis = common_axis(place<S>(bodies));
+  const PlacedPair<S> placed = place<S>(bodies);
+  const std::optional<Vector3<S>> axis = common_axis(placed);
   const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
-  return lowest_of_search(axis, form, pair.size, found);
+  return lowest_of_search(placed, axis, form, pair.size, found);
 }
 
 }  // namespace plumb

@@ -214,9 +214,10 @@ template <class S>
                                                       const Want& want, const SurfaceContact<S>& found) {
   if (found.minimum && found.overlap <= pair.rolling_ball) return found;
   if (found.status == Status::iteration_limit) return found;  // asked to stop
-  const std::optional<Vector3<S>> axis = common_axis(place<S>(bodies));
+  const PlacedPair<S> placed = place<S>(bodies);
+  const std::optional<Vector3<S>> axis = common_axis(placed);
   const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
-  return lowest_of_search(axis, SurfaceForm<S>{solver}, pair.reach, found);
+  return lowest_of_search(placed, axis, SurfaceForm<S>{solver}, pair.reach, found);
 }
 
 }  // namespace plumb

@@ -1,11 +1,13 @@
-// What the search over directions rests on: the lower bound of curvature, and the game of witnesses.
+// What the search over directions rests on: the lower bound of curvature, the game of witnesses, the slope along a turn.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include "properties/generators.hpp"
 #include "solver/method/curvature_floor.hpp"
+#include "solver/method/turn_slope.hpp"
 #include "solver/method/witness_game.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
@@ -167,6 +169,68 @@ TEST(WitnessGame, TwoWitnessesExcludeAGrooveThatNeitherDoes) {
   EXPECT_LT(least_height(left, flat_corners), 0);
   EXPECT_LT(least_height(right, flat_corners), 0);
   EXPECT_NEAR(least_height(game.play(flat_corners, 0).mixture, flat_corners), 0.1, 1e-12);
+}
+
+/// A body of revolution about x, y or z; the axis is that of `axis`.
+struct Turned {
+  Superellipsoid<double> shape;
+  int axis;
+};
+
+Turned draw_turned(Stream& stream) {
+  Turned out{{}, static_cast<int>(stream.below(3))};
+  out.shape.semi_axes[out.axis] = stream.log_uniform(0.05, 20);
+  if (out.axis == 2 && stream.chance(0.7)) out.shape.n1 = generators::draw_exponent(stream);
+  return out;
+}
+
+/// The slope of o at n as n turns about body 1's axis, from shape/'s support points.
+long double slope_along_turn(const PlacedPair<double>& pair, int axis, const Vec3<long double>& n) {
+  Vec3<long double> gradient = -pair.body2.centre.cast<long double>();
+  for (const PlacedBody<double>* body : {&pair.body1, &pair.body2}) {
+    const Superellipsoid<long double> shape{body->shape.semi_axes.cast<long double>(), body->shape.n1, body->shape.n2};
+    const Mat3<long double> rotation = body->rotation.cast<long double>();
+    gradient += rotation * support_point<long double>(shape, rotation.transpose() * n).gradient;
+  }
+  return pair.body1.rotation.col(axis).cast<long double>().cross(n).dot(gradient);
+}
+
+RC_GTEST_PROP(TurnSlope, HasTheSignThatItSaysAllOverTheCell, ()) {
+  Stream stream("turn slope", *rc::gen::arbitrary<std::uint64_t>(), 0);
+  const Turned body1 = draw_turned(stream), body2 = draw_turned(stream);
+  RC_PRE(body1.shape.semi_axes != Vec3<double>::Ones());
+  Pair pair{{body1.shape, Vec3<double>::Zero(), random_rotation(stream)}, {body2.shape, random_direction(stream), {}}};
+  // Nearly coaxial and far from it.
+  const Mat3<double> own = place<double>(Pair{pair.body1, pair.body1}).body1.rotation;
+  const double tilt = stream.log_uniform(1e-12, 1);
+  const Vec3<double> axis1 = own.col(body1.axis), axis2 = (axis1 + tilt * random_direction(stream)).normalized();
+  const Vec3<double> from = Vec3<double>::Unit(body2.axis);
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, axis2);
+  pair.body2.quaternion = {turn.w(), turn.x(), turn.y(), turn.z()};
+  pair.body2.position = axis1 * stream.uniform(-1, 1) + tilt * random_direction(stream);
+  const PlacedPair<double> placed = place<double>(pair);
+  const auto slope = TurnSlope<double>::of(placed);
+  RC_ASSERT(slope.has_value());
+  const Vec3<double> middle = random_direction(stream);
+  const Tangent<double> across = tangent_basis<double>(middle);
+  const double half = stream.log_uniform(1e-4, 0.5);
+  Game::Corners corners;
+  const auto at = [&](double a, double b) {
+    return (middle + half * (across.col(0) * a + across.col(1) * b)).normalized().eval();
+  };
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = Vector3<double>::of(at(k % 2 == 0 ? -1 : 1, k < 2 ? -1 : 1));
+  const bool has_one_sign = slope->has_one_sign(corners);
+  RC_CLASSIFY(has_one_sign, "one sign");
+  if (!has_one_sign) return;
+  const auto of = [&](const Vec3<double>& n) { return slope_along_turn(placed, body1.axis, n.cast<long double>()); };
+  const bool is_positive = of(middle) > 0;
+  for (int i = 0; i < 32; ++i) RC_ASSERT((of(at(stream.uniform(-1, 1), stream.uniform(-1, 1))) > 0) == is_positive);
+}
+
+TEST(TurnSlope, IsNoneOfBodiesThatAreNotOfRevolution) {
+  Pair pair;
+  pair.body1.shape.semi_axes = {1, 2, 3};
+  EXPECT_FALSE(TurnSlope<double>::of(place<double>(pair)).has_value());
 }
 
 }  // namespace
