@@ -6,11 +6,11 @@
 //
 // beside the pole    r = |(x, y)|:  F_r W(x, y) (x dy - y dx)^2 + W(r, z) (r dz - z dr)^2
 //                    W(x, y) = (m-1) |xy|^(m-2) / |(x, y)|^(2m-1)
-// about the pole     x = y = 0, exponents n of 2 and more:  W(r, z) z (m2-1) (dx - (x/z) dz)^2, and the same of y; for
+// about the pole     x = y = 0, exponents n of 2 and more:  W(r, z) z^2 (m2-1) (dx - (x/z) dz)^2, and the same of y; for
 //                    |.|_m^2 / 2 is curved by m-1 or more (m <= 2), and so is F where r F_rr <= F_r
 // of ellipsoids      (the three components of q x dq)^2 / |q|^3, q = A v
 //
-// W is log-concave in the ratio y/x: least at an end of the ratio's range. x dy - y dx is linear in (a, b) with the one slope
+// log W is concave in the logarithm of the ratio y/x: W is least at an end of the ratio's range. x dy - y dx is linear in (a, b) with the one slope
 // X0 Y1 - X1 Y0 (X, Y: the rows of A t), and r dz - z dr is linear in the gradient of r, whose components are monotonic in the ratio.
 // The least eigenvalue of the sum is bounded by its determinant, sum of w w' (k x k')^2, which has no cancellation.
 #pragma once
@@ -72,10 +72,12 @@ struct PlaneNorm {
   S value, by_first, by_second, weight;
 };
 
+/// For m above 2 the weight at ratios below epsilon is that at epsilon: so narrow a strip changes s by no more than rounding.
 template <class S>
 [[nodiscard]] inline PlaneNorm<S> plane_norm(const S& m, const S& r) {
   using std::exp;
   using std::log;
+  using std::max;
   using std::min;
   using std::sqrt;
   const S most = by_precision<S>(1e60, 1e12);  // in the place of infinity: its square is finite
@@ -83,10 +85,16 @@ template <class S>
     const S value = sqrt(S(1) + r * r), inverse = S(1) / value;
     return {value, inverse, r * inverse, inverse * inverse * inverse};
   }
-  if (r == S(0)) return {S(1), S(1), S(0), m < S(2) ? most : S(0)};
-  const S power = exp((m - S(2)) * log(r)), all = S(1) + power * r * r;
+  if (r > S(1)) {  // powers of no more than 1 do not overflow
+    const S inverse = S(1) / r;
+    const PlaneNorm<S> other = plane_norm<S>(m, inverse);
+    return {r * other.value, other.by_second, other.by_first, other.weight * inverse * inverse * inverse};
+  }
+  if (r == S(0) && m < S(2)) return {S(1), S(1), S(0), most};
+  const S ratio = max(r, m < S(2) ? S(0) : epsilon<S>());
+  const S power = exp((m - S(2)) * log(ratio)), all = S(1) + power * ratio * ratio;
   const S by_first = exp(-log(all) * ((m - S(1)) / m));
-  return {all * by_first, by_first, power * r * by_first, min(most, (m - S(1)) * power * by_first / all)};
+  return {all * by_first, by_first, power * ratio * by_first, min(most, (m - S(1)) * power * by_first / all)};
 }
 
 /// One body's q = A v over a square. x is the larger of x and y.

@@ -43,9 +43,8 @@ class DirectionSearch {
   [[nodiscard]] Answer lowest() {
     if (const Answer first = found_.best(); found_.is_found()) take(first);
     for (int face = 0; face < faces; ++face) push({0, 0, static_cast<std::int8_t>(face), 0, -1});
-    while (!is_complete() && found_.may_go_on())
-      look_at(queue_[static_cast<std::size_t>(looked_at_++ % longest_queue)]);
-    if (found_.has_seen_lower() && found_.may_go_on()) solve_from(found_.seen_along(), Tries::all);
+    while (!is_complete() && found_.may_go_on()) look_at(queue_[static_cast<std::size_t>(looked_at_++)]);
+    found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
   }
 
@@ -67,8 +66,8 @@ class DirectionSearch {
   static constexpr double known_reach = 4;    // half edges of a cell
   static constexpr int first_insisting = 4;   // level: of wider cells a start may be far from the minimum
   static constexpr int last_insisting = 700;  // a descent below
-  static constexpr int most_seen = Found::most_evaluations + 8,
-                       longest_queue = 4096;  // four parts of each that was seen
+  static constexpr int most_seen = Found::most_evaluations + most_cuts, longest_queue = faces + 4 * most_seen;
+  static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Game::most_witnesses));
 
   /// Small, for there may be thousands.
   struct Cell {
@@ -101,9 +100,9 @@ class DirectionSearch {
     return {unit(at(c, -1, -1)), unit(at(c, 1, -1)), unit(at(c, -1, 1)), unit(at(c, 1, 1))};
   }
 
-  void push(const Cell& cell) { queue_[static_cast<std::size_t>(pushed_++ % longest_queue)] = cell; }
+  void push(const Cell& cell) { queue_[static_cast<std::size_t>(pushed_++)] = cell; }
 
-  void look_at(const Cell cell) {  // a copy: its place in the queue may be taken
+  void look_at(const Cell& cell) {
     const Corners corners = corners_of(cell);
     if (is_mirrored(corners) || is_excluded(corners, cell.witness) || is_explained(corners)) return;
     if (turn_ && turn_->has_one_sign(corners)) return;
@@ -203,7 +202,8 @@ class DirectionSearch {
   bool take(const Answer& found) {
     remember(found);
     const bool is_lower = found_.take(found);
-    const bool is_backwards = dot(found.normal, form_.centre()) < -found_.rounding();  // then -n is as much lower
+    const bool is_backwards =
+        dot(found.normal, form_.centre()) < -found_.rounding() && found_.may_go_on();  // then -n is as much lower
     if (is_backwards && found.overlap <= found_.best().overlap) solve_from(found.normal * S(-1), Tries::several);
     return is_lower;
   }

@@ -9,7 +9,9 @@
 //
 // Witness         K = K' + (ball of radius r), so that o - r is the overlap with K'. f'(v) = (o - r)|v| >= g'.v for any g' of K',
 //                 wherever it was found, and g'.v - (level - r)|v| is concave: where it is not negative at some
-//                 directions nothing between them is lower
+//                 directions nothing between them is lower. It is not concave where the level is below r; but then any
+//                 common normal of that o is the lowest, whatever was excluded
+// Slack           16 epsilon twice: cells are excluded to that below the lowest o seen, and an answer is one to that above it
 #pragma once
 
 #include <algorithm>
@@ -50,7 +52,7 @@ class Lowest {
     return g - v * (ball_ / length(v));
   }
 
-  /// g' of a common normal.
+  /// g' of a common normal, to its residual.
   [[nodiscard]] Vector3<S> witness(const Answer& found) const { return found.normal * (found.overlap - ball_); }
 
   /// A witness as high as this along a unit vector shows that o there is not below the level, to rounding.
@@ -62,10 +64,6 @@ class Lowest {
     if (here < lowest_seen_) lowest_seen_ = here, seen_along_ = v;
     return here < found_level() - rounding();
   }
-
-  /// Whether o was seen below that of every common normal found, and where it was the lowest.
-  [[nodiscard]] bool has_seen_lower() const { return lowest_seen_ < found_level() - rounding(); }
-  [[nodiscard]] const Vector3<S>& seen_along() const { return seen_along_; }
 
   [[nodiscard]] Answer solve(const Vector3<S>& v, Tries tries) {
     const Answer found = form_.solve(v, tries);
@@ -82,6 +80,13 @@ class Lowest {
     return true;
   }
 
+  /// Solves once more where o was seen below every common normal found.
+  void solve_lower() {
+    if (!has_seen_lower() || !may_go_on()) return;
+    const Answer found = solve(seen_along_, Tries::all);
+    if (found.status == Status::converged) take(found);
+  }
+
   /// The lowest; not converged where it is not known to be that, or o was seen below it.
   [[nodiscard]] Answer answer(bool is_complete) const {
     Answer out = best_;
@@ -94,6 +99,8 @@ class Lowest {
 
  private:
   static constexpr double noise = 16;  // epsilon times this and the size: as much as a residual may be
+
+  [[nodiscard]] bool has_seen_lower() const { return lowest_seen_ < found_level() - rounding(); }
 
   /// o of the lowest common normal found.
   [[nodiscard]] S found_level() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }

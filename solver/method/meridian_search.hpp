@@ -31,6 +31,7 @@ class MeridianSearch {
   [[nodiscard]] Answer lowest() {
     for (int piece = 0; piece < 2; ++piece) push({piece, 0, S(0.5), {}});
     while (!is_complete() && found_.may_go_on()) look_at(open_[--open_count_]);
+    found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
   }
 

@@ -38,7 +38,7 @@ class WitnessGame {
     const S wanted = (height - lowest_) * scale_ + S(1);
     for (int pivots = 0; pivots < most_pivots && total_ * wanted <= S(1); ++pivots) {
       const std::size_t column = entering(), row = leaving(column);
-      if (!(objective_[column] > S(least_gain)) || row == count_) break;
+      if (!(objective_[column] > tiny()) || row == count_) break;
       pivot(row, column);
     }
     return outcome(corners);
@@ -53,7 +53,9 @@ class WitnessGame {
 
  private:
   static constexpr int most_pivots = 24;
-  static constexpr double least_gain = 1e-12;  // and pivot: the tableau's numbers are about 1
+  static constexpr double least_gain = 1e-12,
+                          least_gain_in_float = 1e-5;  // and pivot: the tableau's numbers are about 1
+  [[nodiscard]] static S tiny() { return by_precision<S>(least_gain, least_gain_in_float); }
   using Row = std::array<S, corner_count>;
 
   /// Heights between 1 and 2.
@@ -85,7 +87,7 @@ class WitnessGame {
     std::size_t best = count_;
     for (std::size_t j = 0; j < count_; ++j) {
       const S& entry = rows_[j][column];
-      if (!(entry > S(least_gain))) continue;
+      if (!(entry > tiny())) continue;
       if (best == count_ || right_[j] * rows_[best][column] < right_[best] * entry) best = j;
     }
     return best;

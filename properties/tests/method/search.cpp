@@ -106,6 +106,17 @@ TEST(CurvatureFloor, IsTheCurvatureOfASmallSquare) {
   EXPECT_GT(near, 0.99 * pairs);
 }
 
+TEST(CurvatureFloor, PowersOfLargeRatiosDoNotOverflow) {
+  for (const float m : {11.0F, 21.0F, 1001.0F})
+    for (const float r : {10.0F, 1e4F, 1e17F}) {
+      const detail::PlaneNorm<float> at = detail::plane_norm<float>(m, r);
+      EXPECT_FLOAT_EQ(at.value, r) << m;
+      EXPECT_FLOAT_EQ(at.by_second, 1) << m;
+      EXPECT_LT(at.weight, 1e-3F) << m << ' ' << r;
+      EXPECT_GE(at.weight, 0) << m << ' ' << r;
+    }
+}
+
 TEST(CurvatureFloor, OfASphereIsItsRadius) {
   const Squared spheres = squared({}, Vec3<double>(1, 2, 3), 1e-8);
   EXPECT_NEAR(curvature_floor<double>(spheres.support_shapes(), spheres.square, infinite), 2, 1e-3);
