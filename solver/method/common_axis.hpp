@@ -25,17 +25,24 @@ template <class S>
   return is_ellipsoid && a[1] == a[2] ? Revolution::about_x : Revolution::none;
 }
 
+/// The index of a body's own axis of revolution; of a sphere's, any.
+[[nodiscard]] inline int axis_index(Revolution kind) {
+  return kind == Revolution::about_x ? 0 : kind == Revolution::about_y ? 1 : 2;
+}
+
+template <class S>
+[[nodiscard]] Vec3<S> axis_of(const PlacedBody<S>& body, Revolution kind) {
+  return body.rotation.col(axis_index(kind));
+}
+
 }  // namespace detail
 
 /// Unit vector along it; none where the axes or the centres miss it by more than rounding.
 template <class S>
 [[nodiscard]] std::optional<Vector3<S>> common_axis(const PlacedPair<S>& placed) {
-  using detail::Revolution;
+  using detail::axis_of, detail::Revolution;
   const Revolution kind1 = detail::revolution_of(placed.body1.shape), kind2 = detail::revolution_of(placed.body2.shape);
   if (kind1 == Revolution::none || kind2 == Revolution::none) return std::nullopt;
-  const auto axis_of = [](const PlacedBody<S>& body, Revolution kind) -> Vec3<S> {
-    return body.rotation.col(kind == Revolution::about_x ? 0 : kind == Revolution::about_y ? 1 : 2);
-  };
   const Vec3<S>& c = placed.body2.centre;
   const S rounding = S(8) * epsilon<S>();
   const bool are_spheres = kind1 == Revolution::about_all && kind2 == Revolution::about_all;

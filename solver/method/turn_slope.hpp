@@ -48,24 +48,17 @@ class TurnSlope {
     const bool turns_about_second = kind1 == detail::Revolution::about_all;  // any axis is a sphere's
     const PlacedBody<S>&turned = turns_about_second ? pair.body2 : pair.body1,
           &other = turns_about_second ? pair.body1 : pair.body2;
-    const Vec3<S> about = axis_of(turned, turns_about_second ? kind2 : kind1);
+    const Vec3<S> about = detail::axis_of(turned, turns_about_second ? kind2 : kind1);
     const detail::Revolution kind = turns_about_second ? kind1 : kind2;
     is_sphere_ = kind == detail::Revolution::about_all;
-    axis_ = Vector3<S>::of(axis_of(other, kind));
-    const int along = index_of(kind), across = along == 0 ? 1 : 0;
+    axis_ = Vector3<S>::of(detail::axis_of(other, kind));
+    const int along = detail::axis_index(kind), across = along == 0 ? 1 : 0;
     radius_ = other.shape.semi_axes[across];
     length_ = other.shape.semi_axes[along];
     m_ = other.shape.n1 / (other.shape.n1 - S(1));
     across_axes_ = cross(axis_, Vector3<S>::of(about));
     across_centres_ = cross(Vector3<S>::of(pair.body2.centre), Vector3<S>::of(about));
     rounding_ = S(32) * epsilon<S>() * max(pair.size(), largest(Vector3<S>::of(pair.body2.centre)));
-  }
-
-  [[nodiscard]] static int index_of(detail::Revolution kind) {
-    return kind == detail::Revolution::about_x ? 0 : kind == detail::Revolution::about_y ? 1 : 2;
-  }
-  [[nodiscard]] static Vec3<S> axis_of(const PlacedBody<S>& body, detail::Revolution kind) {
-    return body.rotation.col(index_of(kind));
   }
 
   /// F' over the cell; empty (low above high) where s may be 1 or -1.
