@@ -1,0 +1,51 @@
+// What an effect is to the plan and to the step loop.
+//
+// Adding one: a header with its parameters and a source with role() and install() in effect/, a line in Effects and each_effect
+// of scene.hpp, and its name in CMakeLists.txt. An effect that is not on has no column, no pass and no branch: the loop
+// is a list of passes, and only install() adds to it.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "solver/scene/scene.hpp"
+
+namespace plumb::scene {
+
+struct World;
+
+/// What an effect needs from the rest.
+struct Needs {
+  bool contacts = false;      ///< which bodies touch, how deep, in which direction
+  bool points = false;        ///< where
+  bool curvature = false;     ///< of both surfaces there
+  bool spin = false;          ///< every movable body's angular velocity, also a sphere's
+  bool normal_force = false;  ///< another effect's elastic force
+  double range = 0;           ///< bodies this far apart count as contacts
+  double fastest = std::numeric_limits<double>::infinity();  ///< shortest time in which it does something
+};
+
+/// What an effect is in this scene: what it needs, or why it can change nothing (`off`, empty where it can).
+struct Role {
+  Needs needs;
+  std::string off;
+};
+
+/// One effect; the functions of one that is not asked for are never called.
+struct Effect {
+  std::string_view name;
+  bool (*is_asked)(const Effects& effects);
+  /// Gives the scene the neutral one.
+  void (*ask)(Effects& effects);
+  Role (*role)(const Scene& scene);
+  /// Adds its columns and passes.
+  void (*install)(const Scene& scene, World& world);
+};
+
+/// In the order in which they act.
+[[nodiscard]] std::span<const Effect> effects();
+[[nodiscard]] const Effect* find_effect(std::string_view name);
+
+}  // namespace plumb::scene

@@ -1,0 +1,24 @@
+// Cohesion: a constant pull while the bodies touch (DMT: Derjaguin, Muller & Toporov 1975, whose pull-off force is
+// 2 pi R work of adhesion), that falls linearly to nothing over `range` as they part, so that it is a potential's.
+#pragma once
+
+#include "solver/scene/effect/parameter.hpp"
+
+namespace plumb::scene {
+
+struct Cohesion {
+  static constexpr std::string_view name = "cohesion";
+  double pull_off = 0;  ///< force of each contact
+  double range = 0;     ///< length; 0: the pull ends where the bodies part
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("pull_off", self.pull_off, Range::not_negative);
+    visit("range", self.range, Range::not_negative);
+  }
+};
+
+[[nodiscard]] Role role(const Cohesion& cohesion, const Scene& scene);
+void install(const Cohesion& cohesion, World& world);
+
+}  // namespace plumb::scene

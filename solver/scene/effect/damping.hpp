@@ -1,0 +1,26 @@
+// Viscous damping along the normal that gives a coefficient of restitution: -2 beta' sqrt(stiffness * mass) * normal velocity.
+//
+// beta' = beta for the linear force, sqrt(5/6) beta for Hertz's, beta = -ln e / sqrt(pi^2 + ln^2 e); stiffness is the elastic
+// force's slope and mass the one that the contact feels along its normal, turning included, so that e is that of the
+// normal velocity at the contact, also off centre (linear: exact; Hertz: Antypov & Elliott 2011, EPL 94, 50004).
+// The force may pull at the end of a collision: it is what makes e exact.
+#pragma once
+
+#include "solver/scene/effect/parameter.hpp"
+
+namespace plumb::scene {
+
+struct Damping {
+  static constexpr std::string_view name = "damping";
+  double restitution = 1;  ///< normal velocity after / before a collision
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("restitution", self.restitution, Range::restitution);
+  }
+};
+
+[[nodiscard]] Role role(const Damping& damping, const Scene& scene);
+void install(const Damping& damping, World& world);
+
+}  // namespace plumb::scene

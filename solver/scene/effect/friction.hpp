@@ -1,0 +1,29 @@
+// Coulomb friction with the tangential history of Mindlin's type: a spring across the normal that sticks up to
+// coefficient * normal force, and slides beyond (Cundall & Strack 1979; di Renzo & di Maio 2004 for the ratio).
+//
+//   spring' = velocity of the points across the normal; the spring turns with the normal
+//   force   = - ratio * normal stiffness * spring - damping, cut to coefficient * elastic normal force
+#pragma once
+
+#include "solver/scene/effect/parameter.hpp"
+
+namespace plumb::scene {
+
+struct Friction {
+  static constexpr std::string_view name = "friction";
+  double coefficient = 0;
+  double stiffness_ratio = 2.0 / 7;  ///< tangential / normal; 2 (1 - nu) / (2 - nu) is Mindlin's
+  double damping = 0;                ///< of the tangential spring, as a fraction of the critical one
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("coefficient", self.coefficient, Range::not_negative);
+    visit("stiffness_ratio", self.stiffness_ratio, Range::positive);
+    visit("damping", self.damping, Range::fraction);
+  }
+};
+
+[[nodiscard]] Role role(const Friction& friction, const Scene& scene);
+void install(const Friction& friction, World& world);
+
+}  // namespace plumb::scene

@@ -1,0 +1,35 @@
+// Hertz's elastic normal force with the true curvatures of both surfaces at the contact: an elliptic patch (Johnson, Contact
+// Mechanics, 1985, eqs. 4.24-4.28).
+//
+//   force = 4/3 E* sqrt(Re) (overlap / F2)^(3/2),  1/E* = 2 (1 - nu^2) / E for two bodies of one material,
+//                                                  a wall is of the same material
+//
+// The curvatures follow the points as bodies turn, and the force is then not that of a potential: energy is kept where they
+// stay (spheres, impacts along an axis), else to the change of curvature within one collision.
+// A radius above 10 of the body's longest semi-axis (a flat), or below a thousandth of it (an edge), is cut there: Hertz's patch
+// is small against both radii, and there it is not.
+#pragma once
+
+#include "solver/scene/effect/parameter.hpp"
+
+namespace plumb::scene {
+
+struct Hertz {
+  static constexpr std::string_view name = "hertz";
+  double youngs_modulus = 0;  ///< force / length^2
+  double poissons_ratio = 0.25;
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("youngs_modulus", self.youngs_modulus, Range::not_negative);
+    visit("poissons_ratio", self.poissons_ratio, Range::poissons_ratio);
+  }
+
+  /// E*
+  [[nodiscard]] double contact_modulus() const { return youngs_modulus / (2 * (1 - poissons_ratio * poissons_ratio)); }
+};
+
+[[nodiscard]] Role role(const Hertz& hertz, const Scene& scene);
+void install(const Hertz& hertz, World& world);
+
+}  // namespace plumb::scene

@@ -1,0 +1,24 @@
+// Linear elastic normal force: stiffness * overlap along the common normal.
+//
+// The overlap's gradient by the poses is the common normal and its arm, so the force is that of the potential
+// stiffness * overlap^2 / 2: no energy is made or lost, whatever the shapes (it would be with another direction).
+#pragma once
+
+#include "solver/scene/effect/parameter.hpp"
+
+namespace plumb::scene {
+
+struct Linear {
+  static constexpr std::string_view name = "linear";
+  double stiffness = 0;  ///< force / length
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("stiffness", self.stiffness, Range::not_negative);
+  }
+};
+
+[[nodiscard]] Role role(const Linear& linear, const Scene& scene);
+void install(const Linear& linear, World& world);
+
+}  // namespace plumb::scene

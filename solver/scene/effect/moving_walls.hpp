@@ -1,0 +1,38 @@
+// Walls that move as told: point + velocity t + amplitude sin(2 pi frequency t).
+#pragma once
+
+#include <vector>
+
+#include "solver/scene/effect/parameter.hpp"
+
+namespace plumb::scene {
+
+struct WallMotion {
+  int wall = 0;  ///< index in the scene's walls
+  Vec3<double> velocity = Vec3<double>::Zero();
+  Vec3<double> amplitude = Vec3<double>::Zero();  ///< length
+  double frequency = 0;                           ///< 1 / time
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("wall", self.wall, Range::not_negative);
+    visit("velocity", self.velocity, Range::any);
+    visit("amplitude", self.amplitude, Range::any);
+    visit("frequency", self.frequency, Range::not_negative);
+  }
+};
+
+struct MovingWalls {
+  static constexpr std::string_view name = "moving_walls";
+  std::vector<WallMotion> motions;
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("motions", self.motions, Range::any);
+  }
+};
+
+[[nodiscard]] Role role(const MovingWalls& moving, const Scene& scene);
+void install(const MovingWalls& moving, World& world);
+
+}  // namespace plumb::scene

@@ -1,0 +1,44 @@
+// What the parameter structs of effects share: each tells its fields one by one, so that one reader, one writer and one check of
+// ranges serve them all.
+//
+//   template <class Self, class Visit>
+//   static void each_field(Self& self, Visit&& visit) { visit("coefficient", self.coefficient, Range::not_negative); }
+//
+// The first field is required in a file, the others have the struct's own values. Default-constructed is neutral: the effect is
+// there and changes nothing.
+#pragma once
+
+#include <string_view>
+
+#include "solver/contact.hpp"
+
+namespace plumb::scene {
+
+// What role() and install() of each effect take and give: effect.hpp, world.hpp.
+struct Scene;
+struct Role;
+struct World;
+
+/// Of a number; each component of a vector is any finite number.
+enum class Range {
+  any,
+  not_negative,
+  positive,
+  fraction,        ///< 0..1
+  restitution,     ///< above 0, up to 1
+  poissons_ratio,  ///< above -1, up to 1/2
+};
+
+[[nodiscard]] inline bool is_within(Range range, double x) {
+  switch (range) {
+    case Range::any: return true;
+    case Range::not_negative: return x >= 0;
+    case Range::positive: return x > 0;
+    case Range::fraction: return x >= 0 && x <= 1;
+    case Range::restitution: return x > 0 && x <= 1;
+    case Range::poissons_ratio: return x > -1 && x <= 0.5;
+  }
+  return false;
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,107 @@
+// What a scene is: bodies, walls, the effects that it asks for, and how it is run. Plain data, read and written in corpus/.
+//
+// Units    any consistent set: lengths, masses and times of the caller's own; what follows from them (force = mass length/time^2)
+// Frames   world frame; a body's quaternion takes body axes, the axes of its shape, to world axes
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "solver/contact.hpp"
+#include "solver/scene/effect/cohesion.hpp"
+#include "solver/scene/effect/conduction.hpp"
+#include "solver/scene/effect/damping.hpp"
+#include "solver/scene/effect/drag.hpp"
+#include "solver/scene/effect/friction.hpp"
+#include "solver/scene/effect/gravity.hpp"
+#include "solver/scene/effect/hertz.hpp"
+#include "solver/scene/effect/linear.hpp"
+#include "solver/scene/effect/moving_walls.hpp"
+#include "solver/scene/effect/rolling.hpp"
+#include "solver/scene/effect/twisting.hpp"
+
+namespace plumb::scene {
+
+/// A homogeneous body. A fixed one never moves, whatever acts on it.
+struct SceneBody {
+  Body body;
+  double density = 1;                                       ///< mass / length^3
+  Vec3<double> velocity = Vec3<double>::Zero();             ///< of the centre
+  Vec3<double> angular_velocity = Vec3<double>::Zero();     ///< rad / time, world axes
+  bool is_fixed = false;
+  std::optional<double> temperature;                        ///< for conduction
+};
+
+/// The half space that `normal` points away from is solid.
+struct Wall {
+  Vec3<double> point = Vec3<double>::Zero();
+  Vec3<double> normal = Vec3<double>::UnitZ();  ///< any length but 0
+  std::optional<double> temperature;
+};
+
+/// The effects asked for. One that is default-constructed is neutral: it changes nothing.
+struct Effects {
+  std::optional<Gravity> gravity;
+  std::optional<Linear> linear;
+  std::optional<Hertz> hertz;
+  std::optional<Damping> damping;
+  std::optional<Friction> friction;
+  std::optional<Rolling> rolling;
+  std::optional<Twisting> twisting;
+  std::optional<Cohesion> cohesion;
+  std::optional<Drag> drag;
+  std::optional<Conduction> conduction;
+  std::optional<MovingWalls> moving_walls;
+};
+
+/// visit(effects.gravity), .. in the order in which they act. `Self` is Effects, const or not.
+template <class Self, class Visit>
+void each_effect(Self& effects, Visit&& visit) {
+  visit(effects.gravity);
+  visit(effects.linear);
+  visit(effects.hertz);
+  visit(effects.damping);
+  visit(effects.friction);
+  visit(effects.rolling);
+  visit(effects.twisting);
+  visit(effects.cohesion);
+  visit(effects.drag);
+  visit(effects.conduction);
+  visit(effects.moving_walls);
+}
+
+/// What is written down as the run goes. `touching` alone asks which pairs overlap, and nothing about where.
+struct Outputs {
+  double every = 0;       ///< time between two; 0: the first and the last state only
+  bool touching = false;  ///< pairs that overlap
+  bool contacts = false;  ///< each contact with point, normal, overlap and force
+  bool dump = false;      ///< LAMMPS text dump
+  bool vtk = false;       ///< VTK files
+  bool playback = false;  ///< for the page
+};
+
+struct Run {
+  double duration = 0;               ///< 0: the contacts as they stand, nothing moves
+  std::optional<double> time_step;   ///< none: from accuracy and the fastest of the effects
+  double accuracy = 1e-3;            ///< (0, 1): of a collision; sets the time step and the solver's tolerance
+  Outputs outputs;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<SceneBody> bodies;
+  std::vector<Wall> walls;
+  Effects effects;
+  Run run;
+};
+
+/// A scene that asks for what has no meaning: which field, and why.
+struct SceneError : std::runtime_error {
+  SceneError(std::string field_path, const std::string& reason)
+      : std::runtime_error(reason), field(std::move(field_path)) {}
+  std::string field;
+};
+
+}  // namespace plumb::scene

@@ -1,0 +1,99 @@
+// A scene in time.
+//
+//   Simulation run(scene, make_plan(scene), threads);
+//   while (!run.is_done()) run.step();
+//
+// Deterministic: the same scene gives the same bits with any number of threads. hash() is of the kept state.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/scene/plan.hpp"
+#include "solver/scene/world.hpp"
+
+namespace plumb::scene {
+
+/// What has been done so far.
+struct Totals {
+  std::int64_t solves = 0;       ///< calls of the solver
+  std::int64_t evaluations = 0;  ///< of its residual
+  std::int64_t failed = 0;       ///< contacts without a converged answer, cold as well as warm
+  std::int64_t lists = 0;        ///< contact lists built
+};
+
+/// All that a run needs to go on: what is kept, and nothing that follows from the scene.
+struct Snapshot {
+  std::int64_t step = 0;
+  Totals totals;
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<std::pair<std::string, std::vector<double>>> columns;
+};
+
+/// One call of the solver, for who looks for hard contacts.
+struct SolveNote {
+  std::uint32_t contact = 0;  ///< index in the contact list
+  Status status = Status::stalled;
+  int iterations = 0, evaluations = 0;
+  bool touched = false, touches = false;  ///< in the step before, and now
+};
+
+class Simulation {
+ public:
+  /// Throws nothing beyond what make_plan() throws; `threads` share the solver's calls.
+  Simulation(const Scene& scene, Plan plan, int threads = 1);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  void step();
+  [[nodiscard]] bool is_done() const { return step_ >= plan_.steps; }
+  [[nodiscard]] std::int64_t steps() const { return step_; }
+  [[nodiscard]] double time() const { return world_->time; }
+
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+  [[nodiscard]] const World& world() const { return *world_; }
+  [[nodiscard]] Totals totals() const { return totals_; }
+
+  /// Kinetic, and what each effect stores.
+  [[nodiscard]] std::map<std::string, double> energy() const;
+  [[nodiscard]] Vec3<double> momentum() const;          ///< of the bodies that move
+  [[nodiscard]] Vec3<double> angular_momentum() const;  ///< about the origin
+
+  [[nodiscard]] std::uint64_t hash() const;
+  /// For each kept column, and "pairs".
+  [[nodiscard]] std::map<std::string, std::uint64_t> hashes() const;
+
+  [[nodiscard]] Snapshot snapshot() const;
+  /// Of this scene and plan; false, and nothing changed, when it does not fit.
+  [[nodiscard]] bool restore(const Snapshot& snapshot);
+
+  /// From now on `look` is called after each round of the solver, with every call in it but those that proved two bodies apart.
+  void observe(std::function<void(std::span<const SolveNote>)> look);
+  /// The two bodies of a contact as a case holds them; no wall.
+  [[nodiscard]] Pair pair_of(std::size_t contact) const;
+
+  /// Seconds spent in each pass so far, by owner ("solver", "broad phase", "motion", effects).
+  [[nodiscard]] std::map<std::string, double> seconds() const;
+  /// Bytes for each body and for each pair of the contact list, by owner.
+  struct Memory {
+    std::size_t body = 0, pair = 0;
+  };
+  [[nodiscard]] std::map<std::string, Memory> memory() const;
+
+ private:
+  void evaluate();
+  void kick();
+  void drift();
+
+  Plan plan_;
+  std::unique_ptr<World> world_;
+  std::int64_t step_ = 0;
+  Totals totals_;
+};
+
+}  // namespace plumb::scene

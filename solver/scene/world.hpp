@@ -1,0 +1,99 @@
+// What effects work on: the bodies, the state, the contacts, and the list of passes that is one step.
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+#include "solver/scene/columns.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace plumb::scene {
+
+/// What does not change, one entry a body and, after the bodies, one a wall (shape and orientation of which nobody reads).
+struct Bodies {
+  std::size_t count = 0;  ///< without walls
+  std::size_t walls = 0;
+  std::vector<Superellipsoid<double>> shape;
+  std::vector<char> is_sphere;
+  std::vector<double> radius;           ///< of a ball about the centre that holds the body
+  std::vector<double> mass;             ///< also of what is fixed; walls: infinite
+  std::vector<double> inverse_mass;     ///< 0 where nothing moves it
+  std::vector<Vec3<double>> inertia, inverse_inertia;  ///< principal, body axes; inverse 0 where nothing turns it
+  std::vector<double> sphere_radius;                   ///< of equal volume
+  std::vector<std::uint32_t> movable, turning;
+  std::vector<Vec3<double>> wall_normal;  ///< unit, out of the wall
+  [[nodiscard]] std::size_t all() const { return count + walls; }
+  [[nodiscard]] bool is_wall(std::uint32_t i) const { return i >= count; }
+};
+
+/// What moves. Columns of what no effect and no output asks for are nullptr.
+struct State {
+  Column* position = nullptr;          ///< 3; a point of a wall
+  Column* velocity = nullptr;          ///< 3; at the middle of the step while forces are computed
+  Column* orientation = nullptr;       ///< 4: quaternion (w, x, y, z)
+  Column* angular_momentum = nullptr;  ///< 3, world axes
+  Column* angular_velocity = nullptr;  ///< 3, world axes, made from the momentum
+  Column* force = nullptr;             ///< 3
+  Column* torque = nullptr;            ///< 3, about the centre
+};
+
+/// The contact list: pairs that may touch (body 2 has the higher index, a wall is body 2), and those of them that do.
+struct Contacts {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<std::uint32_t> touching;  ///< indices in pairs, rising: overlap > -range
+  double range = 0;
+  Column* is_touching = nullptr;        ///< 1 or 0
+  Column* chart = nullptr;              ///< 6: where the solver starts next time
+  Column* overlap = nullptr;            ///< 1
+  Column* normal = nullptr;             ///< 3, from body 1 to body 2
+  Column* point = nullptr;              ///< 3: where the force acts
+  Column* curvature = nullptr;          ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
+  Column* arm1 = nullptr;               ///< 3: (point - centre) x normal, exactly 0 for spheres
+  Column* arm2 = nullptr;
+  Column* normal_force = nullptr;       ///< 1, > 0 pushes apart
+  Column* stiffness = nullptr;          ///< 1: slope of the elastic force by the overlap
+  double damping_factor = 1;            ///< of the elastic law in use: damping.hpp
+};
+
+/// One step of work on all bodies or on all contacts.
+struct Pass {
+  std::string_view owner;
+  std::function<void()> run;
+  std::chrono::steady_clock::duration spent{};
+};
+
+struct StoredEnergy {
+  std::string_view owner;
+  std::function<double()> energy;
+};
+
+struct World {
+  double time = 0, time_step = 0;
+  Bodies bodies;
+  Columns columns;
+  State state;
+  Contacts contacts;
+
+  /// In the order of a step; what is done to contacts is done in the order of effects().
+  std::vector<Pass> before_contacts, contact_passes, body_passes;
+  std::vector<StoredEnergy> energies;
+
+  [[nodiscard]] bool has_turning() const { return state.torque != nullptr; }
+
+  /// The velocity of body 2's point of contact as body 1's sees it.
+  [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact) const;
+  /// Its component along the normal; negative: they approach. Of spheres, turning does nothing to it, exactly.
+  [[nodiscard]] double normal_velocity(std::size_t contact) const;
+  /// 1 / the mass that an impulse along the normal feels.
+  [[nodiscard]] double inverse_normal_mass(std::size_t contact) const;
+  /// Angular velocity of body 2 as body 1 sees it.
+  [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
+  /// 1 / (1/r1 + 1/r2) of the distances from the contact to the centres.
+  [[nodiscard]] double contact_radius(std::size_t contact) const;
+  /// Adds a force on body 2 at the point of contact, and its opposite on body 1.
+  void push(std::size_t contact, const Vec3<double>& force);
+  /// Adds a couple on body 2, and its opposite on body 1.
+  void turn(std::size_t contact, const Vec3<double>& couple);
+};
+
+}  // namespace plumb::scene
