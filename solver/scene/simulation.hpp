@@ -66,7 +66,7 @@ class Simulation {
   [[nodiscard]] Vec3<double> angular_momentum() const;  ///< about the origin
 
   [[nodiscard]] std::uint64_t hash() const;
-  /// For each kept column, and "pairs".
+  /// For each kept column, and "pairs" where there is a contact list.
   [[nodiscard]] std::map<std::string, std::uint64_t> hashes() const;
 
   [[nodiscard]] Snapshot snapshot() const;

@@ -1,7 +1,7 @@
 #include "solver/scene/effect/rolling.hpp"
 
 #include "solver/scene/effect.hpp"
-#include "solver/scene/effect/couple_spring.hpp"
+#include "solver/scene/effect/couple.hpp"
 
 namespace plumb::scene {
 namespace {
