@@ -95,7 +95,7 @@ class Simulation {
   Plan plan_;
   std::unique_ptr<World> world_;
   int threads_;
-  Column* fat_ = nullptr;  ///< the boxes of the contact list; none where the list holds for good
+  Column* boxes_ = nullptr;  ///< of the contact list; none where the list holds for good
   std::vector<Pass> kicks_, drifts_, forces_;
   std::function<void(std::span<const SolveNote>)> look_;
   std::int64_t step_ = 0;

@@ -39,7 +39,7 @@ void resist(const Parameters& parameters, Column& springs, World& world, const P
     const double stiffness = parameters.stiffness_ratio * (*contacts.stiffness)[c] * radius * radius;
     const CoupleSpring law{stiffness, parameters.damping, parameters.coefficient * radius * pressing};
     springs.vector(c) = part(Vec3<double>(springs.vector(c)), normal);
-    const double inverse = world.inverse_normal_mass(c) / (radius * radius);
+    const double inverse = (*contacts.inverse_mass)[c] / (radius * radius);
     const Vec3<double> turn = part(world.relative_turn(c), normal);
     world.turn(c, law.pull(springs.vector(c), turn, inverse, world.time_step));
   }

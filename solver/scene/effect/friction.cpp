@@ -22,7 +22,7 @@ void slide(const Friction& friction, Column& springs, World& world) {
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
     Vec3<double> spring = turned_across(springs.vector(c), normal) + across * world.time_step;
     const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
-    const double viscous = 2 * friction.damping * std::sqrt(stiffness / world.inverse_normal_mass(c));
+    const double viscous = 2 * friction.damping * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
     Vec3<double> force = -stiffness * spring - viscous * across;
     const double limit = friction.coefficient * std::max(0.0, (*contacts.normal_force)[c]);
     const double size = force.norm();
@@ -42,7 +42,7 @@ Role role(const Friction& friction, const Scene& scene) {
   if (!scene.effects.linear && !scene.effects.hertz)
     throw SceneError("effects.friction", "is a share of a normal force, and there is none: add linear or hertz");
   if (friction.coefficient == 0) out.off = "the coefficient is 0";
-  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true};
+  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true};
   return out;
 }
 
