@@ -1,6 +1,7 @@
 /** A figure: drawn by Plotly when it comes into view, with a text alternative, buttons to zoom and the table behind it. */
 import type { Config, Data, Layout, PlotlyHTMLElement, PlotMouseEvent } from "plotly.js";
 import { button, type Child, details, freshId, h } from "./dom";
+import { Mark } from "./plot_mark";
 import { ink, theme } from "./theme";
 
 export interface Drawing {
@@ -24,6 +25,8 @@ export interface FigureOptions {
 export interface Figure {
   element: HTMLElement;
   redraw: () => void;
+  /** An upright line at a value of the x axis. */
+  mark: (x: number) => void;
 }
 
 type Library = typeof import("plotly.js-cartesian-dist-min");
@@ -129,7 +132,8 @@ function listenToClicks(box: HTMLElement, clicked: (data: unknown) => void): voi
 export function figure(options: FigureOptions): Figure {
   const box = h("div", { class: "plot", role: "img" });
   const inner = h("div");
-  box.append(inner);
+  const mark = new Mark(inner);
+  box.append(inner, mark.line);
   let started = false;
   let drawnWidth = 0;
 
@@ -141,7 +145,10 @@ export function figure(options: FigureOptions): Figure {
     void Plotly.react(inner, data, whole, config);
     box.style.minHeight = "";
     box.dataset.drawn = "true";
-    if (!started && options.clicked) listenToClicks(inner, options.clicked);
+    if (!started) {
+      if (options.clicked) listenToClicks(inner, options.clicked);
+      (inner as unknown as PlotlyHTMLElement).on("plotly_afterplot", () => mark.place());
+    }
     started = true;
   };
   const start = () => {
@@ -171,7 +178,7 @@ export function figure(options: FigureOptions): Figure {
   const caption = h("figcaption", { id: freshId("figure") }, options.caption);
   const tools = options.zoom === false ? null : zoomButtons(inner, options.caption, reset);
   const top = h("div", { class: "figure-top" }, caption, tools);
-  return { element: h("figure", {}, top, options.legend, box, behind), redraw };
+  return { element: h("figure", {}, top, options.legend, box, behind), redraw, mark: (x) => mark.to(x) };
 }
 
 /** Plotly reads some markup in its labels; the data's text must not become any. */

@@ -291,10 +291,17 @@ export function makeReport(options = {}) {
     comparisons: runs.slice(1).map((run) => compare(first, run, options.sameCases ?? true)),
     precision,
     stability: options.stability === false ? null : makeStability(stream(17), METHODS),
+    playbacks: options.playbacks ?? [],
     findings: FINDINGS,
     laws: LAWS,
   };
 }
+
+/** Of scenes alone. */
+export const makeSceneReport = (...playbacks) => ({
+  ...makeReport({ families: [], failures: 0, precision: false, stability: false, playbacks }),
+  runs: [],
+});
 
 const SETS = [
   ["spheroid", "spheroids, aspect 1/3..3"],
