@@ -20,6 +20,8 @@ export interface FigureOptions {
   /** Gets the point's customdata. */
   clicked?: (data: unknown) => void;
   zoom?: boolean;
+  /** Paper does without the table. */
+  longTable?: boolean;
 }
 
 export interface Figure {
@@ -159,7 +161,8 @@ export function figure(options: FigureOptions): Figure {
   const behind = h("div");
   const refresh = () => {
     box.setAttribute("aria-label", options.describe());
-    behind.replaceChildren(details(`Table: ${options.caption}`, options.table));
+    const print = options.longTable ? "closed" : undefined;
+    behind.replaceChildren(details(`Table: ${options.caption}`, options.table, { "data-print": print }));
   };
   const reset = () => {
     Plotly.purge(inner);

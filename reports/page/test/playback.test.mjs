@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { bring, launch, open } from "./support/browser.mjs";
-import { makeReport, makeSceneReport } from "./support/fixture.mjs";
-import { makePlayback, playbackLines, playbackOf } from "./support/fixture-playback.mjs";
+import { makeReport } from "./support/fixture.mjs";
+import { makePlayback, makeSceneReport, playbackLines, playbackOf } from "./support/fixture-playback.mjs";
 import { load } from "./support/modules.mjs";
 import { withFolder, writePage } from "./support/pages.mjs";
 

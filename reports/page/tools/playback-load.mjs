@@ -3,8 +3,7 @@
 import { join } from "node:path";
 import { readdir, readFile, stat } from "node:fs/promises";
 import { bring, launch, open } from "../test/support/browser.mjs";
-import { makeSceneReport } from "../test/support/fixture.mjs";
-import { makePlayback } from "../test/support/fixture-playback.mjs";
+import { makePlayback, makeSceneReport } from "../test/support/fixture-playback.mjs";
 import { withFolder, writePage } from "../test/support/pages.mjs";
 
 const SECONDS = 8;

@@ -1,6 +1,5 @@
 // npm run playback -- FILE.html [BODIES] [FRAMES]: made-up scenes, one that ended and one that did not, to look at.
-import { makeSceneReport } from "../test/support/fixture.mjs";
-import { makePlayback } from "../test/support/fixture-playback.mjs";
+import { makePlayback, makeSceneReport } from "../test/support/fixture-playback.mjs";
 import { writePage } from "../test/support/pages.mjs";
 
 const [file, bodies = "200", frames = "201"] = process.argv.slice(2);

@@ -10,6 +10,9 @@ import { energyFigure } from "./energy";
 import { Frames } from "./frames";
 import { Player } from "./player";
 
+const CAPTION =
+  "Between frames positions are interpolated linearly, orientations by slerp; contacts are those of the frame last passed.";
+
 export class PlaybackBlock {
   readonly element: HTMLElement;
   readonly energy: HTMLElement;
@@ -37,13 +40,9 @@ export class PlaybackBlock {
     const figure = energyFigure(playback, (time) => this.clock.seek(time));
     this.energy = figure.element;
     const reset = button("Reset view", () => this.view?.reset(), { class: "quiet" });
-    this.element = h(
-      "div",
-      { class: "view3d" },
-      this.canvas,
-      player.element,
-      h("div", { class: "view-bar" }, this.key, reset),
-    );
+    const bar = h("div", { class: "view-bar" }, this.key, reset);
+    const caption = h("p", { class: "view-caption" }, CAPTION);
+    this.element = h("div", { class: "view3d" }, this.canvas, player.element, bar, caption);
     this.canvas.addEventListener("keydown", (event) => this.keyed(event, player));
     this.clock.time.watch((time) => {
       figure.mark(time);

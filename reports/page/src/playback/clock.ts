@@ -5,6 +5,8 @@ import { Watched } from "../watched";
 const FRAMES_PER_SECOND = 25;
 const SHORTEST = 3;
 const LONGEST = 20;
+/** A page that was out of sight does not leap. */
+const LEAP = 1;
 
 export class Clock {
   readonly time: Watched<number>;
@@ -51,7 +53,7 @@ export class Clock {
 
   private tick(now: number): void {
     if (!this.playing.value) return;
-    const next = this.time.value + this.rate * Math.max(0, (now - this.before) / 1000);
+    const next = this.time.value + this.rate * Math.min(LEAP, Math.max(0, (now - this.before) / 1000));
     this.before = now;
     const isOver = next >= this.last;
     this.seek(isOver && this.repeat ? this.first : next);

@@ -107,6 +107,7 @@ export function energyFigure(playback: Playback, seek: (time: number) => void): 
       hidden,
       () => made.redraw(),
     ),
+    longTable: true,
     clicked: (time) => seek(Number(time)),
   });
   return made;

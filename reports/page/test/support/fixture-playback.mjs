@@ -1,5 +1,5 @@
 // The lines of a playback.jsonl as plumb scene would write them, and what plumb report makes of them: bodies that fall into a box.
-import { stream } from "./fixture.mjs";
+import { makeReport, stream } from "./fixture.mjs";
 
 const SHAPES = [
   { semi_axes: [0.5, 0.5, 0.5], exponents: [2, 2] },
@@ -203,3 +203,9 @@ export function playbackOf([head, ...others], name = "pile") {
 }
 
 export const makePlayback = ({ name, ...options } = {}) => playbackOf(playbackLines(options), name);
+
+/** Of scenes alone. */
+export const makeSceneReport = (...playbacks) => ({
+  ...makeReport({ families: [], failures: 0, precision: false, stability: false, playbacks }),
+  runs: [],
+});

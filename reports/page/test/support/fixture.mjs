@@ -297,12 +297,6 @@ export function makeReport(options = {}) {
   };
 }
 
-/** Of scenes alone. */
-export const makeSceneReport = (...playbacks) => ({
-  ...makeReport({ families: [], failures: 0, precision: false, stability: false, playbacks }),
-  runs: [],
-});
-
 const SETS = [
   ["spheroid", "spheroids, aspect 1/3..3"],
   ["ellipsoid", "triaxial ellipsoids, aspect to 20"],
