@@ -14,10 +14,16 @@ namespace plumb::scene {
 
 struct ColumnKind {
   enum Of { body, pair } of = body;
-  int width = 1;           ///< numbers an entry
+  int width = 1;  ///< numbers an entry
   bool is_kept = false;
-  double initial = 0;      ///< of an entry that is new
+  double initial = 0;    ///< of an entry that is new
+  bool forgets = false;  ///< a pair that does not touch has the initial value again
 };
+
+/// What a contact remembers for as long as it lasts.
+[[nodiscard]] inline ColumnKind history(int width) {
+  return {.of = ColumnKind::pair, .width = width, .is_kept = true, .forgets = true};
+}
 
 class Column {
  public:

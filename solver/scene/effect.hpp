@@ -16,13 +16,13 @@ namespace plumb::scene {
 
 struct World;
 
-/// What an effect needs from the rest.
+/// What an effect, or an output, needs from the rest.
 struct Needs {
   bool contacts = false;      ///< which bodies touch, how deep, in which direction
   bool points = false;        ///< where
   bool curvature = false;     ///< of both surfaces there
   bool spin = false;          ///< every movable body's angular velocity, also a sphere's
-  bool normal_force = false;  ///< another effect's elastic force
+  bool normal_force = false;  ///< the column of elastic and viscous forces along the normals
   double range = 0;           ///< bodies this far apart count as contacts
   double fastest = std::numeric_limits<double>::infinity();  ///< shortest time in which it does something
 };
@@ -39,9 +39,9 @@ struct Effect {
   bool (*is_asked)(const Effects& effects);
   /// Gives the scene the neutral one.
   void (*ask)(Effects& effects);
-  Role (*role)(const Scene& scene);
+  Role (*role)(const Effects& effects, const Scene& scene);
   /// Adds its columns and passes.
-  void (*install)(const Scene& scene, World& world);
+  void (*install)(const Effects& effects, World& world);
 };
 
 /// In the order in which they act.

@@ -4,6 +4,7 @@
 // broad phase, an integrator. An effect that can change nothing here is off, and the plan says why.
 #pragma once
 
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct PlannedEffect {
 struct Plan {
   Analysis analysis = Analysis::motion;
   std::vector<PlannedEffect> effects;  ///< all there are, in their order
+  Effects asked;                       ///< the scene's, and the neutral ones that were forced on
   Needs needs;                         ///< of all that is on, outputs included
   std::string contacts_why, turning_why, broad_phase_why, time_step_why;
   BroadPhase broad_phase = BroadPhase::none;

@@ -27,11 +27,11 @@ namespace plumb::scene {
 /// A homogeneous body. A fixed one never moves, whatever acts on it.
 struct SceneBody {
   Body body;
-  double density = 1;                                       ///< mass / length^3
-  Vec3<double> velocity = Vec3<double>::Zero();             ///< of the centre
-  Vec3<double> angular_velocity = Vec3<double>::Zero();     ///< rad / time, world axes
+  double density = 1;                                    ///< mass / length^3
+  Vec3<double> velocity = Vec3<double>::Zero();          ///< of the centre
+  Vec3<double> angular_velocity = Vec3<double>::Zero();  ///< rad / time, world axes
   bool is_fixed = false;
-  std::optional<double> temperature;                        ///< for conduction
+  std::optional<double> temperature;  ///< for conduction
 };
 
 /// The half space that `normal` points away from is solid.
@@ -83,9 +83,9 @@ struct Outputs {
 };
 
 struct Run {
-  double duration = 0;               ///< 0: the contacts as they stand, nothing moves
-  std::optional<double> time_step;   ///< none: from accuracy and the fastest of the effects
-  double accuracy = 1e-3;            ///< (0, 1): of a collision; sets the time step and the solver's tolerance
+  double duration = 0;              ///< 0: the contacts as they stand, nothing moves
+  std::optional<double> time_step;  ///< none: from accuracy and the fastest of the effects
+  double accuracy = 1e-3;           ///< (0, 1): of a collision; sets the time step and the solver's tolerance
   Outputs outputs;
 };
 

@@ -6,10 +6,11 @@
 // Deterministic: the same scene gives the same bits with any number of threads. hash() is of the kept state.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ struct SolveNote {
 
 class Simulation {
  public:
-  /// Throws nothing beyond what make_plan() throws; `threads` share the solver's calls.
+  /// A plan of this scene; `threads` share the solver's calls.
   Simulation(const Scene& scene, Plan plan, int threads = 1);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -86,12 +87,17 @@ class Simulation {
   [[nodiscard]] std::map<std::string, Memory> memory() const;
 
  private:
-  void evaluate();
-  void kick();
-  void drift();
+  void list_passes();
+  void use_pairs(std::vector<std::array<std::uint32_t, 2>> pairs);
+  void update_list();
+  void solve();
 
   Plan plan_;
   std::unique_ptr<World> world_;
+  int threads_;
+  Column* fat_ = nullptr;  ///< the boxes of the contact list; none where the list holds for good
+  std::vector<Pass> kicks_, drifts_, forces_;
+  std::function<void(std::span<const SolveNote>)> look_;
   std::int64_t step_ = 0;
   Totals totals_;
 };

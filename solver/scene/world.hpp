@@ -15,9 +15,9 @@ struct Bodies {
   std::size_t walls = 0;
   std::vector<Superellipsoid<double>> shape;
   std::vector<char> is_sphere;
-  std::vector<double> radius;           ///< of a ball about the centre that holds the body
-  std::vector<double> mass;             ///< also of what is fixed; walls: infinite
-  std::vector<double> inverse_mass;     ///< 0 where nothing moves it
+  std::vector<double> radius;                          ///< of a ball about the centre that holds the body
+  std::vector<double> mass;                            ///< also of what is fixed; walls: infinite
+  std::vector<double> inverse_mass;                    ///< 0 where nothing moves it
   std::vector<Vec3<double>> inertia, inverse_inertia;  ///< principal, body axes; inverse 0 where nothing turns it
   std::vector<double> sphere_radius;                   ///< of equal volume
   std::vector<std::uint32_t> movable, turning;
@@ -42,17 +42,17 @@ struct Contacts {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   std::vector<std::uint32_t> touching;  ///< indices in pairs, rising: overlap > -range
   double range = 0;
-  Column* is_touching = nullptr;        ///< 1 or 0
-  Column* chart = nullptr;              ///< 6: where the solver starts next time
-  Column* overlap = nullptr;            ///< 1
-  Column* normal = nullptr;             ///< 3, from body 1 to body 2
-  Column* point = nullptr;              ///< 3: where the force acts
-  Column* curvature = nullptr;          ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
-  Column* arm1 = nullptr;               ///< 3: (point - centre) x normal, exactly 0 for spheres
+  Column* is_touching = nullptr;  ///< 1 or 0
+  Column* chart = nullptr;        ///< 6: where the solver starts next time
+  Column* overlap = nullptr;      ///< 1
+  Column* normal = nullptr;       ///< 3, from body 1 to body 2
+  Column* point = nullptr;        ///< 3: where the force acts
+  Column* curvature = nullptr;    ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
+  Column* arm1 = nullptr;         ///< 3: (point - centre) x normal, exactly 0 for spheres
   Column* arm2 = nullptr;
-  Column* normal_force = nullptr;       ///< 1, > 0 pushes apart
-  Column* stiffness = nullptr;          ///< 1: slope of the elastic force by the overlap
-  double damping_factor = 1;            ///< of the elastic law in use: damping.hpp
+  Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
+  Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
+  double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
 };
 
 /// One step of work on all bodies or on all contacts.
@@ -62,6 +62,7 @@ struct Pass {
   std::chrono::steady_clock::duration spent{};
 };
 
+/// What an effect stores, for who asks: nothing of a step.
 struct StoredEnergy {
   std::string_view owner;
   std::function<double()> energy;
@@ -74,9 +75,11 @@ struct World {
   State state;
   Contacts contacts;
 
-  /// In the order of a step; what is done to contacts is done in the order of effects().
-  std::vector<Pass> before_contacts, contact_passes, body_passes;
+  /// In the order of a step, each in that of effects(): what moves by itself, forces of contacts, forces of bodies.
+  std::vector<Pass> movers, contact_passes, body_passes;
   std::vector<StoredEnergy> energies;
+  /// What sets an effect's columns once they have their size.
+  std::vector<std::function<void(const Scene&)>> starts;
 
   [[nodiscard]] bool has_turning() const { return state.torque != nullptr; }
 

@@ -8,7 +8,7 @@ namespace plumb::scene {
 
 struct Drag {
   static constexpr std::string_view name = "drag";
-  double viscosity = 0;                                 ///< dynamic: mass / (length time)
+  double viscosity = 0;  ///< dynamic: mass / (length time)
   Vec3<double> fluid_velocity = Vec3<double>::Zero();
 
   template <class Self, class Visit>

@@ -29,6 +29,19 @@ enum class Range {
   poissons_ratio,  ///< above -1, up to 1/2
 };
 
+/// What an error says of a number that is not.
+[[nodiscard]] inline const char* words(Range range) {
+  switch (range) {
+    case Range::any: break;
+    case Range::not_negative: return "must be a number, 0 or more";
+    case Range::positive: return "must be a positive number";
+    case Range::fraction: return "must be a number from 0 to 1";
+    case Range::restitution: return "must be a number above 0, at most 1";
+    case Range::poissons_ratio: return "must be a number above -1, at most 0.5";
+  }
+  return "must be a finite number";
+}
+
 [[nodiscard]] inline bool is_within(Range range, double x) {
   switch (range) {
     case Range::any: return true;

@@ -1,0 +1,47 @@
+#include "solver/scene/effect/cohesion.hpp"
+
+#include "solver/scene/effect.hpp"
+#include "solver/scene/world.hpp"
+
+namespace plumb::scene {
+namespace {
+
+/// Share of the pull that is left at an overlap.
+double share(const Cohesion& cohesion, double overlap) {
+  return overlap >= 0 ? 1 : std::max(0.0, 1 + overlap / cohesion.range);
+}
+
+/// Work to part from this overlap.
+double stored(const Cohesion& cohesion, double overlap) {
+  const double left = share(cohesion, overlap);
+  return -cohesion.pull_off * (std::max(0.0, overlap) + cohesion.range * left * left / 2);
+}
+
+}  // namespace
+
+Role role(const Cohesion& cohesion, const Scene& scene) {
+  Role out;
+  if (!scene.effects.linear && !scene.effects.hertz)
+    throw SceneError("effects.cohesion",
+                     "pulls bodies into each other, and no elastic force stops them: add linear or hertz");
+  if (cohesion.pull_off == 0) out.off = "the pull is 0";
+  out.needs = {.contacts = true, .normal_force = true, .range = cohesion.range};
+  return out;
+}
+
+void install(const Cohesion& cohesion, World& world) {
+  world.contact_passes.push_back({Cohesion::name, [cohesion, &world] {
+                                    Contacts& contacts = world.contacts;
+                                    for (const std::uint32_t c : contacts.touching)
+                                      (*contacts.normal_force)[c] -=
+                                          cohesion.pull_off * share(cohesion, (*contacts.overlap)[c]);
+                                  }});
+  world.energies.push_back({Cohesion::name, [cohesion, &world] {
+                              double sum = 0;
+                              for (const std::uint32_t c : world.contacts.touching)
+                                sum += stored(cohesion, (*world.contacts.overlap)[c]);
+                              return sum;
+                            }});
+}
+
+}  // namespace plumb::scene

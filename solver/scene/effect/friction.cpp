@@ -1,0 +1,61 @@
+#include "solver/scene/effect/friction.hpp"
+
+#include "solver/scene/effect.hpp"
+#include "solver/scene/world.hpp"
+
+namespace plumb::scene {
+namespace {
+
+/// A spring that was across the normal in the step before, turned across the normal of now and as long.
+Vec3<double> turned_across(const Vec3<double>& spring, const Vec3<double>& normal) {
+  const double length = spring.norm();
+  const Vec3<double> across = spring - normal.dot(spring) * normal;
+  const double left = across.norm();
+  return left > 0 ? Vec3<double>(across * (length / left)) : Vec3<double>::Zero();
+}
+
+void slide(const Friction& friction, Column& springs, World& world) {
+  Contacts& contacts = world.contacts;
+  for (const std::uint32_t c : contacts.touching) {
+    const Vec3<double> normal = contacts.normal->vector(c);
+    const Vec3<double> velocity = world.relative_velocity(c);
+    const Vec3<double> across = velocity - normal.dot(velocity) * normal;
+    Vec3<double> spring = turned_across(springs.vector(c), normal) + across * world.time_step;
+    const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
+    const double viscous = 2 * friction.damping * std::sqrt(stiffness / world.inverse_normal_mass(c));
+    Vec3<double> force = -stiffness * spring - viscous * across;
+    const double limit = friction.coefficient * std::max(0.0, (*contacts.normal_force)[c]);
+    const double size = force.norm();
+    if (size > limit) {
+      force *= limit / size;
+      if (stiffness > 0) spring = -(force + viscous * across) / stiffness;
+    }
+    springs.vector(c) = spring;
+    world.push(c, force);
+  }
+}
+
+}  // namespace
+
+Role role(const Friction& friction, const Scene& scene) {
+  Role out;
+  if (!scene.effects.linear && !scene.effects.hertz)
+    throw SceneError("effects.friction", "is a share of a normal force, and there is none: add linear or hertz");
+  if (friction.coefficient == 0) out.off = "the coefficient is 0";
+  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true};
+  return out;
+}
+
+void install(const Friction& friction, World& world) {
+  Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
+  world.contact_passes.push_back({Friction::name, [friction, &springs, &world] { slide(friction, springs, world); }});
+  world.energies.push_back({Friction::name, [friction, &springs, &world] {
+                              double sum = 0;
+                              for (const std::uint32_t c : world.contacts.touching)
+                                sum += friction.stiffness_ratio * (*world.contacts.stiffness)[c] *
+                                       springs.vector(c).squaredNorm() / 2;
+                              return sum;
+                            }});
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,58 @@
+#include "solver/scene/effect/hertz.hpp"
+
+#include "solver/scene/effect.hpp"
+#include "solver/scene/facts.hpp"
+#include "solver/scene/hertz_contact.hpp"
+#include "solver/scene/world.hpp"
+
+namespace plumb::scene {
+namespace {
+
+/// sqrt(5/6): what the damping of a force that grows as overlap^(3/2) is short of a linear one's.
+constexpr double hertz_damping = 0.912870929175276855;
+
+void press_hertz(double modulus, Contacts& contacts) {
+  for (const std::uint32_t c : contacts.touching) {
+    const auto curvature = contacts.curvature->entry(c);
+    const double overlap = std::max(0.0, (*contacts.overlap)[c]);
+    const double slope = modulus * hertz_contact(curvature[0], curvature[1]).force_factor * std::sqrt(overlap);
+    (*contacts.normal_force)[c] = slope * overlap;
+    (*contacts.stiffness)[c] = 1.5 * slope;
+  }
+}
+
+/// Of the fastest collision of two spheres (Johnson, eq. 11.24), at least at a thousandth of the speed of sound.
+double collision_time(const Hertz& hertz, const Scene& scene) {
+  const double mass = least_contact_mass(scene), size = longest_axis(scene), modulus = hertz.contact_modulus();
+  const double sound = std::sqrt(modulus * size * size * size / mass);
+  const double speed = std::max(greatest_speed(scene), 1e-3 * sound);
+  return 2.87 * std::pow(mass * mass / (size * modulus * modulus * speed), 0.2);
+}
+
+}  // namespace
+
+Role role(const Hertz& hertz, const Scene& scene) {
+  Role out;
+  if (hertz.youngs_modulus == 0) out.off = "Young's modulus is 0";
+  out.needs = {.contacts = true, .curvature = true, .normal_force = true};
+  out.needs.fastest = collision_time(hertz, scene);
+  return out;
+}
+
+void install(const Hertz& hertz, World& world) {
+  world.contacts.damping_factor = hertz_damping;
+  const double modulus = hertz.contact_modulus();
+  world.contact_passes.push_back({Hertz::name, [modulus, &world] { press_hertz(modulus, world.contacts); }});
+  world.energies.push_back({Hertz::name, [modulus, &world] {
+                              double sum = 0;
+                              for (const std::uint32_t c : world.contacts.touching) {
+                                const auto curvature = world.contacts.curvature->entry(c);
+                                const double factor = hertz_contact(curvature[0], curvature[1]).force_factor;
+                                sum +=
+                                    0.4 * modulus * factor * std::pow(std::max(0.0, (*world.contacts.overlap)[c]), 2.5);
+                              }
+                              return sum;
+                            }});
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,33 @@
+#include "solver/scene/effect/rolling.hpp"
+
+#include "solver/scene/effect.hpp"
+#include "solver/scene/effect/couple_spring.hpp"
+
+namespace plumb::scene {
+namespace {
+
+/// What of a rotation is across the normal.
+Vec3<double> rolling_part(const Vec3<double>& v, const Vec3<double>& normal) {
+  return v - normal.dot(v) * normal;
+}
+
+}  // namespace
+
+Role role(const Rolling& rolling, const Scene& scene) {
+  Role out;
+  if (!scene.effects.linear && !scene.effects.hertz)
+    throw SceneError("effects.rolling", "is a share of a normal force, and there is none: add linear or hertz");
+  if (rolling.coefficient == 0) out.off = "the coefficient is 0";
+  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true};
+  return out;
+}
+
+void install(const Rolling& rolling, World& world) {
+  Column& springs = world.columns.add("rolling_spring", Rolling::name, history(3));
+  world.contact_passes.push_back(
+      {Rolling::name, [rolling, &springs, &world] { resist(rolling, springs, world, rolling_part); }});
+  world.energies.push_back(
+      {Rolling::name, [rolling, &springs, &world] { return spring_energy(rolling, springs, world); }});
+}
+
+}  // namespace plumb::scene

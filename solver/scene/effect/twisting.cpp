@@ -1,0 +1,33 @@
+#include "solver/scene/effect/twisting.hpp"
+
+#include "solver/scene/effect.hpp"
+#include "solver/scene/effect/couple_spring.hpp"
+
+namespace plumb::scene {
+namespace {
+
+/// What of a rotation is about the normal.
+Vec3<double> twisting_part(const Vec3<double>& v, const Vec3<double>& normal) {
+  return normal.dot(v) * normal;
+}
+
+}  // namespace
+
+Role role(const Twisting& twisting, const Scene& scene) {
+  Role out;
+  if (!scene.effects.linear && !scene.effects.hertz)
+    throw SceneError("effects.twisting", "is a share of a normal force, and there is none: add linear or hertz");
+  if (twisting.coefficient == 0) out.off = "the coefficient is 0";
+  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true};
+  return out;
+}
+
+void install(const Twisting& twisting, World& world) {
+  Column& springs = world.columns.add("twisting_spring", Twisting::name, history(3));
+  world.contact_passes.push_back(
+      {Twisting::name, [twisting, &springs, &world] { resist(twisting, springs, world, twisting_part); }});
+  world.energies.push_back(
+      {Twisting::name, [twisting, &springs, &world] { return spring_energy(twisting, springs, world); }});
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,113 @@
+#include "solver/scene/facts.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/scene/mass.hpp"
+
+namespace plumb::scene {
+namespace {
+
+double gravity_of(const Scene& scene) {
+  return scene.effects.gravity ? scene.effects.gravity->acceleration.norm() : 0;
+}
+
+/// How far a body's surface may get from where its centre is now.
+double reach(const Scene& scene, const SceneBody& b) {
+  const double radius = bounding_radius(b.body.shape);
+  if (b.is_fixed) return radius;
+  const double duration = scene.run.duration;
+  const double wind = scene.effects.drag ? scene.effects.drag->fluid_velocity.norm() : 0;
+  return radius + (b.velocity.norm() + wind) * duration + gravity_of(scene) * duration * duration / 2;
+}
+
+double wall_reach(const Scene& scene, std::size_t wall) {
+  double sum = 0;
+  if (scene.effects.moving_walls)
+    for (const WallMotion& motion : scene.effects.moving_walls->motions)
+      if (static_cast<std::size_t>(motion.wall) == wall)
+        sum += motion.velocity.norm() * scene.run.duration + motion.amplitude.norm();
+  return sum;
+}
+
+double range_of(const Scene& scene) {
+  return scene.effects.cohesion ? scene.effects.cohesion->range : 0;
+}
+
+bool can_touch_wall(const Scene& scene, const SceneBody& b, double radius) {
+  for (std::size_t k = 0; k < scene.walls.size(); ++k) {
+    const Wall& wall = scene.walls[k];
+    const double height = wall.normal.normalized().dot(b.body.position - wall.point);
+    if (height <= radius + wall_reach(scene, k) + range_of(scene)) return true;
+  }
+  return false;
+}
+
+/// Beyond so many bodies nobody would ask.
+constexpr std::size_t most_bodies = 1000;
+
+}  // namespace
+
+bool can_move(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const SceneBody& b) { return !b.is_fixed; });
+}
+
+bool can_touch(const Scene& scene) {
+  if (scene.bodies.size() > most_bodies) return true;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneBody& a = scene.bodies[i];
+    const double radius = reach(scene, a);
+    if (!a.is_fixed && can_touch_wall(scene, a, radius)) return true;
+    for (std::size_t j = 0; j < i; ++j) {
+      const SceneBody& b = scene.bodies[j];
+      if (a.is_fixed && b.is_fixed) continue;
+      if ((a.body.position - b.body.position).norm() <= radius + reach(scene, b) + range_of(scene)) return true;
+    }
+  }
+  return false;
+}
+
+double least_contact_mass(const Scene& scene) {
+  // Off its centre an ellipsoid answers with a sixth of its mass: 1 + m r^2 / I with I = m r^2 / 5 about its short axes.
+  constexpr double off_centre = 1.0 / 6;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SceneBody& b : scene.bodies) {
+    if (b.is_fixed) continue;
+    const double mass = b.density * mass_properties(b.body.shape).volume;
+    least = std::min(least, is_sphere(b.body.shape) ? mass : off_centre * mass);
+  }
+  return least / 2;
+}
+
+double greatest_speed(const Scene& scene) {
+  double first = 0;
+  Eigen::AlignedBox3d box;
+  for (const SceneBody& b : scene.bodies) {
+    if (!b.is_fixed)
+      first = std::max(first, b.velocity.norm() + b.angular_velocity.norm() * bounding_radius(b.body.shape));
+    box.extend(b.body.position);
+  }
+  for (const Wall& wall : scene.walls) box.extend(wall.point);
+  const double g = gravity_of(scene);
+  const double height = box.isEmpty() ? 0 : box.diagonal().norm();
+  return std::min(first + g * scene.run.duration, std::sqrt(first * first + 2 * g * height));
+}
+
+double longest_axis(const Scene& scene) {
+  double longest = 0;
+  for (const SceneBody& b : scene.bodies)
+    if (!b.is_fixed) longest = std::max(longest, b.body.shape.semi_axes.maxCoeff());
+  return longest;
+}
+
+double shortest_axis(const Scene& scene) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const SceneBody& b : scene.bodies)
+    if (!b.is_fixed) shortest = std::min(shortest, b.body.shape.semi_axes.minCoeff());
+  return shortest;
+}
+
+}  // namespace plumb::scene

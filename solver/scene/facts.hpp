@@ -1,0 +1,24 @@
+// What follows from a scene before anything has moved: bounds that the plan and the roles of effects go by.
+#pragma once
+
+#include "solver/scene/scene.hpp"
+
+namespace plumb::scene {
+
+[[nodiscard]] bool can_move(const Scene& scene);
+
+/// Whether any two bodies, or a body and a wall, can meet within the duration. False is proved: no centre leaves the ball of radius
+/// (|v| + |u|) T + |g| T^2 / 2 about its start, u being the fluid's velocity, for as long as nothing touches.
+[[nodiscard]] bool can_touch(const Scene& scene);
+
+/// The least mass that an impulse through a contact can feel.
+[[nodiscard]] double least_contact_mass(const Scene& scene);
+
+/// What bodies can reach: their first speeds, and what gravity adds over the scene's height or over the duration.
+[[nodiscard]] double greatest_speed(const Scene& scene);
+
+/// The longest and the shortest semi-axis of all movable bodies.
+[[nodiscard]] double longest_axis(const Scene& scene);
+[[nodiscard]] double shortest_axis(const Scene& scene);
+
+}  // namespace plumb::scene

@@ -1,0 +1,87 @@
+// What is asked of a simulation beside its steps: sums over bodies, hashes, costs.
+#include <Eigen/Geometry>
+#include <bit>
+
+#include "solver/scene/simulation.hpp"
+
+namespace plumb::scene {
+namespace {
+
+double kinetic_energy(const World& world) {
+  double sum = 0;
+  for (const std::uint32_t i : world.bodies.movable)
+    sum += world.bodies.mass[i] * world.state.velocity->vector(i).squaredNorm() / 2;
+  for (const std::uint32_t i : world.bodies.turning) {
+    const auto q = world.state.orientation->entry(i);
+    const Vec3<double> momentum = world.state.angular_momentum->vector(i);
+    const Vec3<double> own = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * momentum;
+    sum += own.cwiseAbs2().dot(world.bodies.inverse_inertia[i]) / 2;
+  }
+  return sum;
+}
+
+std::uint64_t hash_of_pairs(const Contacts& contacts) {
+  std::vector<double> indices;
+  for (const auto& [i, j] : contacts.pairs)
+    indices.insert(indices.end(), {static_cast<double>(i), static_cast<double>(j)});
+  return hash_of(indices);
+}
+
+}  // namespace
+
+std::map<std::string, double> Simulation::energy() const {
+  std::map<std::string, double> out;
+  if (plan_.analysis != Analysis::motion) return out;
+  out["kinetic"] = kinetic_energy(*world_);
+  for (const StoredEnergy& stored : world_->energies) out[std::string(stored.owner)] += stored.energy();
+  return out;
+}
+
+Vec3<double> Simulation::momentum() const {
+  Vec3<double> sum = Vec3<double>::Zero();
+  for (const std::uint32_t i : world_->bodies.movable)
+    sum += world_->bodies.mass[i] * world_->state.velocity->vector(i);
+  return sum;
+}
+
+Vec3<double> Simulation::angular_momentum() const {
+  Vec3<double> sum = Vec3<double>::Zero();
+  const State& state = world_->state;
+  for (const std::uint32_t i : world_->bodies.movable)
+    sum += world_->bodies.mass[i] * state.position->vector(i).cross(state.velocity->vector(i));
+  for (const std::uint32_t i : world_->bodies.turning) sum += state.angular_momentum->vector(i);
+  return sum;
+}
+
+std::map<std::string, std::uint64_t> Simulation::hashes() const {
+  std::map<std::string, std::uint64_t> out;
+  for (const Column& column : world_->columns)
+    if (column.kind().is_kept) out[std::string(column.name())] = hash_of(column.values());
+  out["pairs"] = hash_of_pairs(world_->contacts);
+  return out;
+}
+
+std::uint64_t Simulation::hash() const {
+  std::vector<double> parts{static_cast<double>(step_)};
+  for (const auto& [name, hash] : hashes())
+    for (const std::uint64_t half : {hash >> 32U, hash & 0xffffffffU}) parts.push_back(static_cast<double>(half));
+  return hash_of(parts);
+}
+
+std::map<std::string, double> Simulation::seconds() const {
+  std::map<std::string, double> out;
+  for (const auto* passes : {&kicks_, &drifts_, &forces_})
+    for (const Pass& pass : *passes) out[std::string(pass.owner)] += std::chrono::duration<double>(pass.spent).count();
+  return out;
+}
+
+std::map<std::string, Simulation::Memory> Simulation::memory() const {
+  std::map<std::string, Memory> out;
+  for (const Column& column : world_->columns) {
+    Memory& of_owner = out[std::string(column.owner())];
+    (column.kind().of == ColumnKind::body ? of_owner.body : of_owner.pair) += column.width() * sizeof(double);
+  }
+  return out;
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,168 @@
+#include "solver/scene/narrow_phase.hpp"
+
+#include <Eigen/Geometry>
+
+#include "solver/method/automatic.hpp"
+#include "solver/scene/relative_curvature.hpp"
+#include "solver/shape/curvature.hpp"
+
+namespace plumb::scene {
+namespace {
+
+using Index = std::uint32_t;
+
+Eigen::Quaterniond orientation_of(const World& world, Index i) {
+  const auto q = world.state.orientation->entry(i);
+  return {q[0], q[1], q[2], q[3]};
+}
+
+/// What the solver takes of its last answer.
+Contact<double> last_answer(const Contacts& contacts, std::size_t c) {
+  Contact<double> last;
+  const auto chart = contacts.chart->entry(c);
+  last.chart1 = Vec3<double>::Map(chart.data());
+  last.chart2 = Vec3<double>::Map(chart.data() + 3);
+  return last;
+}
+
+void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answer) {
+  const auto chart = contacts.chart->entry(c);
+  Vec3<double>::Map(chart.data()) = answer.chart1;
+  Vec3<double>::Map(chart.data() + 3) = answer.chart2;
+}
+
+/// arm = (point - centre) x normal, which is 0 for a sphere whatever rounding says.
+Vec3<double> arm_of(const World& world, Index i, const Vec3<double>& point, const Vec3<double>& normal) {
+  if (world.bodies.is_sphere[i]) return Vec3<double>::Zero();
+  return (point - world.state.position->vector(i)).cross(normal);
+}
+
+/// One contact's columns, from what was wanted.
+void keep_contact(World& world, std::size_t c, const Contact<double>& answer) {
+  Contacts& contacts = world.contacts;
+  const auto [i, j] = contacts.pairs[c];
+  if (contacts.overlap != nullptr) (*contacts.overlap)[c] = answer.overlap;
+  if (contacts.normal != nullptr) contacts.normal->vector(c) = answer.normal;
+  if (contacts.point != nullptr) contacts.point->vector(c) = answer.contact_point;
+  if (contacts.arm1 == nullptr) return;
+  contacts.arm1->vector(c) = arm_of(world, i, answer.contact_point, answer.normal);
+  if (world.bodies.is_wall(j)) return;
+  contacts.arm2->vector(c) = arm_of(world, j, answer.contact_point, answer.normal);
+}
+
+void keep_curvature(World& world, std::size_t c, const Curvatures& first, const Curvatures& second) {
+  if (world.contacts.curvature == nullptr) return;
+  std::ranges::copy(relative_curvature(first, second), world.contacts.curvature->entry(c).begin());
+}
+
+Curvatures curvatures_of(const World& world, Index i, const PrincipalCurvature<double>& at) {
+  return Curvatures::of(at, world.bodies.shape[i].semi_axes.maxCoeff());
+}
+
+/// The deepest point of a body in a wall: the support point, in closed form. Whether they touch.
+bool meet_wall(World& world, std::size_t c) {
+  Contacts& contacts = world.contacts;
+  const auto [i, j] = contacts.pairs[c];
+  const Vec3<double> into = -world.bodies.wall_normal[j - world.bodies.count];
+  const double distance = into.dot(world.state.position->vector(j) - world.state.position->vector(i));
+  if (distance >= world.bodies.radius[i] + contacts.range) return false;
+  const Superellipsoid<double>& shape = world.bodies.shape[i];
+  const Eigen::Quaterniond q = world.bodies.is_sphere[i] ? Eigen::Quaterniond::Identity() : orientation_of(world, i);
+  const NormValue<double> at = support_point<double>(shape, q.conjugate() * into);
+  Contact<double> answer;
+  answer.overlap = at.value - distance;
+  if (answer.overlap <= -contacts.range) return false;
+  answer.normal = into;
+  answer.contact_point = world.state.position->vector(i) + q * at.gradient - answer.overlap / 2 * into;
+  keep_contact(world, c, answer);
+  if (contacts.curvature == nullptr) return true;
+  PrincipalCurvature<double> curvature = principal_curvature<double>(shape, at.gradient);
+  curvature.direction1 = q * curvature.direction1;
+  keep_curvature(world, c, curvatures_of(world, i, curvature), {});
+  return true;
+}
+
+Contact<double> count(Contact<double> answer, Round& round) {
+  ++round.solves;
+  round.evaluations += answer.evaluations;
+  return answer;
+}
+
+bool are_apart(World& world, std::size_t c, const Pair& pair, const Want& want, Round& round) {
+  Want yes_or_no = want;
+  yes_or_no.overlap = yes_or_no.normal = yes_or_no.points = yes_or_no.curvature = false;
+  const Contact<double> last = last_answer(world.contacts, c);
+  const Contact<double> answer = count(automatic<double>(pair, yes_or_no, &last), round);
+  keep_charts(world.contacts, c, answer);
+  return answer.status == Status::converged && answer.verdict == Verdict::separated;
+}
+
+/// Warm, and cold where that fails: a contact is never dropped because a start was bad.
+Contact<double> solve(const World& world, std::size_t c, const Pair& pair, const Want& want, Round& round) {
+  const Contact<double> last = last_answer(world.contacts, c);
+  const Contact<double> warm = count(automatic<double>(pair, want, &last), round);
+  if (warm.status == Status::converged) return warm;
+  const Contact<double> cold = count(automatic<double>(pair, want, nullptr), round);
+  if (cold.status != Status::converged) ++round.failed;
+  return cold;
+}
+
+/// Whether two bodies touch. Where no solve gave a finite answer they do what they did before, with the columns of then.
+bool meet_body(World& world, std::size_t c, const Want& want, Round& round, SolveNote* note) {
+  Contacts& contacts = world.contacts;
+  const auto [i, j] = contacts.pairs[c];
+  const Bodies& bodies = world.bodies;
+  const double reach = bodies.radius[i] + bodies.radius[j] + contacts.range;
+  if ((world.state.position->vector(j) - world.state.position->vector(i)).squaredNorm() > reach * reach) return false;
+  const bool touched = (*contacts.is_touching)[c] != 0;
+  const Pair pair{solver_body(world, i), solver_body(world, j)};
+  if (!touched && contacts.range == 0 && are_apart(world, c, pair, want, round)) return false;
+  if (want.is_yes_or_no()) return true;
+  const Contact<double> answer = solve(world, c, pair, want, round);
+  const bool is_answered = std::isfinite(answer.overlap);
+  const bool touches = is_answered ? answer.overlap > -contacts.range : touched;
+  if (note != nullptr)
+    *note = {static_cast<Index>(c), answer.status, answer.iterations, answer.evaluations, touched, touches};
+  if (!is_answered) return touches;
+  keep_charts(contacts, c, answer);
+  if (!touches) return false;
+  keep_contact(world, c, answer);
+  keep_curvature(world, c, curvatures_of(world, i, answer.curvature[0]), curvatures_of(world, j, answer.curvature[1]));
+  return true;
+}
+
+}  // namespace
+
+Body solver_body(const World& world, std::uint32_t i) {
+  Body body{world.bodies.shape[i], world.state.position->vector(i), {1, 0, 0, 0}};
+  if (world.bodies.is_sphere[i] == 0) std::ranges::copy(world.state.orientation->entry(i), body.quaternion.begin());
+  return body;
+}
+
+Round solve_contacts(World& world, const Want& want, [[maybe_unused]] int threads, std::vector<SolveNote>* notes) {
+  Contacts& contacts = world.contacts;
+  const auto pairs = static_cast<std::int64_t>(contacts.pairs.size());
+  std::vector<SolveNote> all(notes == nullptr ? 0 : contacts.pairs.size());
+  std::int64_t solves = 0, evaluations = 0, failed = 0;
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 32) if (threads > 1) \
+    reduction(+ : solves, evaluations, failed)
+  for (std::int64_t k = 0; k < pairs; ++k) {
+    const auto c = static_cast<std::size_t>(k);
+    Round round;
+    const bool touches = world.bodies.is_wall(contacts.pairs[c][1])
+                             ? meet_wall(world, c)
+                             : meet_body(world, c, want, round, all.empty() ? nullptr : &all[c]);
+    (*contacts.is_touching)[c] = touches ? 1 : 0;
+    solves += round.solves;
+    evaluations += round.evaluations;
+    failed += round.failed;
+  }
+  contacts.touching.clear();
+  for (std::size_t c = 0; c < contacts.pairs.size(); ++c)
+    if ((*contacts.is_touching)[c] != 0) contacts.touching.push_back(static_cast<Index>(c));
+  if (notes != nullptr)
+    std::ranges::copy_if(all, std::back_inserter(*notes), [](const SolveNote& note) { return note.evaluations > 0; });
+  return {solves, evaluations, failed};
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,126 @@
+#include "solver/scene/neighbours.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+namespace plumb::scene {
+namespace {
+
+namespace geometry = boost::geometry;
+using Point = geometry::model::point<double, 3, geometry::cs::cartesian>;
+using Box = geometry::model::box<Point>;
+using Entry = std::pair<Box, std::uint32_t>;
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+constexpr double share_of_radius =
+    0.05;  // of the margin; twice that builds half the lists and solves a tenth more pairs
+constexpr double steps_ahead = 20;
+
+Vec3<double> low_of(const Column& fat, std::size_t i) {
+  return Vec3<double>::Map(fat.entry(i).data());
+}
+Vec3<double> high_of(const Column& fat, std::size_t i) {
+  return Vec3<double>::Map(fat.entry(i).data() + 3);
+}
+
+Box box_of(const Column& fat, std::size_t i) {
+  const Vec3<double> low = low_of(fat, i), high = high_of(fat, i);
+  return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+}
+
+bool can_meet(const Bodies& bodies, std::uint32_t i, std::uint32_t j) {
+  return bodies.inverse_mass[i] > 0 || bodies.inverse_mass[j] > 0;
+}
+
+/// How far a wall may move before its list is made anew.
+double wall_margin(const World& world) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : world.bodies.movable) least = std::min(least, world.bodies.radius[i]);
+  return share_of_radius * least;
+}
+
+void add_walls(const World& world, const Column& fat, Pairs& pairs) {
+  const Bodies& bodies = world.bodies;
+  const double margin = wall_margin(world);
+  for (const std::uint32_t i : bodies.movable)
+    for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
+      const Vec3<double> normal = bodies.wall_normal[wall];
+      const Vec3<double> low = low_of(fat, i), high = high_of(fat, i);
+      const double middle = normal.dot((low + high) / 2 - low_of(fat, bodies.count + wall));
+      const double reach = normal.cwiseAbs().dot((high - low) / 2);
+      if (middle <= reach + margin) pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
+    }
+}
+
+}  // namespace
+
+Vec3<double> half_extent(const World& world, std::size_t body) {
+  const auto q = world.state.orientation->entry(body);
+  const Mat3<double> rotation = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Vec3<double> box = rotation.cwiseAbs() * world.bodies.shape[body].semi_axes;
+  return box.cwiseMin(world.bodies.radius[body]).array() + world.contacts.range / 2;
+}
+
+bool are_within(const World& world, const Column& fat) {
+  const Bodies& bodies = world.bodies;
+  for (const std::uint32_t i : bodies.movable) {
+    const Vec3<double> x = world.state.position->vector(i), half = half_extent(world, i);
+    if (((x - half).array() < low_of(fat, i).array()).any() || ((x + half).array() > high_of(fat, i).array()).any())
+      return false;
+  }
+  if (bodies.walls == 0) return true;
+  const double margin = wall_margin(world);
+  for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
+    const Vec3<double> moved = world.state.position->vector(bodies.count + wall) - low_of(fat, bodies.count + wall);
+    if (bodies.wall_normal[wall].dot(moved) > margin) return false;
+  }
+  return true;
+}
+
+void fatten(const World& world, Column& fat) {
+  const Bodies& bodies = world.bodies;
+  for (std::size_t i = 0; i < bodies.all(); ++i) {
+    const Vec3<double> x = world.state.position->vector(i);
+    Vec3<double> half = Vec3<double>::Zero();
+    if (i < bodies.count) {
+      const double moves = steps_ahead * world.time_step * world.state.velocity->vector(i).norm();
+      const double margin = std::clamp(moves, share_of_radius * bodies.radius[i], bodies.radius[i]);
+      half = half_extent(world, i).array() + (bodies.inverse_mass[i] > 0 ? margin : 0);
+    }
+    Vec3<double>::Map(fat.entry(i).data()) = x - half;
+    Vec3<double>::Map(fat.entry(i).data() + 3) = x + half;
+  }
+}
+
+Pairs meeting_pairs(const World& world, const Column& fat) {
+  const Bodies& bodies = world.bodies;
+  std::vector<Entry> entries;
+  entries.reserve(bodies.count);
+  for (std::uint32_t i = 0; i < bodies.count; ++i) entries.emplace_back(box_of(fat, i), i);
+  const geometry::index::rtree<Entry, geometry::index::linear<16>> tree(entries);  // packed: built at once
+  Pairs pairs;
+  std::vector<Entry> met;
+  for (const auto& [box, i] : entries) {
+    met.clear();
+    tree.query(geometry::index::intersects(box), std::back_inserter(met));
+    for (const auto& [other, j] : met)
+      if (j > i && can_meet(bodies, i, j)) pairs.push_back({i, j});
+  }
+  add_walls(world, fat, pairs);
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+Pairs all_pairs(const Bodies& bodies) {
+  const bool is_still = bodies.movable.empty();
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < bodies.count; ++i)
+    for (std::uint32_t j = i + 1; j < bodies.all(); ++j)
+      if (is_still || can_meet(bodies, i, j)) pairs.push_back({i, j});
+  return pairs;
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,28 @@
+// Which pairs may touch: boxes around the bodies, fattened so that the list holds for many steps.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/scene/world.hpp"
+
+namespace plumb::scene {
+
+/// Box around a body's centre: half its extent along the world's axes.
+[[nodiscard]] Vec3<double> half_extent(const World& world, std::size_t body);
+
+/// Whether each body's box is still inside the fat one that the list was made with, and each wall where it stood.
+/// `fat` is 6 wide: low and high corner of bodies; of walls the point and no more.
+[[nodiscard]] bool are_within(const World& world, const Column& fat);
+
+/// Fattens all boxes anew, by a twentieth of the body's radius or twenty steps of its motion.
+void fatten(const World& world, Column& fat);
+
+/// Pairs whose fat boxes meet, one of them movable, and bodies with walls that reach into theirs: sorted, body 1 < body 2.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 2>> meeting_pairs(const World& world, const Column& fat);
+
+/// Every pair of which one can move, or simply every one where none can.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 2>> all_pairs(const Bodies& bodies);
+
+}  // namespace plumb::scene

@@ -1,0 +1,210 @@
+#include "solver/scene/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/scene/check_scene.hpp"
+#include "solver/scene/facts.hpp"
+#include "solver/scene/mass.hpp"
+
+namespace plumb::scene {
+namespace {
+
+const char* const not_asked = "not asked for";
+const char* const asked_for = "asked for";
+
+/// Lists of at most so many pairs are kept for good: boxes around the bodies would cost more than they spare.
+constexpr std::size_t few_pairs = 16;
+/// Steps at least of the fastest thing that happens; fewer and a leapfrog loses its hold.
+constexpr double least_steps = 8;
+/// Steps where nothing happens that has a time of its own.
+constexpr double quiet_steps = 100;
+/// The solver's tolerance is this part of the accuracy: overlaps are about a hundredth of a body, their error far below.
+constexpr double contact_share = 1e-6;
+
+Analysis analysis_of(const Scene& scene) {
+  if (scene.run.duration > 0 && can_move(scene)) return Analysis::motion;
+  const Outputs& outputs = scene.run.outputs;
+  return outputs.contacts || outputs.vtk || outputs.playback ? Analysis::contacts : Analysis::touching;
+}
+
+/// Why it is off; empty where it is on.
+std::string why_off(const Role& role, const Plan& plan, bool bodies_can_touch) {
+  if (plan.analysis != Analysis::motion) return "nothing moves";
+  if (!role.off.empty()) return role.off;
+  if (role.needs.contacts && !bodies_can_touch) return "no two bodies can meet: the balls that they can reach do not";
+  return {};
+}
+
+PlannedEffect planned(const Effect& effect, const Scene& scene, const Plan& plan, const PlanOptions& options,
+                      bool bodies_can_touch) {
+  PlannedEffect out{&effect, false, not_asked, {}};
+  if (!effect.is_asked(plan.asked)) return out;
+  const Role role = effect.role(plan.asked, scene);
+  const bool is_forced = options.forced.contains(effect.name);
+  out.why = why_off(role, plan, bodies_can_touch);
+  out.is_on = out.why.empty() || (is_forced && plan.analysis == Analysis::motion);
+  if (out.is_on) out.needs = role.needs;
+  if (is_forced && out.is_on) out.why = "forced on" + (out.why.empty() ? "" : ": " + out.why);
+  if (out.why.empty()) out.why = asked_for;
+  return out;
+}
+
+void add_needs(Needs& all, const Needs& one) {
+  all.contacts |= one.contacts;
+  all.points |= one.points;
+  all.curvature |= one.curvature;
+  all.spin |= one.spin;
+  all.normal_force |= one.normal_force;
+  all.range = std::max(all.range, one.range);
+  all.fastest = std::min(all.fastest, one.fastest);
+}
+
+/// Names of the effects that need something, one after the other.
+template <class Needs_>
+std::string names_of(const Plan& plan, const Needs_& needs) {
+  std::string out;
+  for (const PlannedEffect& planned : plan.effects)
+    if (planned.is_on && needs(planned.needs)) out += (out.empty() ? "" : ", ") + std::string(planned.effect->name);
+  return out;
+}
+
+void plan_contacts(Plan& plan, const Scene& scene) {
+  const std::string who = names_of(plan, [](const Needs& needs) { return needs.contacts; });
+  const Outputs& outputs = scene.run.outputs;
+  const bool is_written = outputs.contacts || outputs.touching;
+  if (!who.empty())
+    plan.contacts_why = "needed by " + who;
+  else if (plan.analysis != Analysis::motion || is_written)
+    plan.contacts_why = "what is asked for";
+  else
+    plan.contacts_why = "no effect needs them and no output asks for them";
+  plan.needs.contacts = plan.needs.contacts || plan.analysis != Analysis::motion || is_written;
+  plan.needs.points = plan.needs.points || plan.analysis == Analysis::contacts || outputs.contacts;
+}
+
+void plan_turning(Plan& plan, const Scene& scene) {
+  const std::string who = names_of(plan, [](const Needs& needs) { return needs.spin; });
+  bool any_shape = false, any_spin = false;
+  for (const SceneBody& b : scene.bodies) {
+    const bool has_arm = plan.needs.normal_force && !is_sphere(b.body.shape);
+    const bool spins = !b.angular_velocity.isZero(0);
+    const bool is_free = plan.analysis == Analysis::motion && !b.is_fixed;
+    plan.turns.push_back(is_free && (plan.needs.spin || has_arm || spins));
+    any_shape |= is_free && has_arm;
+    any_spin |= is_free && spins;
+  }
+  if (!plan.has_turning())
+    plan.turning_why = "no effect, no contact and no output reads an orientation that changes";
+  else if (plan.needs.spin)
+    plan.turning_why = "every body, for " + who;
+  else if (any_shape)
+    plan.turning_why = "bodies that are no spheres, for their contacts";
+  else if (any_spin)
+    plan.turning_why = "bodies that spin";
+  plan.needs.points |= plan.needs.normal_force && plan.has_turning();
+}
+
+void plan_solver(Plan& plan, const Scene& scene) {
+  const bool is_yes_or_no =
+      plan.analysis == Analysis::touching ||
+      (plan.analysis == Analysis::motion && !plan.needs.normal_force && !plan.needs.curvature && !plan.needs.points);
+  plan.want.overlap = !is_yes_or_no;
+  plan.want.normal = plan.needs.normal_force || plan.needs.points;
+  plan.want.points = plan.needs.points;
+  plan.want.curvature = plan.needs.curvature;
+  plan.want.tolerance = contact_share * scene.run.accuracy;
+}
+
+void plan_broad_phase(Plan& plan, const Scene& scene) {
+  const std::size_t bodies = scene.bodies.size(), pairs = bodies * (bodies - 1) / 2 + bodies * scene.walls.size();
+  const std::string count = std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs");
+  if (!plan.needs.contacts)
+    plan.broad_phase_why = "no contacts";
+  else if (pairs <= few_pairs)
+    plan.broad_phase_why = count + ": one list for good";
+  else if (plan.analysis != Analysis::motion && !can_move(scene))
+    plan.broad_phase_why = count + ", asked once";
+  else
+    plan.broad_phase_why = count;
+  if (plan.needs.contacts && pairs > few_pairs) plan.broad_phase = BroadPhase::tree;
+}
+
+double spin_time(const Scene& scene, const Plan& plan) {
+  double fastest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (plan.turns[i] && !is_sphere(scene.bodies[i].body.shape))
+      fastest = std::min(fastest, 2 * std::numbers::pi / scene.bodies[i].angular_velocity.norm());
+  return fastest;
+}
+
+/// From the fastest thing that happens: a leapfrog's error goes as the square of the step.
+void choose_time_step(Plan& plan, const Scene& scene) {
+  const double fastest = std::min(plan.needs.fastest, spin_time(scene, plan));
+  const std::string who = names_of(plan, [&](const Needs& needs) { return needs.fastest == fastest; });
+  const double steps = std::max(least_steps, 1 / std::sqrt(scene.run.accuracy));
+  plan.time_step = std::isfinite(fastest) ? fastest / steps : scene.run.duration / quiet_steps;
+  if (!std::isfinite(fastest))
+    plan.time_step_why = "nothing has a time of its own";
+  else
+    plan.time_step_why =
+        std::to_string(static_cast<int>(steps)) + " steps of the fastest: " + (who.empty() ? "spin" : who);
+}
+
+void plan_time(Plan& plan, const Scene& scene) {
+  if (plan.analysis != Analysis::motion) {
+    plan.time_step_why = can_move(scene) ? "the duration is 0" : "every body is fixed";
+    return;
+  }
+  const Run& run = scene.run;
+  choose_time_step(plan, scene);
+  if (run.time_step) {
+    plan.time_step = *run.time_step;
+    plan.time_step_why = asked_for;
+  }
+  plan.time_step = std::min(plan.time_step, run.duration);
+  const auto whole = [](double x) { return static_cast<std::int64_t>(std::ceil(x * (1 - 1e-12))); };
+  if (run.outputs.every > 0) {
+    plan.steps_per_output = std::max<std::int64_t>(1, whole(run.outputs.every / plan.time_step));
+    if (!run.time_step) plan.time_step = run.outputs.every / static_cast<double>(plan.steps_per_output);
+  }
+  plan.steps = whole(run.duration / plan.time_step);
+}
+
+}  // namespace
+
+bool Plan::is_on(std::string_view effect) const {
+  return std::ranges::any_of(effects, [&](const PlannedEffect& p) { return p.is_on && p.effect->name == effect; });
+}
+
+bool Plan::has_turning() const {
+  return std::ranges::find(turns, true) != turns.end();
+}
+
+Plan make_plan(const Scene& scene, const PlanOptions& options) {
+  check_scene(scene);
+  Plan plan;
+  plan.analysis = analysis_of(scene);
+  plan.asked = scene.effects;
+  for (const std::string& name : options.forced) {
+    const Effect* effect = find_effect(name);
+    if (effect == nullptr) throw SceneError("effects." + name, "there is no such effect");
+    effect->ask(plan.asked);
+  }
+  Scene with_forced = scene;
+  with_forced.effects = plan.asked;
+  const bool bodies_can_touch = can_touch(with_forced);
+  for (const Effect& effect : effects()) {
+    plan.effects.push_back(planned(effect, with_forced, plan, options, bodies_can_touch));
+    add_needs(plan.needs, plan.effects.back().needs);
+  }
+  plan_contacts(plan, scene);
+  plan_turning(plan, scene);
+  plan_solver(plan, scene);
+  plan_broad_phase(plan, scene);
+  plan_time(plan, scene);
+  return plan;
+}
+
+}  // namespace plumb::scene

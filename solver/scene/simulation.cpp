@@ -1,0 +1,205 @@
+#include "solver/scene/simulation.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "solver/scene/narrow_phase.hpp"
+#include "solver/scene/neighbours.hpp"
+#include "solver/scene/rotation.hpp"
+#include "solver/scene/world_setup.hpp"
+
+namespace plumb::scene {
+namespace {
+
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+void run_all(std::vector<Pass>& passes) {
+  for (Pass& pass : passes) {
+    const auto start = std::chrono::steady_clock::now();
+    pass.run();
+    pass.spent += std::chrono::steady_clock::now() - start;
+  }
+}
+
+Eigen::Quaterniond orientation_at(const World& world, std::uint32_t i) {
+  const auto q = world.state.orientation->entry(i);
+  return {q[0], q[1], q[2], q[3]};
+}
+
+void shift(World& world) {
+  for (const std::uint32_t i : world.bodies.movable)
+    world.state.position->vector(i) += world.time_step * world.state.velocity->vector(i);
+}
+
+void rotate(World& world) {
+  State& state = world.state;
+  for (const std::uint32_t i : world.bodies.turning) {
+    const Vec3<double> momentum = state.angular_momentum->vector(i);
+    const Vec3<double>& inverse_inertia = world.bodies.inverse_inertia[i];
+    const Eigen::Quaterniond q = rotated(orientation_at(world, i), momentum, inverse_inertia, world.time_step);
+    std::ranges::copy(std::array{q.w(), q.x(), q.y(), q.z()}, state.orientation->entry(i).begin());
+    const Vec3<double> own = q.conjugate() * momentum;
+    state.angular_velocity->vector(i) = q * Vec3<double>(own.cwiseProduct(inverse_inertia));
+  }
+}
+
+void kick_half(World& world) {
+  for (const std::uint32_t i : world.bodies.movable)
+    world.state.velocity->vector(i) +=
+        world.time_step / 2 * world.bodies.inverse_mass[i] * world.state.force->vector(i);
+  for (const std::uint32_t i : world.bodies.turning)
+    world.state.angular_momentum->vector(i) += world.time_step / 2 * world.state.torque->vector(i);
+}
+
+void clear_forces(World& world) {
+  world.state.force->fill(0);
+  if (world.state.torque != nullptr) world.state.torque->fill(0);
+}
+
+/// What contacts remember, of those that have ended.
+void forget(const Contacts& contacts, std::vector<Column*>& histories) {
+  for (Column* column : histories)
+    for (std::size_t c = 0; c < contacts.pairs.size(); ++c)
+      if ((*contacts.is_touching)[c] == 0) std::ranges::fill(column->entry(c), column->kind().initial);
+}
+
+/// The elastic, viscous and cohesive forces along the normals, onto the bodies.
+void push_along_normals(World& world) {
+  const Contacts& contacts = world.contacts;
+  for (const std::uint32_t c : contacts.touching) {
+    const auto [i, j] = contacts.pairs[c];
+    const double size = (*contacts.normal_force)[c];
+    const Vec3<double> force = size * contacts.normal->vector(c);
+    world.state.force->vector(i) -= force;
+    world.state.force->vector(j) += force;
+    if (contacts.arm1 == nullptr) continue;
+    world.state.torque->vector(i) -= size * contacts.arm1->vector(c);
+    world.state.torque->vector(j) += size * contacts.arm2->vector(c);
+  }
+}
+
+/// The columns of a new list, with what the old one knew of the same pairs; both are sorted.
+void take_over(Columns& columns, const Pairs& before, const Pairs& now) {
+  for (Column& column : columns) {
+    if (column.kind().of != ColumnKind::pair) continue;
+    Column next(column.name(), column.owner(), column.kind());
+    next.resize(now.size());
+    for (std::size_t old = 0, k = 0; old < before.size() && k < now.size();) {
+      if (before[old] == now[k]) std::ranges::copy(column.entry(old), next.entry(k).begin());
+      const bool is_behind = before[old] <= now[k], is_ahead = before[old] >= now[k];
+      old += is_behind ? 1 : 0;
+      k += is_ahead ? 1 : 0;
+    }
+    column = std::move(next);
+  }
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene, Plan plan, int threads)
+    : plan_(std::move(plan)), world_(std::make_unique<World>()), threads_(threads) {
+  if (plan_.broad_phase == BroadPhase::tree) {
+    const double nowhere = std::numeric_limits<double>::quiet_NaN();
+    fat_ = &world_->columns.add("fat_box", "broad phase", {ColumnKind::body, 6, true, nowhere});
+  }
+  set_up(*world_, scene, plan_);
+  if (plan_.needs.contacts && fat_ == nullptr) use_pairs(all_pairs(world_->bodies));
+  list_passes();
+  world_->time_step = 0;  // the forces at the start, to which no time has led
+  run_all(forces_);
+  world_->time_step = plan_.time_step;
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::list_passes() {
+  World& world = *world_;
+  const auto move_all = [](std::vector<Pass>& from, std::vector<Pass>& to) {
+    std::ranges::move(from, std::back_inserter(to));
+    from.clear();
+  };
+  drifts_.push_back({"motion", [&world] { shift(world); }});
+  if (world.has_turning()) drifts_.push_back({"turning", [&world] { rotate(world); }});
+  move_all(world.movers, drifts_);
+  kicks_.push_back({"motion", [&world] { kick_half(world); }});
+  if (fat_ != nullptr) forces_.push_back({"broad phase", [this] { update_list(); }});
+  if (plan_.needs.contacts) forces_.push_back({"solver", [this] { solve(); }});
+  if (plan_.analysis != Analysis::motion) return;
+  std::vector<Column*> histories;
+  for (Column& column : world.columns)
+    if (column.kind().forgets) histories.push_back(&column);
+  if (!histories.empty())
+    forces_.push_back({"contacts", [&world, histories]() mutable { forget(world.contacts, histories); }});
+  forces_.push_back({"motion", [&world] { clear_forces(world); }});
+  move_all(world.contact_passes, forces_);
+  if (plan_.needs.normal_force) forces_.push_back({"contacts", [&world] { push_along_normals(world); }});
+  move_all(world.body_passes, forces_);
+}
+
+void Simulation::use_pairs(Pairs pairs) {
+  take_over(world_->columns, world_->contacts.pairs, pairs);
+  world_->contacts.pairs = std::move(pairs);
+  ++totals_.lists;
+}
+
+void Simulation::update_list() {
+  if (are_within(*world_, *fat_)) return;
+  fatten(*world_, *fat_);
+  use_pairs(meeting_pairs(*world_, *fat_));
+}
+
+void Simulation::solve() {
+  std::vector<SolveNote> notes;
+  const Round round = solve_contacts(*world_, plan_.want, threads_, look_ ? &notes : nullptr);
+  totals_.solves += round.solves;
+  totals_.evaluations += round.evaluations;
+  totals_.failed += round.failed;
+  if (look_) look_(notes);
+}
+
+void Simulation::step() {
+  run_all(kicks_);
+  ++step_;
+  world_->time = static_cast<double>(step_) * world_->time_step;
+  run_all(drifts_);
+  run_all(forces_);
+  run_all(kicks_);
+}
+
+void Simulation::observe(std::function<void(std::span<const SolveNote>)> look) {
+  look_ = std::move(look);
+}
+
+Pair Simulation::pair_of(std::size_t contact) const {
+  const auto [i, j] = world_->contacts.pairs[contact];
+  return {solver_body(*world_, i), solver_body(*world_, j)};
+}
+
+Snapshot Simulation::snapshot() const {
+  Snapshot out{step_, totals_, world_->contacts.pairs, {}};
+  for (const Column& column : world_->columns)
+    if (column.kind().is_kept) out.columns.emplace_back(column.name(), column.values());
+  return out;
+}
+
+bool Simulation::restore(const Snapshot& snapshot) {
+  std::size_t kept = 0;
+  for (const auto& [name, values] : snapshot.columns) {
+    const Column* column = world_->columns.find(name);
+    if (column == nullptr || !column->kind().is_kept) return false;
+    const std::size_t entries = column->kind().of == ColumnKind::body ? world_->bodies.all() : snapshot.pairs.size();
+    if (values.size() != entries * column->width()) return false;
+    ++kept;
+  }
+  const auto is_kept = [](const Column& column) { return column.kind().is_kept; };
+  if (std::ranges::count_if(world_->columns, is_kept) != static_cast<std::ptrdiff_t>(kept)) return false;
+  world_->contacts.pairs = snapshot.pairs;
+  world_->columns.resize(ColumnKind::pair, snapshot.pairs.size());
+  for (const auto& [name, values] : snapshot.columns) world_->columns.find(name)->values() = values;
+  step_ = snapshot.step;
+  totals_ = snapshot.totals;
+  world_->time = static_cast<double>(step_) * world_->time_step;
+  return true;
+}
+
+}  // namespace plumb::scene
