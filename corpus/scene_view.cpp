@@ -18,6 +18,16 @@ Vec3<double> vector_in(const Column* column, std::size_t i) {
   return column == nullptr ? not_valid<double>() : Vec3<double>(column->vector(i));
 }
 
+/// Where the plan asks for no points, spheres still have one.
+Vec3<double> point_of(const World& world, std::uint32_t c) {
+  const Contacts& contacts = world.contacts;
+  if (contacts.point != nullptr) return contacts.point->vector(c);
+  const std::uint32_t i = contacts.pairs[c][0];
+  if (world.bodies.is_sphere[i] == 0 || contacts.normal == nullptr) return not_valid<double>();
+  const double reach = world.bodies.radius[i] - (*contacts.overlap)[c] / 2;
+  return world.state.position->vector(i) + reach * contacts.normal->vector(c);
+}
+
 /// null where it is not finite.
 Json valid_or_null(const Vec3<double>& v) {
   return v.allFinite() ? Json{v[0], v[1], v[2]} : Json();
@@ -39,8 +49,8 @@ std::vector<ContactView> contacts_of(const Simulation& run) {
   std::vector<ContactView> out;
   for (const std::uint32_t c : contacts.touching) {
     const auto [i, j] = contacts.pairs[c];
-    ContactView view{
-        i, j, {}, number_in(contacts.overlap, c), vector_in(contacts.normal, c), vector_in(contacts.point, c), {}};
+    ContactView view{i, j, {}, number_in(contacts.overlap, c), vector_in(contacts.normal, c), point_of(run.world(), c),
+                     {}};
     if (bodies.is_wall(j)) view.wall = j - static_cast<std::uint32_t>(bodies.count);
     if (contacts.normal_force != nullptr) view.force = (*contacts.normal_force)[c];
     out.push_back(view);
@@ -94,6 +104,7 @@ Json touching_json(const Simulation& run) {
 
 std::map<std::string, double> energies_of(const Simulation& run) {
   auto out = run.energy();
+  if (out.empty()) return out;
   double total = 0;
   for (const auto& [owner, energy] : out) total += energy;
   out["total"] = total;

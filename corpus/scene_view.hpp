@@ -32,7 +32,7 @@ struct ContactView {
 /// {"time", "step", "touching": [[i, j], ..], "walls": [[i, k], ..]}
 [[nodiscard]] Json touching_json(const Simulation& run);
 
-/// energy() and its sum, "total".
+/// energy() and its sum, "total"; empty where nothing moves.
 [[nodiscard]] std::map<std::string, double> energies_of(const Simulation& run);
 /// 16 hex digits.
 [[nodiscard]] std::string hash_text(std::uint64_t hash);
