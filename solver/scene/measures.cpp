@@ -57,7 +57,7 @@ std::map<std::string, std::uint64_t> Simulation::hashes() const {
   std::map<std::string, std::uint64_t> out;
   for (const Column& column : world_->columns)
     if (column.kind().is_kept) out[std::string(column.name())] = hash_of(column.values());
-  out["pairs"] = hash_of_pairs(world_->contacts);
+  if (plan_.needs.contacts) out["pairs"] = hash_of_pairs(world_->contacts);
   return out;
 }
 

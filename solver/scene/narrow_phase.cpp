@@ -37,17 +37,33 @@ Vec3<double> arm_of(const World& world, Index i, const Vec3<double>& point, cons
   return (point - world.state.position->vector(i)).cross(normal);
 }
 
+/// 1 / mass and what turning adds to it, at an arm of the normal.
+double inverse_mass_at(const World& world, Index i, const Vec3<double>& arm) {
+  const Vec3<double> own = orientation_of(world, i).conjugate() * arm;
+  return world.bodies.inverse_mass[i] + own.cwiseAbs2().dot(world.bodies.inverse_inertia[i]);
+}
+
+/// The arms of the normal, and the mass that it feels.
+void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
+  Contacts& contacts = world.contacts;
+  const auto [i, j] = contacts.pairs[c];
+  Vec3<double> arm1 = Vec3<double>::Zero(), arm2 = Vec3<double>::Zero();
+  if (contacts.arm1 != nullptr) {
+    contacts.arm1->vector(c) = arm1 = arm_of(world, i, answer.contact_point, answer.normal);
+    if (!world.bodies.is_wall(j))
+      contacts.arm2->vector(c) = arm2 = arm_of(world, j, answer.contact_point, answer.normal);
+  }
+  if (contacts.inverse_mass != nullptr)
+    (*contacts.inverse_mass)[c] = inverse_mass_at(world, i, arm1) + inverse_mass_at(world, j, arm2);
+}
+
 /// One contact's columns, from what was wanted.
 void keep_contact(World& world, std::size_t c, const Contact<double>& answer) {
   Contacts& contacts = world.contacts;
-  const auto [i, j] = contacts.pairs[c];
   if (contacts.overlap != nullptr) (*contacts.overlap)[c] = answer.overlap;
   if (contacts.normal != nullptr) contacts.normal->vector(c) = answer.normal;
   if (contacts.point != nullptr) contacts.point->vector(c) = answer.contact_point;
-  if (contacts.arm1 == nullptr) return;
-  contacts.arm1->vector(c) = arm_of(world, i, answer.contact_point, answer.normal);
-  if (world.bodies.is_wall(j)) return;
-  contacts.arm2->vector(c) = arm_of(world, j, answer.contact_point, answer.normal);
+  keep_arms(world, c, answer);
 }
 
 void keep_curvature(World& world, std::size_t c, const Curvatures& first, const Curvatures& second) {

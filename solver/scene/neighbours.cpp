@@ -5,6 +5,7 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <cmath>
 
 namespace plumb::scene {
 namespace {
@@ -19,15 +20,15 @@ constexpr double share_of_radius =
     0.05;  // of the margin; twice that builds half the lists and solves a tenth more pairs
 constexpr double steps_ahead = 20;
 
-Vec3<double> low_of(const Column& fat, std::size_t i) {
-  return Vec3<double>::Map(fat.entry(i).data());
+Vec3<double> low_of(const Column& boxes, std::size_t i) {
+  return Vec3<double>::Map(boxes.entry(i).data());
 }
-Vec3<double> high_of(const Column& fat, std::size_t i) {
-  return Vec3<double>::Map(fat.entry(i).data() + 3);
+Vec3<double> high_of(const Column& boxes, std::size_t i) {
+  return Vec3<double>::Map(boxes.entry(i).data() + 3);
 }
 
-Box box_of(const Column& fat, std::size_t i) {
-  const Vec3<double> low = low_of(fat, i), high = high_of(fat, i);
+Box box_of(const Column& boxes, std::size_t i) {
+  const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
   return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
 }
 
@@ -42,17 +43,45 @@ double wall_margin(const World& world) {
   return share_of_radius * least;
 }
 
-void add_walls(const World& world, const Column& fat, Pairs& pairs) {
+void add_walls(const World& world, const Column& boxes, Pairs& pairs) {
   const Bodies& bodies = world.bodies;
   const double margin = wall_margin(world);
   for (const std::uint32_t i : bodies.movable)
     for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
       const Vec3<double> normal = bodies.wall_normal[wall];
-      const Vec3<double> low = low_of(fat, i), high = high_of(fat, i);
-      const double middle = normal.dot((low + high) / 2 - low_of(fat, bodies.count + wall));
+      const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
+      const double middle = normal.dot((low + high) / 2 - low_of(boxes, bodies.count + wall));
       const double reach = normal.cwiseAbs().dot((high - low) / 2);
       if (middle <= reach + margin) pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
     }
+}
+
+/// How far any point of a body's surface can have moved in the last step.
+double greatest_motion(const World& world, std::uint32_t i) {
+  const double shift = world.state.velocity->vector(i).norm();
+  if (!world.has_turning()) return shift * world.time_step;
+  const double momentum = world.state.angular_momentum->vector(i).norm();
+  const double turn = momentum * world.bodies.inverse_inertia[i].maxCoeff() * world.bodies.radius[i];
+  return (shift + turn) * world.time_step;
+}
+
+/// Between the box that a body needs now and its fat one; negative where it has left that, NaN where there is none.
+double room_in_box(const World& world, const Column& boxes, std::uint32_t i) {
+  const Vec3<double> x = world.state.position->vector(i), half = half_extent(world, i);
+  const Vec3<double> below = x - half - low_of(boxes, i), above = high_of(boxes, i) - x - half;
+  const double low = below.minCoeff<Eigen::PropagateNaN>(), high = above.minCoeff<Eigen::PropagateNaN>();
+  return std::isnan(low) ? low : std::min(low, high);
+}
+
+bool walls_stand(const World& world, const Column& boxes) {
+  const Bodies& bodies = world.bodies;
+  if (bodies.walls == 0) return true;
+  const double margin = wall_margin(world);
+  for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
+    const Vec3<double> moved = world.state.position->vector(bodies.count + wall) - low_of(boxes, bodies.count + wall);
+    if (!(bodies.wall_normal[wall].dot(moved) <= margin)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -64,42 +93,40 @@ Vec3<double> half_extent(const World& world, std::size_t body) {
   return box.cwiseMin(world.bodies.radius[body]).array() + world.contacts.range / 2;
 }
 
-bool are_within(const World& world, const Column& fat) {
-  const Bodies& bodies = world.bodies;
-  for (const std::uint32_t i : bodies.movable) {
-    const Vec3<double> x = world.state.position->vector(i), half = half_extent(world, i);
-    if (((x - half).array() < low_of(fat, i).array()).any() || ((x + half).array() > high_of(fat, i).array()).any())
-      return false;
+bool are_within(const World& world, Column& boxes) {
+  for (const std::uint32_t i : world.bodies.movable) {
+    double& room = boxes.entry(i)[6];
+    room -= greatest_motion(world, i);
+    if (room >= 0) continue;
+    room = room_in_box(world, boxes, i);
+    if (!(room >= 0)) return false;
   }
-  if (bodies.walls == 0) return true;
-  const double margin = wall_margin(world);
-  for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
-    const Vec3<double> moved = world.state.position->vector(bodies.count + wall) - low_of(fat, bodies.count + wall);
-    if (bodies.wall_normal[wall].dot(moved) > margin) return false;
-  }
-  return true;
+  return walls_stand(world, boxes);
 }
 
-void fatten(const World& world, Column& fat) {
+void fatten(const World& world, Column& boxes) {
   const Bodies& bodies = world.bodies;
   for (std::size_t i = 0; i < bodies.all(); ++i) {
     const Vec3<double> x = world.state.position->vector(i);
     Vec3<double> half = Vec3<double>::Zero();
+    boxes.entry(i)[6] = 0;
     if (i < bodies.count) {
       const double moves = steps_ahead * world.time_step * world.state.velocity->vector(i).norm();
       const double margin = std::clamp(moves, share_of_radius * bodies.radius[i], bodies.radius[i]);
-      half = half_extent(world, i).array() + (bodies.inverse_mass[i] > 0 ? margin : 0);
+      const double room = bodies.inverse_mass[i] > 0 ? margin : 0;
+      half = half_extent(world, i).array() + room;
+      boxes.entry(i)[6] = room;
     }
-    Vec3<double>::Map(fat.entry(i).data()) = x - half;
-    Vec3<double>::Map(fat.entry(i).data() + 3) = x + half;
+    Vec3<double>::Map(boxes.entry(i).data()) = x - half;
+    Vec3<double>::Map(boxes.entry(i).data() + 3) = x + half;
   }
 }
 
-Pairs meeting_pairs(const World& world, const Column& fat) {
+Pairs meeting_pairs(const World& world, const Column& boxes) {
   const Bodies& bodies = world.bodies;
   std::vector<Entry> entries;
   entries.reserve(bodies.count);
-  for (std::uint32_t i = 0; i < bodies.count; ++i) entries.emplace_back(box_of(fat, i), i);
+  for (std::uint32_t i = 0; i < bodies.count; ++i) entries.emplace_back(box_of(boxes, i), i);
   const geometry::index::rtree<Entry, geometry::index::linear<16>> tree(entries);  // packed: built at once
   Pairs pairs;
   std::vector<Entry> met;
@@ -109,7 +136,7 @@ Pairs meeting_pairs(const World& world, const Column& fat) {
     for (const auto& [other, j] : met)
       if (j > i && can_meet(bodies, i, j)) pairs.push_back({i, j});
   }
-  add_walls(world, fat, pairs);
+  add_walls(world, boxes, pairs);
   std::ranges::sort(pairs);
   return pairs;
 }

@@ -100,10 +100,10 @@ Simulation::Simulation(const Scene& scene, Plan plan, int threads)
     : plan_(std::move(plan)), world_(std::make_unique<World>()), threads_(threads) {
   if (plan_.broad_phase == BroadPhase::tree) {
     const double nowhere = std::numeric_limits<double>::quiet_NaN();
-    fat_ = &world_->columns.add("fat_box", "broad phase", {ColumnKind::body, 6, true, nowhere});
+    boxes_ = &world_->columns.add("box", "broad phase", {ColumnKind::body, box_width, true, nowhere});
   }
   set_up(*world_, scene, plan_);
-  if (plan_.needs.contacts && fat_ == nullptr) use_pairs(all_pairs(world_->bodies));
+  if (plan_.needs.contacts && boxes_ == nullptr) use_pairs(all_pairs(world_->bodies));
   list_passes();
   world_->time_step = 0;  // the forces at the start, to which no time has led
   run_all(forces_);
@@ -122,7 +122,7 @@ void Simulation::list_passes() {
   if (world.has_turning()) drifts_.push_back({"turning", [&world] { rotate(world); }});
   move_all(world.movers, drifts_);
   kicks_.push_back({"motion", [&world] { kick_half(world); }});
-  if (fat_ != nullptr) forces_.push_back({"broad phase", [this] { update_list(); }});
+  if (boxes_ != nullptr) forces_.push_back({"broad phase", [this] { update_list(); }});
   if (plan_.needs.contacts) forces_.push_back({"solver", [this] { solve(); }});
   if (plan_.analysis != Analysis::motion) return;
   std::vector<Column*> histories;
@@ -143,9 +143,9 @@ void Simulation::use_pairs(Pairs pairs) {
 }
 
 void Simulation::update_list() {
-  if (are_within(*world_, *fat_)) return;
-  fatten(*world_, *fat_);
-  use_pairs(meeting_pairs(*world_, *fat_));
+  if (are_within(*world_, *boxes_)) return;
+  fatten(*world_, *boxes_);
+  use_pairs(meeting_pairs(*world_, *boxes_));
 }
 
 void Simulation::solve() {

@@ -66,7 +66,7 @@ class Simulation {
   [[nodiscard]] Vec3<double> angular_momentum() const;  ///< about the origin
 
   [[nodiscard]] std::uint64_t hash() const;
-  /// For each kept column, and "pairs".
+  /// For each kept column, and "pairs" where there is a contact list.
   [[nodiscard]] std::map<std::string, std::uint64_t> hashes() const;
 
   [[nodiscard]] Snapshot snapshot() const;
@@ -95,7 +95,7 @@ class Simulation {
   Plan plan_;
   std::unique_ptr<World> world_;
   int threads_;
-  Column* fat_ = nullptr;  ///< the boxes of the contact list; none where the list holds for good
+  Column* boxes_ = nullptr;  ///< of the contact list; none where the list holds for good
   std::vector<Pass> kicks_, drifts_, forces_;
   std::function<void(std::span<const SolveNote>)> look_;
   std::int64_t step_ = 0;

@@ -13,12 +13,6 @@ double turn_part(const World& world, std::size_t contact) {
          spin.vector(i).dot(world.contacts.arm1->vector(contact));
 }
 
-double inverse_turn_mass(const World& world, std::uint32_t body, const Vec3<double>& arm) {
-  const auto q = world.state.orientation->entry(body);
-  const Vec3<double> own = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * arm;
-  return own.cwiseAbs2().dot(world.bodies.inverse_inertia[body]);
-}
-
 Vec3<double> point_velocity(const World& world, std::uint32_t body, const Vec3<double>& point) {
   const Vec3<double> v = world.state.velocity->vector(body);
   if (!world.has_turning()) return v;
@@ -38,14 +32,6 @@ double World::normal_velocity(std::size_t contact) const {
   const auto [i, j] = contacts.pairs[contact];
   const double shift = (state.velocity->vector(j) - state.velocity->vector(i)).dot(contacts.normal->vector(contact));
   return has_turning() ? shift + turn_part(*this, contact) : shift;
-}
-
-double World::inverse_normal_mass(std::size_t contact) const {
-  const auto [i, j] = contacts.pairs[contact];
-  const double shift = bodies.inverse_mass[i] + bodies.inverse_mass[j];
-  if (!has_turning()) return shift;
-  return shift + inverse_turn_mass(*this, i, contacts.arm1->vector(contact)) +
-         inverse_turn_mass(*this, j, contacts.arm2->vector(contact));
 }
 
 Vec3<double> World::relative_turn(std::size_t contact) const {

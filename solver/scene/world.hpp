@@ -50,6 +50,7 @@ struct Contacts {
   Column* curvature = nullptr;    ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
   Column* arm1 = nullptr;         ///< 3: (point - centre) x normal, exactly 0 for spheres
   Column* arm2 = nullptr;
+  Column* inverse_mass = nullptr;  ///< 1 / the mass that an impulse along the normal feels
   Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
   double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
@@ -87,8 +88,6 @@ struct World {
   [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact) const;
   /// Its component along the normal; negative: they approach. Of spheres, turning does nothing to it, exactly.
   [[nodiscard]] double normal_velocity(std::size_t contact) const;
-  /// 1 / the mass that an impulse along the normal feels.
-  [[nodiscard]] double inverse_normal_mass(std::size_t contact) const;
   /// Angular velocity of body 2 as body 1 sees it.
   [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
   /// 1 / (1/r1 + 1/r2) of the distances from the contact to the centres.

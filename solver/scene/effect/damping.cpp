@@ -17,7 +17,7 @@ double damping_ratio(double restitution) {
 void damp(double factor, World& world) {
   for (const std::uint32_t c : world.contacts.touching) {
     if ((*world.contacts.overlap)[c] <= 0) continue;
-    const double critical = std::sqrt((*world.contacts.stiffness)[c] / world.inverse_normal_mass(c));
+    const double critical = std::sqrt((*world.contacts.stiffness)[c] / (*world.contacts.inverse_mass)[c]);
     (*world.contacts.normal_force)[c] -= factor * critical * world.normal_velocity(c);
   }
 }
@@ -29,7 +29,7 @@ Role role(const Damping& damping, const Scene& scene) {
   if (!scene.effects.linear && !scene.effects.hertz)
     throw SceneError("effects.damping", "damps an elastic force, and there is none: add linear or hertz");
   if (damping.restitution == 1) out.off = "the restitution is 1";
-  out.needs = {.contacts = true, .normal_force = true};
+  out.needs = {.contacts = true, .normal_force = true, .normal_mass = true};
   return out;
 }
 

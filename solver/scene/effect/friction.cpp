@@ -1,6 +1,7 @@
 #include "solver/scene/effect/friction.hpp"
 
 #include "solver/scene/effect.hpp"
+#include "solver/scene/effect/stick_slip.hpp"
 #include "solver/scene/world.hpp"
 
 namespace plumb::scene {
@@ -20,18 +21,12 @@ void slide(const Friction& friction, Column& springs, World& world) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const Vec3<double> velocity = world.relative_velocity(c);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
-    Vec3<double> spring = turned_across(springs.vector(c), normal) + across * world.time_step;
+    springs.vector(c) = turned_across(springs.vector(c), normal);
     const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
-    const double viscous = 2 * friction.damping * std::sqrt(stiffness / world.inverse_normal_mass(c));
-    Vec3<double> force = -stiffness * spring - viscous * across;
-    const double limit = friction.coefficient * std::max(0.0, (*contacts.normal_force)[c]);
-    const double size = force.norm();
-    if (size > limit) {
-      force *= limit / size;
-      if (stiffness > 0) spring = -(force + viscous * across) / stiffness;
-    }
-    springs.vector(c) = spring;
-    world.push(c, force);
+    const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
+    const double pressing = std::max(0.0, (*contacts.normal_force)[c]);
+    const StickSlip law{stiffness, friction.damping * critical, friction.coefficient * pressing};
+    world.push(c, law.pull(springs.vector(c), across, world.time_step));
   }
 }
 
@@ -42,7 +37,7 @@ Role role(const Friction& friction, const Scene& scene) {
   if (!scene.effects.linear && !scene.effects.hertz)
     throw SceneError("effects.friction", "is a share of a normal force, and there is none: add linear or hertz");
   if (friction.coefficient == 0) out.off = "the coefficient is 0";
-  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true};
+  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true};
   return out;
 }
 

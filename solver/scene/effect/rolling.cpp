@@ -1,7 +1,7 @@
 #include "solver/scene/effect/rolling.hpp"
 
 #include "solver/scene/effect.hpp"
-#include "solver/scene/effect/couple_spring.hpp"
+#include "solver/scene/effect/couple.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -18,7 +18,7 @@ Role role(const Rolling& rolling, const Scene& scene) {
   if (!scene.effects.linear && !scene.effects.hertz)
     throw SceneError("effects.rolling", "is a share of a normal force, and there is none: add linear or hertz");
   if (rolling.coefficient == 0) out.off = "the coefficient is 0";
-  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true};
+  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true};
   return out;
 }
 

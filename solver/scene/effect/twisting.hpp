@@ -9,7 +9,7 @@ struct Twisting {
   static constexpr std::string_view name = "twisting";
   double coefficient = 0;
   double stiffness_ratio = 0.1;  ///< spring / (normal stiffness * radius^2)
-  double damping = 0.3;          ///< of the spring, as a fraction of the critical one; none while it slips
+  double damping = 0.3;          ///< of the spring, as a fraction of the critical one
 
   template <class Self, class Visit>
   static void each_field(Self& self, Visit&& visit) {

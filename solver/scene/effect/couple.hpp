@@ -1,0 +1,39 @@
+// A couple against the relative rotation of two bodies, which rolling and twisting resistance share.
+#pragma once
+
+#include <algorithm>
+
+#include "solver/scene/effect/stick_slip.hpp"
+#include "solver/scene/world.hpp"
+
+namespace plumb::scene {
+
+/// Parameters: coefficient, stiffness_ratio, damping. `part` takes of a vector what the effect is about.
+template <class Parameters, class Part>
+void resist(const Parameters& parameters, Column& springs, World& world, const Part& part) {
+  const Contacts& contacts = world.contacts;
+  for (const std::uint32_t c : contacts.touching) {
+    const Vec3<double> normal = contacts.normal->vector(c);
+    const double radius = world.contact_radius(c), square = radius * radius;
+    const double stiffness = parameters.stiffness_ratio * (*contacts.stiffness)[c] * square;
+    const double critical = 2 * std::sqrt(stiffness * square / (*contacts.inverse_mass)[c]);
+    const double pressing = std::max(0.0, (*contacts.normal_force)[c]);
+    const StickSlip law{stiffness, parameters.damping * critical, parameters.coefficient * radius * pressing};
+    springs.vector(c) = part(Vec3<double>(springs.vector(c)), normal);
+    world.turn(c, law.pull(springs.vector(c), part(world.relative_turn(c), normal), world.time_step));
+  }
+}
+
+/// The work that the springs hold.
+template <class Parameters>
+[[nodiscard]] double spring_energy(const Parameters& parameters, const Column& springs, const World& world) {
+  double sum = 0;
+  for (const std::uint32_t c : world.contacts.touching) {
+    const double radius = world.contact_radius(c);
+    const double stiffness = parameters.stiffness_ratio * (*world.contacts.stiffness)[c] * radius * radius;
+    sum += stiffness * springs.vector(c).squaredNorm() / 2;
+  }
+  return sum;
+}
+
+}  // namespace plumb::scene
