@@ -1,6 +1,8 @@
 // plumb scene: a scene's plan, and its run.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "corpus/case.hpp"
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
@@ -15,7 +17,7 @@ struct Arguments {
   std::string scene;
   std::string out;
   std::vector<std::string> forced;
-  double accuracy = 0;
+  std::optional<double> accuracy;
   RunOptions run;
   bool plan = false;
   bool json = false;
@@ -97,9 +99,9 @@ int run_scene(const Scene& scene, const Plan& plan, const Arguments& arguments) 
 
 int scene_command(Arguments& arguments) {
   SceneFile file = read_scene(arguments.scene);
-  if (arguments.accuracy != 0) file.scene.run.accuracy = arguments.accuracy;
+  if (arguments.accuracy) file.scene.run.accuracy = *arguments.accuracy;
   const PlanOptions options{{arguments.forced.begin(), arguments.forced.end()}};
-  const Plan plan = plan_scene(file.scene, options, arguments.scene);
+  const Plan plan = plan_scene(file.scene, options, arguments.scene == "-" ? "standard input" : arguments.scene);
   arguments.run.out = arguments.out;
   if (!arguments.plan) return run_scene(file.scene, plan, arguments);
   print_plan(file.scene, plan, arguments.json);

@@ -50,7 +50,7 @@ std::vector<std::string> words_of(const Plan& plan) {
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
   for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out.empty() ? "-" : out;
+  return out;
 }
 
 Json memory_json(const Simulation::Memory& memory) {
@@ -105,13 +105,12 @@ std::string heading(const Scene& scene, const Plan& plan) {
 }
 
 std::string reasons(const Plan& plan) {
-  const Json json(words_of(plan));
   std::string out = row("contacts", plan.needs.contacts ? "on" : "off", "", plan.contacts_why);
   out += row("turning", fmt::format("{}/{}", turning_bodies(plan), plan.turns.size()), "", plan.turning_why);
   out += row("broad phase", plan.broad_phase == BroadPhase::tree ? "tree" : "none", "", plan.broad_phase_why);
   out += row("time step", fmt::format("{:.3g}", plan.time_step), "", plan.time_step_why);
-  const std::string accuracy = plan.needs.contacts ? fmt::format(", to {:.3g}", plan.want.tolerance) : "";
-  return out + row("solver gives", "", "", joined(words_of(plan)) + accuracy);
+  if (!plan.needs.contacts) return out;
+  return out + row("solver", "gives", "", joined(words_of(plan)) + fmt::format(", to {:.3g}", plan.want.tolerance));
 }
 
 }  // namespace
@@ -152,11 +151,13 @@ std::string plan_table(const Scene& scene, const Simulation& run, const Seconds&
   const Plan& plan = run.plan();
   const Costs costs{run.memory(), shares_of(seconds)};
   std::string out = heading(scene, plan);
-  out += row("effect", "", fmt::format("bytes: body  pair {}", seconds.empty() ? "" : "  time"), "why; needs");
+  out += row("effect", "", fmt::format("bytes: body  pair {}", seconds.empty() ? "" : "  time"),
+             "why, and what it needs of the rest");
   for (const PlannedEffect& planned : plan.effects) {
     const std::string name(planned.effect->name);
-    const std::string needs = planned.is_on ? "; " + joined(words_of(planned.needs)) : "";
-    out += row(name, planned.is_on ? "on" : "off", planned.is_on ? costs.columns_of(name) : "", planned.why + needs);
+    const std::string needs = joined(words_of(planned.needs));
+    out += row(name, planned.is_on ? "on" : "off", planned.is_on ? costs.columns_of(name) : "",
+               planned.why + (needs.empty() ? "" : "; needs " + needs));
   }
   for (const std::string& owner : other_owners(plan, costs.memory, seconds))
     out += row(owner, "", costs.columns_of(owner), "");

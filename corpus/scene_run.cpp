@@ -100,17 +100,16 @@ void SceneRun::advance(Progress& progress) {
     if (run_.is_done()) break;
     if (run_.steps() % options_.checkpoint == 0 || interrupted()) write_checkpoint();
     if (interrupted()) break;
-    if (progress.is_due())
-      progress.show(static_cast<std::uint64_t>(run_.steps()), fmt::format("  time {:.6g}", run_.time()));
+    if (progress.is_due()) progress.show(steps_here(), fmt::format("  time {:.6g}", run_.time()));
   }
 }
 
 void SceneRun::go() {
   if (begun_at_ == 0) write_frame();
-  Progress progress("steps", static_cast<std::uint64_t>(run_.plan().steps), Progress::Elsewhere::nothing);
   if (!run_.is_done()) {
+    Progress progress("steps", static_cast<std::uint64_t>(run_.plan().steps - begun_at_), Progress::Elsewhere::nothing);
     advance(progress);
-    progress.finish(static_cast<std::uint64_t>(run_.steps()), fmt::format("  time {:.6g}", run_.time()));
+    progress.finish(steps_here(), fmt::format("  time {:.6g}", run_.time()));
   }
   end();
 }

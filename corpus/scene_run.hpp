@@ -41,6 +41,7 @@ class SceneRun {
   void write_checkpoint();
   void end();
   [[nodiscard]] bool is_frame() const;
+  [[nodiscard]] std::uint64_t steps_here() const { return static_cast<std::uint64_t>(run_.steps() - begun_at_); }
 
   Scene scene_;
   RunOptions options_;
