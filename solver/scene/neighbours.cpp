@@ -33,21 +33,29 @@ Box box_of(const Column& boxes, std::size_t i) {
 }
 
 bool can_meet(const Bodies& bodies, std::uint32_t i, std::uint32_t j) {
-  return bodies.inverse_mass[i] > 0 || bodies.inverse_mass[j] > 0;
+  return bodies.movable.empty() || bodies.inverse_mass[i] > 0 || bodies.inverse_mass[j] > 0;
 }
 
 /// How far a wall may move before its list is made anew.
 double wall_margin(const World& world) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t i : world.bodies.movable) least = std::min(least, world.bodies.radius[i]);
-  return share_of_radius * least;
+  return world.bodies.movable.empty() ? 0 : share_of_radius * least;
+}
+
+/// How far a body's fat box reaches beyond its own.
+double margin_of(const World& world, std::size_t i) {
+  if (world.bodies.inverse_mass[i] == 0 || world.state.velocity == nullptr) return 0;
+  const double moves = steps_ahead * world.time_step * world.state.velocity->vector(i).norm();
+  return std::clamp(moves, share_of_radius * world.bodies.radius[i], world.bodies.radius[i]);
 }
 
 void add_walls(const World& world, const Column& boxes, Pairs& pairs) {
   const Bodies& bodies = world.bodies;
   const double margin = wall_margin(world);
-  for (const std::uint32_t i : bodies.movable)
+  for (std::uint32_t i = 0; i < bodies.count; ++i)
     for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
+      if (!can_meet(bodies, i, static_cast<std::uint32_t>(bodies.count + wall))) break;
       const Vec3<double> normal = bodies.wall_normal[wall];
       const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
       const double middle = normal.dot((low + high) / 2 - low_of(boxes, bodies.count + wall));
@@ -94,6 +102,7 @@ Vec3<double> half_extent(const World& world, std::size_t body) {
 }
 
 bool are_within(const World& world, Column& boxes) {
+  if (std::isnan(boxes.entry(0)[6])) return false;
   for (const std::uint32_t i : world.bodies.movable) {
     double& room = boxes.entry(i)[6];
     room -= greatest_motion(world, i);
@@ -111,9 +120,7 @@ void fatten(const World& world, Column& boxes) {
     Vec3<double> half = Vec3<double>::Zero();
     boxes.entry(i)[6] = 0;
     if (i < bodies.count) {
-      const double moves = steps_ahead * world.time_step * world.state.velocity->vector(i).norm();
-      const double margin = std::clamp(moves, share_of_radius * bodies.radius[i], bodies.radius[i]);
-      const double room = bodies.inverse_mass[i] > 0 ? margin : 0;
+      const double room = margin_of(world, i);
       half = half_extent(world, i).array() + room;
       boxes.entry(i)[6] = room;
     }

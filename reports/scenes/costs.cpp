@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include "corpus/interrupt.hpp"
+#include "reports/scenes/tables.hpp"
+#include "reports/scenes/timing.hpp"
+#include "solver/scene/named.hpp"
+
+namespace plumb::reports {
+namespace {
+
+using scene::Scene;
+using scene::Simulation;
+
+constexpr int crowded = 64;
+constexpr std::int64_t cost_steps = 400;
+
+/// The pile with every effect, each weak enough to leave it the pile that it is.
+Scene everything() {
+  Scene scene = scene::find_named_scene("pile")->make(crowded);
+  scene.run.outputs = {};
+  scene::each_effect(scene.effects, [](auto& effect) {
+    if (!effect) effect.emplace();
+  });
+  scene.effects.hertz.reset();
+  scene.effects.damping->restitution = 0.5;
+  scene.effects.friction->coefficient = 0.4;
+  scene.effects.rolling->coefficient = scene.effects.twisting->coefficient = 1e-3;
+  scene.effects.cohesion->pull_off = 1e-9;
+  scene.effects.drag->viscosity = 1e-9;
+  scene.effects.conduction->conductivity = 1;
+  scene.effects.moving_walls->motions = {{0, {0, 0, 1e-9}, {0, 0, 0}, 0}};
+  for (scene::SceneBody& b : scene.bodies) b.temperature = 300;
+  for (scene::Wall& wall : scene.walls) wall.temperature = 310;
+  return scene;
+}
+
+/// Of a snapshot, what a run that keeps less has a place for.
+scene::Snapshot fitted(const scene::Snapshot& from, const Simulation& to) {
+  scene::Snapshot out = from;
+  const auto mine = to.snapshot().columns;
+  std::erase_if(out.columns, [&](const auto& column) {
+    return std::ranges::none_of(mine, [&](const auto& kept) { return kept.first == column.first; });
+  });
+  return out;
+}
+
+/// Seconds of the same steps from the same state, the least of several.
+double seconds_from(const scene::Snapshot& start, const Scene& scene, int repeat) {
+  double least = std::numeric_limits<double>::infinity();
+  Simulation run(scene, scene::make_plan(scene));
+  for (int k = 0; k < repeat; ++k) {
+    if (!run.restore(fitted(start, run))) return std::numeric_limits<double>::quiet_NaN();
+    least = std::min(least, time_steps(run, cost_steps));
+  }
+  return least;
+}
+
+}  // namespace
+
+SceneTable effect_costs(const SceneOptions& options) {
+  SceneTable table;
+  table.lines.push_back(
+      fmt::format("{:<14}{:>22}{:>14}{:>12}", "effect", "step with / without", "bytes, body", "contact"));
+  const Scene all = everything();
+  Simulation run(all, scene::make_plan(all));
+  const auto memory = run.memory();
+  run_until_dense(run);
+  const scene::Snapshot dense = run.snapshot();
+  const double with = seconds_from(dense, all, options.repeat);
+  scene::each_effect(all.effects, [&](const auto& effect) {
+    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
+    const bool is_needed = Parameters::name == scene::Linear::name;  // others stand on it
+    if (!effect || is_needed || interrupted()) return;
+    Scene less = all;
+    scene::each_effect(less.effects, [](auto& other) {
+      if (std::is_same_v<typename std::remove_cvref_t<decltype(other)>::value_type, Parameters>) other.reset();
+    });
+    const double ratio = with / seconds_from(dense, less, options.repeat);
+    const std::string name(Parameters::name);
+    const auto found = memory.find(name);
+    const Simulation::Memory bytes = found == memory.end() ? Simulation::Memory{} : found->second;
+    table.lines.push_back(fmt::format("{:<14}{:>22.3f}{:>14}{:>12}", name, ratio, bytes.body, bytes.pair));
+    table.rows.push_back({{"kind", "effect"},
+                          {"effect", name},
+                          {"time_ratio", ratio},
+                          {"bytes_per_body", bytes.body},
+                          {"bytes_per_contact", bytes.pair}});
+  });
+  return table;
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,77 @@
+#include <cmath>
+#include <fmt/format.h>
+
+#include "corpus/interrupt.hpp"
+#include "reports/scenes/tables.hpp"
+#include "reports/scenes/timing.hpp"
+#include "solver/scene/named.hpp"
+
+namespace plumb::reports {
+namespace {
+
+using scene::Simulation;
+
+constexpr std::int64_t growth_steps = 50;
+
+struct Grown {
+  double seconds = 0;                    ///< a step
+  std::map<std::string, double> shares;  ///< of those seconds, by owner
+  std::size_t touching = 0, pairs = 0;
+  scene::Totals totals;
+};
+
+Grown grow(const scene::NamedScene& named, int bodies) {
+  scene::Scene scene = named.make(bodies);
+  scene.run.outputs = {};
+  Simulation run(scene, scene::make_plan(scene));
+  run_until_dense(run);
+  const auto before = run.seconds();
+  Grown out;
+  out.seconds = time_steps(run, growth_steps) / static_cast<double>(growth_steps);
+  double sum = 0;
+  for (const auto& [owner, seconds] : run.seconds()) sum += out.shares[owner] = seconds - before.at(owner);
+  for (auto& [owner, seconds] : out.shares) seconds /= sum;
+  out.touching = run.world().contacts.touching.size();
+  out.pairs = run.world().contacts.pairs.size();
+  out.totals = run.totals();
+  return out;
+}
+
+/// What of the time of contacts is the solver's: moving and turning bodies is not theirs.
+double solver_share(const std::map<std::string, double>& shares) {
+  double contacts = 0;
+  for (const auto& [owner, share] : shares)
+    if (owner != "motion" && owner != "turning" && owner != "gravity" && owner != "drag") contacts += share;
+  return shares.at("solver") / contacts;
+}
+
+}  // namespace
+
+SceneTable scene_growth(const SceneOptions& options) {
+  SceneTable table;
+  table.lines.push_back(fmt::format("{:>8}{:>10}{:>10}{:>14}{:>14}{:>12}{:>9}", "bodies", "contacts", "pairs",
+                                    "step / n", "/ (n log n)", "solver", "failed"));
+  const scene::NamedScene& pile = *scene::find_named_scene("pile");
+  double linear = 0, with_log = 0;
+  for (const int bodies : {200, 600, 2000, 6000, 20000}) {
+    if (bodies > options.most_bodies || interrupted()) break;
+    const Grown grown = grow(pile, bodies);
+    const double each = grown.seconds / bodies, each_log = each / std::log(bodies);
+    if (linear == 0) linear = each, with_log = each_log;
+    table.lines.push_back(fmt::format("{:>8}{:>10}{:>10}{:>14.2f}{:>14.2f}{:>10.1f} %{:>9}", bodies, grown.touching,
+                                      grown.pairs, each / linear, each_log / with_log, 100 * solver_share(grown.shares),
+                                      grown.totals.failed));
+    table.rows.push_back({{"kind", "growth"},
+                          {"bodies", bodies},
+                          {"contacts", grown.touching},
+                          {"pairs", grown.pairs},
+                          {"time_per_body_ratio", each / linear},
+                          {"time_per_n_log_n_ratio", each_log / with_log},
+                          {"solver_share_of_contact_time", solver_share(grown.shares)},
+                          {"shares", grown.shares},
+                          {"failed", grown.totals.failed}});
+  }
+  return table;
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,34 @@
+#include "solver/scene/named.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "solver/scene/named_scenes.hpp"
+
+namespace plumb::scene {
+namespace {
+
+constexpr std::array list{
+    NamedScene{"impact", "two ellipsoids meet along their axes: a half sine of force, exactly known", 0, named::impact},
+    NamedScene{"rolling", "an ellipsoid rolls down a slope with friction", 0, named::rolling},
+    NamedScene{"needle", "a needle tumbles about its middle axis, free of all forces", 0, named::needle},
+    NamedScene{"pile", "superquadrics fall into a box and come to rest", 200, named::pile},
+    NamedScene{"hopper", "superquadrics flow through the slot between two plates", 75, named::hopper},
+    NamedScene{"dice", "dice on a table, stacked face on face and thrown", 12, named::dice},
+    NamedScene{"chain", "a chain of touching ellipsoids between two fixed ones, which keeps its energy", 8,
+               named::chain},
+    NamedScene{"billiards", "balls between cushions, elastic, without gravity and friction", 16, named::billiards},
+};
+
+}  // namespace
+
+std::span<const NamedScene> named_scenes() {
+  return list;
+}
+
+const NamedScene* find_named_scene(std::string_view name) {
+  const auto found = std::ranges::find(list, name, &NamedScene::name);
+  return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace plumb::scene
