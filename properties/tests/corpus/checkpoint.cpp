@@ -21,7 +21,7 @@ Checkpoint sample_checkpoint() {
   return out;
 }
 
-std::string error_of(const std::string& bytes) {
+std::string damage_of(const std::string& bytes) {
   try {
     (void)parse_checkpoint(bytes, "c.bin");
   } catch (const InputFailure& error) {
@@ -45,9 +45,9 @@ TEST(Checkpoints, ComeBackBitForBit) {
 TEST(Checkpoints, AnyBytesLessIsDamage) {
   const std::string bytes = format_checkpoint(sample_checkpoint());
   for (std::size_t size = 16; size < bytes.size(); ++size)
-    ASSERT_EQ(error_of(bytes.substr(0, size)), "c.bin: is damaged: its checksum does not fit, or its end is missing")
+    ASSERT_EQ(damage_of(bytes.substr(0, size)), "c.bin: is damaged: its checksum does not fit, or its end is missing")
         << size;
-  EXPECT_EQ(error_of(bytes + "x"), "c.bin: is damaged: its checksum does not fit, or its end is missing");
+  EXPECT_EQ(damage_of(bytes + "x"), "c.bin: is damaged: its checksum does not fit, or its end is missing");
 }
 
 TEST(Checkpoints, AnyBitTurnedIsDamage) {
@@ -55,17 +55,17 @@ TEST(Checkpoints, AnyBitTurnedIsDamage) {
   for (std::size_t place = 0; place < bytes.size(); ++place) {
     std::string damaged = bytes;
     damaged[place] = static_cast<char>(damaged[place] ^ 4);
-    const std::string error = error_of(damaged);
+    const std::string error = damage_of(damaged);
     ASSERT_TRUE(error.starts_with("c.bin: is ")) << place << " " << error;
   }
 }
 
 TEST(Checkpoints, OtherFilesAndVersionsAreNamed) {
-  EXPECT_EQ(error_of(""), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
-  EXPECT_EQ(error_of("{}"), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
+  EXPECT_EQ(damage_of(""), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
+  EXPECT_EQ(damage_of("{}"), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
   std::string other = format_checkpoint(sample_checkpoint());
   other[16] = 2;
-  EXPECT_EQ(error_of(other), "c.bin: is a checkpoint of version 2, must be 1");
+  EXPECT_EQ(damage_of(other), "c.bin: is a checkpoint of version 2, must be 1");
 }
 
 TEST(Checkpoints, NoneIsNone) {

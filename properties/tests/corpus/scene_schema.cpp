@@ -41,7 +41,9 @@ struct Compare {
   void operator()(std::string_view name, double value, Range range) const {
     const Json& said = field(name);
     EXPECT_EQ(said["type"], "number") << name;
-    if (names.size() > 1) EXPECT_EQ(said["default"].get<double>(), value) << name;
+    if (names.size() > 1) {
+      EXPECT_EQ(said["default"].get<double>(), value) << name;
+    }
     const Json number = {{"type", "object"}, {"properties", {{"x", said}}}};
     for (const double x : {-2.0, -1.0, -0.999, -1e-300, 0.0, 1e-300, 0.5, 0.501, 1.0, 1.001, 1e300})
       EXPECT_EQ(JsonSchema(number).allows({{"x", x}}), is_within(range, x)) << name << " " << x;
@@ -58,7 +60,8 @@ struct Compare {
 template <class Struct>
 void compare(const JsonSchema& whole, const Json& object) {
   std::vector<std::string> names;
-  Struct::each_field(Struct{}, Compare{whole, object, names});
+  const Struct neutral;
+  Struct::each_field(neutral, Compare{whole, object, names});
   EXPECT_EQ(object["properties"].size(), names.size()) << object.dump();
   EXPECT_EQ(object["required"], Json::array({names.front()}));
   EXPECT_EQ(object["additionalProperties"], false);
@@ -72,7 +75,8 @@ TEST(SceneSchema, HasEveryEffectWithItsFieldsBoundsAndDefaults) {
   const JsonSchema whole = schema();
   const Json& effects = whole.resolved(whole.root()["properties"]["effects"]);
   std::size_t count = 0;
-  each_effect(Effects{}, [&](const auto& slot) {
+  const Effects all;
+  each_effect(all, [&](const auto& slot) {
     using Parameters = typename std::decay_t<decltype(slot)>::value_type;
     const std::string name(Parameters::name);
     ASSERT_TRUE(effects["properties"].contains(name)) << name;
