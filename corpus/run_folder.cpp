@@ -36,17 +36,22 @@ std::string key_in(const fs::path& path) {
   }
 }
 
-/// Of a run that ended: cases of what came after its checkpoint, and temporaries of a write that was cut off.
-void tidy(const fs::path& folder) {
+/// The temporaries of a write that was cut off: NAME.PID.tmp.
+void remove_temporaries(const fs::path& folder) {
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    for (const char* ours : {run_file, scene_file, checkpoint_file})
+      if (name.starts_with(std::string(ours) + ".") && name.ends_with(".tmp")) fs::remove(entry.path(), none);
+  }
+}
+
+/// A run goes on from its checkpoint, and writes its cases at its end.
+void remove_cases(const fs::path& folder) {
   std::error_code none;
   for (const char* name : {"failures", "cases"})
     for (const auto& entry : fs::directory_iterator(folder / name, none))
-      if (entry.path().extension() == ".json") fs::remove(entry.path(), none);
-  for (const auto& entry : fs::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename().string();
-    const bool is_ours = name.starts_with(run_file) || name.starts_with(checkpoint_file);
-    if (is_ours && name.ends_with(".tmp")) fs::remove(entry.path(), none);
-  }
+      if (entry.path().extension() == ".json" || entry.path().extension() == ".tmp") fs::remove(entry.path(), none);
 }
 
 }  // namespace
@@ -63,12 +68,14 @@ RunFolder::RunFolder(fs::path path, std::uint64_t key, bool resume) : path_(std:
     if (!resume) throw InputFailure(path_.string(), 0, "", "holds a run; --resume goes on with it");
     if (key_in(path_ / run_file) != hash_text(key))
       throw InputFailure(path_.string(), 0, "", "holds a run of another scene, or of another plan of it");
-    tidy(path_);
+    remove_cases(path_);
+    remove_temporaries(path_);
     return;
   }
   for (const std::string& name : written_names())
     if (fs::exists(path_ / name))
       throw InputFailure((path_ / name).string(), 0, "", "stands where a run would write, and belongs to none");
+  remove_temporaries(path_);
 }
 
 std::optional<Checkpoint> RunFolder::checkpoint() const {

@@ -24,6 +24,7 @@ class JsonSchema {
   [[nodiscard]] bool allows(const Json& schema, const Json& value) const {
     if (schema.is_boolean()) return schema.get<bool>();
     if (schema.contains("$ref")) return allows(resolved(schema), value);
+    if (schema.contains("not") && allows(schema["not"], value)) return false;
     return has_type(schema, value) && is_among(schema, value) && is_one_of(schema, value) &&
            (!value.is_number() || is_within(schema, value.get<double>())) &&
            (!value.is_array() || allows_array(schema, value)) && (!value.is_object() || allows_object(schema, value));
@@ -65,6 +66,9 @@ class JsonSchema {
     if (schema.value("uniqueItems", false))
       for (const Json& item : value)
         if (std::count(value.begin(), value.end(), item) > 1) return false;
+    if (schema.contains("contains") &&
+        std::none_of(value.begin(), value.end(), [&](const Json& item) { return allows(schema["contains"], item); }))
+      return false;
     if (!schema.contains("items")) return true;
     return std::all_of(value.begin(), value.end(), [&](const Json& item) { return allows(schema["items"], item); });
   }

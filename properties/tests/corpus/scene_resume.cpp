@@ -99,7 +99,7 @@ TEST_F(SceneResume, AfterKillInTheMiddleOfAnyWrite) {
   for (int round = 0; round < 24; ++round) {
     const std::string folder = fmt::format("cut{}", round);
     // SIGXFSZ ends the process where a file would grow beyond the limit.
-    const std::string limit = fmt::format("prlimit --core=0 --fsize={} ", 200 + draw() % 12000);
+    const std::string limit = fmt::format("prlimit --core=0 --fsize={} ", 200 + draw() % 10000);
     EXPECT_NE(resume(folder, limit).code, 0) << limit;
     EXPECT_EQ(resume(folder).out, "") << limit;
     expect_whole(folder);

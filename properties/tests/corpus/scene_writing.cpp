@@ -143,8 +143,7 @@ TEST(SceneWriting, WhatIsBesideTheSceneIsKept) {
 
 TEST(SceneWriting, ABodyIsALine) {
   const std::string text = format_scene(parse_scene(sample_scene(), "s.json"));
-  EXPECT_NE(text.find("\n  {\"shape\": {\"superellipsoid\": {\"semi_axes\": [1.0, 0.8, 0.6]"), std::string::npos)
-      << text;
+  EXPECT_NE(text.find("\n  {\"shape\": {\"superellipsoid\": {\"semi_axes\": [1, 0.8, 0.6]"), std::string::npos) << text;
 }
 
 }  // namespace
