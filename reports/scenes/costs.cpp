@@ -12,8 +12,7 @@ using scene::Scene;
 using scene::Simulation;
 
 constexpr int crowded = 64;
-constexpr double dense_after = 0.25;
-constexpr std::int64_t timed_steps = 400;
+constexpr std::int64_t cost_steps = 400;
 
 /// The pile with every effect, each weak enough to leave it the pile that it is.
 Scene everything() {
@@ -35,16 +34,23 @@ Scene everything() {
   return scene;
 }
 
-/// Seconds of the same steps of a dense pile, the least of several.
-double dense_seconds(const Scene& scene, int repeat) {
+/// Of a snapshot, what a run that keeps less has a place for.
+scene::Snapshot fitted(const scene::Snapshot& from, const Simulation& to) {
+  scene::Snapshot out = from;
+  const auto mine = to.snapshot().columns;
+  std::erase_if(out.columns, [&](const auto& column) {
+    return std::ranges::none_of(mine, [&](const auto& kept) { return kept.first == column.first; });
+  });
+  return out;
+}
+
+/// Seconds of the same steps from the same state, the least of several.
+double seconds_from(const scene::Snapshot& start, const Scene& scene, int repeat) {
   double least = std::numeric_limits<double>::infinity();
   Simulation run(scene, scene::make_plan(scene));
-  const auto first = static_cast<std::int64_t>(dense_after * static_cast<double>(run.plan().steps));
-  while (run.steps() < first && !interrupted()) run.step();
-  const scene::Snapshot start = run.snapshot();
   for (int k = 0; k < repeat; ++k) {
-    if (!run.restore(start)) break;
-    least = std::min(least, time_steps(run, timed_steps));
+    if (!run.restore(fitted(start, run))) return std::numeric_limits<double>::quiet_NaN();
+    least = std::min(least, time_steps(run, cost_steps));
   }
   return least;
 }
@@ -56,9 +62,11 @@ SceneTable effect_costs(const SceneOptions& options) {
   table.lines.push_back(
       fmt::format("{:<14}{:>22}{:>14}{:>12}", "effect", "step with / without", "bytes, body", "contact"));
   const Scene all = everything();
-  const scene::Plan plan = scene::make_plan(all);
-  const auto memory = Simulation(all, plan).memory();
-  const double with = dense_seconds(all, options.repeat);
+  Simulation run(all, scene::make_plan(all));
+  const auto memory = run.memory();
+  run_until_dense(run);
+  const scene::Snapshot dense = run.snapshot();
+  const double with = seconds_from(dense, all, options.repeat);
   scene::each_effect(all.effects, [&](const auto& effect) {
     using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
     const bool is_needed = Parameters::name == scene::Linear::name;  // others stand on it
@@ -67,7 +75,7 @@ SceneTable effect_costs(const SceneOptions& options) {
     scene::each_effect(less.effects, [](auto& other) {
       if (std::is_same_v<typename std::remove_cvref_t<decltype(other)>::value_type, Parameters>) other.reset();
     });
-    const double ratio = with / dense_seconds(less, options.repeat);
+    const double ratio = with / seconds_from(dense, less, options.repeat);
     const std::string name(Parameters::name);
     const auto found = memory.find(name);
     const Simulation::Memory bytes = found == memory.end() ? Simulation::Memory{} : found->second;

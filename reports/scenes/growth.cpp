@@ -11,9 +11,7 @@ namespace {
 
 using scene::Simulation;
 
-/// Part of the pile's duration after which it is dense, and the steps that are counted then.
-constexpr double dense_after = 0.25;
-constexpr std::int64_t timed_steps = 50;
+constexpr std::int64_t growth_steps = 50;
 
 struct Grown {
   double seconds = 0;                    ///< a step
@@ -26,11 +24,10 @@ Grown grow(const scene::NamedScene& named, int bodies) {
   scene::Scene scene = named.make(bodies);
   scene.run.outputs = {};
   Simulation run(scene, scene::make_plan(scene));
-  const auto first = static_cast<std::int64_t>(dense_after * static_cast<double>(run.plan().steps));
-  while (run.steps() < first && !interrupted()) run.step();
+  run_until_dense(run);
   const auto before = run.seconds();
   Grown out;
-  out.seconds = time_steps(run, timed_steps) / static_cast<double>(timed_steps);
+  out.seconds = time_steps(run, growth_steps) / static_cast<double>(growth_steps);
   double sum = 0;
   for (const auto& [owner, seconds] : run.seconds()) sum += out.shares[owner] = seconds - before.at(owner);
   for (auto& [owner, seconds] : out.shares) seconds /= sum;

@@ -3,6 +3,7 @@
 
 #include <time.h>
 
+#include "corpus/interrupt.hpp"
 #include "solver/scene/simulation.hpp"
 
 namespace plumb::reports {
@@ -19,6 +20,15 @@ namespace plumb::reports {
   const double start = processor_time();
   for (std::int64_t i = 0; i < steps && !run.is_done(); ++i) run.step();
   return processor_time() - start;
+}
+
+/// The pile where it is dense: at this part of its duration.
+inline constexpr double dense_after = 0.25;
+
+/// Steps a run to there.
+inline void run_until_dense(scene::Simulation& run) {
+  const auto first = static_cast<std::int64_t>(dense_after * static_cast<double>(run.plan().steps));
+  while (run.steps() < first && !interrupted()) run.step();
 }
 
 }  // namespace plumb::reports
