@@ -13,8 +13,7 @@ void check_body(const SceneBody& b, const std::string& at) {
   const Pair pair{b.body, b.body};
   if (!is_valid(pair)) {
     const InputError error = find_input_error(pair);
-    const std::string field(error.field);
-    throw SceneError(at + field.substr(std::string("bodies[0]").size()), std::string(error.reason));
+    throw SceneError(at + "." + std::string(error.field), std::string(error.reason));
   }
   require(std::isfinite(b.density) && b.density > 0, at + ".density", "must be a positive number");
   require(b.velocity.allFinite(), at + ".velocity", "must be finite numbers");
