@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "corpus/angles.hpp"
+#include "corpus/body_json.hpp"
 #include "corpus/fields.hpp"
 #include "corpus/words.hpp"
 #include "solver/reference/reference.hpp"
@@ -17,46 +18,10 @@ void require_format(const Field& root) {
   root.member("format").require_text(case_format);
 }
 
-Superellipsoid<double> read_shape(const Field& shape) {
-  shape.require_object({"superellipsoid"});
-  const Field fields = shape.member("superellipsoid");
-  fields.require_object({"semi_axes", "exponents"});
-  Superellipsoid<double> out;
-  out.semi_axes = fields.member("semi_axes").vector();
-  if (const auto exponents = fields.find("exponents")) {
-    const auto n = exponents->numbers<2>();
-    out.n1 = n[0];
-    out.n2 = n[1];
-  }
-  return out;
-}
-
-std::array<double, 4> read_orientation(const Field& orientation) {
-  orientation.require_object({"quaternion_wxyz", "euler_zxz", "euler_zxz_deg"});
-  const auto quaternion = orientation.find("quaternion_wxyz");
-  const auto radians = orientation.find("euler_zxz"), degrees = orientation.find("euler_zxz_deg");
-  if (quaternion.has_value() + radians.has_value() + degrees.has_value() == 1) {
-    if (quaternion) return quaternion->numbers<4>();
-    if (radians) return quaternion_from_euler(radians->numbers<3>());
-    if (degrees) return quaternion_from_euler_deg(degrees->numbers<3>());
-  }
-  orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
-}
-
 /// Without a position when a placement gives it.
-Body read_body(const Field& body, bool placed) {
-  body.require_object({"shape", "position", "orientation"});
-  Body out;
-  out.shape = read_shape(body.member("shape"));
-  if (!placed) out.position = body.member("position").vector();
-  out.quaternion = read_orientation(body.member("orientation"));
-  return out;
-}
-
-void require_legal(const Pair& pair) {
-  const InputError error = find_input_error(pair);
-  if (error.reason.empty()) return;
-  throw FieldError("bodies[" + std::to_string(error.body) + "]." + std::string(error.field), std::string(error.reason));
+Body read_case_body(const Field& field, bool placed) {
+  field.require_object({"shape", "position", "orientation"});
+  return read_body(field, placed);
 }
 
 Vec3<double> read_placement(const Field& placement, const Pair& pair) {
@@ -115,17 +80,6 @@ Expect read_expect(const Field& field) {
   return out;
 }
 
-Json body_json(const Body& body) {
-  Json shape;
-  shape["semi_axes"] = vector_json(body.shape.semi_axes);
-  shape["exponents"] = {body.shape.n1, body.shape.n2};
-  Json out;
-  out["shape"]["superellipsoid"] = shape;
-  out["position"] = vector_json(body.position);
-  out["orientation"]["quaternion_wxyz"] = body.quaternion;
-  return out;
-}
-
 Json read_extra(const Json& root) {
   Json extra;
   for (const auto& [key, value] : root.items())
@@ -141,8 +95,7 @@ Pair read_pair(const Field& root) {
   const Field second = bodies.element(1, 2, "bodies");
   if (placement && second.has("position"))
     placement->fail("stands instead of bodies[1].position: give only one of them");
-  Pair pair{read_body(bodies.element(0, 2, "bodies"), false), read_body(second, placement.has_value())};
-  require_legal(pair);
+  Pair pair{read_case_body(bodies.element(0, 2, "bodies"), false), read_case_body(second, placement.has_value())};
   if (placement) pair.body2.position = read_placement(*placement, pair);
   return pair;
 }

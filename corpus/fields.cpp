@@ -33,7 +33,7 @@ std::optional<Field> Field::find(std::string_view key) const {
   return member(key);
 }
 
-void Field::require_object(std::initializer_list<std::string_view> known) const {
+void Field::require_object(std::span<const std::string_view> known) const {
   if (!value_->is_object()) fail("must be an object, not " + kind_of(*value_));
   for (const auto& [key, value] : value_->items()) {
     if (key.starts_with("x_") || std::find(known.begin(), known.end(), key) != known.end()) continue;

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,10 @@ class Field {
   [[nodiscard]] std::optional<Field> find(std::string_view key) const;
 
   /// Refuses anything but an object whose members are all known or begin with "x_".
-  void require_object(std::initializer_list<std::string_view> known) const;
+  void require_object(std::span<const std::string_view> known) const;
+  void require_object(std::initializer_list<std::string_view> known) const {
+    require_object(std::span(known.begin(), known.size()));
+  }
   /// Element of an array of exactly `size` values; `what` names them in the error ("numbers").
   [[nodiscard]] Field element(std::size_t index, std::size_t size, const char* what) const;
 

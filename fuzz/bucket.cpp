@@ -9,42 +9,11 @@
 #include <cmath>
 #include <vector>
 
+#include "corpus/shape_class.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb {
 namespace {
-
-enum Kind { sphere, spheroid, ellipsoid, round_superquadric, blocky_superquadric, pointed_superquadric };
-
-int equal_axes(const Vec3<double>& axes) {
-  return int(axes[0] == axes[1]) + int(axes[1] == axes[2]) + int(axes[0] == axes[2]);
-}
-
-Kind kind_of(const Superellipsoid<double>& shape) {
-  if (shape.n1 == 2 && shape.n2 == 2) {
-    const int equal = equal_axes(shape.semi_axes);
-    return equal == 3 ? sphere : (equal == 1 ? spheroid : ellipsoid);
-  }
-  if (std::min(shape.n1, shape.n2) < 2) return pointed_superquadric;
-  return std::max(shape.n1, shape.n2) <= 4 ? round_superquadric : blocky_superquadric;
-}
-
-std::array<double, 3> sorted_axes(const Superellipsoid<double>& shape) {
-  std::array<double, 3> axes{shape.semi_axes[0], shape.semi_axes[1], shape.semi_axes[2]};
-  std::sort(axes.begin(), axes.end());
-  return axes;
-}
-
-std::string slenderness(const Pair& pair) {
-  bool needle = false, disc = false;
-  for (const Body* body : {&pair.body1, &pair.body2}) {
-    const auto axes = sorted_axes(body->shape);
-    needle = needle || axes[2] >= 10 * axes[1];
-    disc = disc || axes[1] >= 10 * axes[0];
-  }
-  if (needle && disc) return "-needle-and-disc";
-  return needle ? "-needle" : (disc ? "-disc" : "");
-}
 
 double size_of_body(const Body& body) {
   return body.shape.semi_axes.maxCoeff();
@@ -63,9 +32,9 @@ std::string depth(const Pair& pair, const Reference& reference) {
 std::vector<Vec3<double>> axes_of(const Body& body) {
   const Mat3<double> r = rotation<double>(body.quaternion);
   const Vec3<double>& a = body.shape.semi_axes;
-  switch (kind_of(body.shape)) {
-    case sphere: return {};
-    case spheroid: return {r.col(a[0] == a[1] ? 2 : (a[0] == a[2] ? 1 : 0))};
+  switch (shape_kind(body.shape)) {
+    case ShapeKind::sphere: return {};
+    case ShapeKind::spheroid: return {r.col(a[0] == a[1] ? 2 : (a[0] == a[2] ? 1 : 0))};
     default: return {r.col(0), r.col(1), r.col(2)};
   }
 }
@@ -121,13 +90,6 @@ int digits(double value) {
 
 }  // namespace
 
-std::string shape_class(const Pair& pair) {
-  static constexpr std::array<std::string_view, 6> names{
-      "spheres", "spheroids", "ellipsoids", "round_superquadrics", "blocky_superquadrics", "pointed_superquadrics"};
-  const Kind kind = std::max(kind_of(pair.body1.shape), kind_of(pair.body2.shape));
-  return std::string(names[kind]) + slenderness(pair);
-}
-
 std::string regime(const Pair& pair, const Reference& reference) {
   return depth(pair, reference) + special(pair);
 }
@@ -148,7 +110,7 @@ std::uint64_t digest(const Pair& pair) {
 
 Simplicity simplicity(const Pair& pair) {
   const auto one = numbers_of(pair.body1), two = numbers_of(pair.body2);
-  Simplicity key{kind_of(pair.body1.shape) + kind_of(pair.body2.shape),
+  Simplicity key{static_cast<int>(shape_kind(pair.body1.shape)) + static_cast<int>(shape_kind(pair.body2.shape)),
                  std::equal(one.begin(), one.begin() + 5, two.begin()) ? 0 : 1, 0, 0};
   for (const auto& numbers : {one, two})
     for (const double value : numbers) {

@@ -11,10 +11,6 @@
 
 namespace plumb {
 
-/// spheres, spheroids, ellipsoids, pointed (an exponent below 2), round (all at most 4) or blocky superquadrics, of the
-/// less simple body; then "needle", "disc", "needle-and-disc" where an aspect reaches 10.
-[[nodiscard]] std::string shape_class(const Pair& pair);
-
 /// touching | shallow | moderate | deep | separated | unknown by the reference's overlap over the smaller body's size (below
 /// 1e-9, 1e-2, 1e-1, above), then the first that holds of: far (from the origin), unequal (sizes), parallel (two body axes to
 /// within 1e-3 rad, round bodies by their axis of revolution), on-axis (the centre line along a body axis).

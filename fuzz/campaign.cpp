@@ -10,8 +10,8 @@
 
 #include "corpus/build_info.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/progress.hpp"
 #include "fuzz/judging.hpp"
-#include "fuzz/progress.hpp"
 #include "properties/families.hpp"
 
 namespace plumb {

@@ -15,7 +15,7 @@
 
 #include "corpus/case.hpp"
 #include "corpus/interrupt.hpp"
-#include "fuzz/progress.hpp"
+#include "corpus/progress.hpp"
 
 namespace plumb {
 namespace {

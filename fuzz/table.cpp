@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/progress.hpp"
+#include "corpus/progress.hpp"
 #include "fuzz/ranked.hpp"
 
 namespace plumb {

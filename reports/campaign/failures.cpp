@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "corpus/interrupt.hpp"
+#include "corpus/shape_class.hpp"
 #include "corpus/solver.hpp"
 #include "fuzz/ranked.hpp"
 #include "reports/campaign/document.hpp"

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <vector>
 
-#include "fuzz/bucket.hpp"
+#include "corpus/shape_class.hpp"
 
 namespace plumb {
 namespace {

@@ -1,4 +1,4 @@
-#include "fuzz/progress.hpp"
+#include "corpus/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,26 +15,31 @@ std::string grouped(std::uint64_t n) {
   return text;
 }
 
-Progress::Progress(std::string what, std::uint64_t total)
-    : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()),
-      printed_(start_) {}
+Progress::Progress(std::string what, std::uint64_t total, Elsewhere elsewhere)
+    : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0),
+      silent_(!terminal_ && elsewhere == Elsewhere::nothing), start_(Clock::now()), printed_(start_) {}
 
 double Progress::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void Progress::show(std::uint64_t done) {
+bool Progress::is_due() const {
+  if (silent_) return false;
   const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(10000);
-  if (Clock::now() - printed_ < pause) return;
-  print(done);
+  return Clock::now() - printed_ >= pause;
 }
 
-void Progress::finish(std::uint64_t done) {
-  print(done);
+void Progress::show(std::uint64_t done, const std::string& note) {
+  if (is_due()) print(done, note);
+}
+
+void Progress::finish(std::uint64_t done, const std::string& note) {
+  if (silent_) return;
+  print(done, note);
   if (terminal_) std::fputc('\n', stderr);
 }
 
-std::string Progress::line(std::uint64_t done) const {
+std::string Progress::line(std::uint64_t done, const std::string& note) const {
   const double part = total_ == 0 ? 1 : static_cast<double>(done) / static_cast<double>(total_);
   const double elapsed = seconds();
   const double rate = elapsed > 0 ? static_cast<double>(done) / elapsed : 0;
@@ -43,19 +48,19 @@ std::string Progress::line(std::uint64_t done) const {
     const auto rest = static_cast<std::uint64_t>(static_cast<double>(total_ - std::min(done, total_)) / rate);
     left = fmt::format("{}:{:02}", rest / 60, rest % 60);
   }
-  return fmt::format("{} {:3.0f} %  {} of {}  {:.0f}/s  {} left", what_, 100 * part, grouped(done), grouped(total_),
-                     rate, left);
+  return fmt::format("{} {:3.0f} %  {} of {}  {:.0f}/s  {} left{}", what_, 100 * part, grouped(done), grouped(total_),
+                     rate, left, note);
 }
 
-void Progress::print(std::uint64_t done) {
+void Progress::print(std::uint64_t done, const std::string& note) {
   printed_ = Clock::now();
   if (!terminal_) {
-    fmt::print(stderr, "{}\n", line(done));
+    fmt::print(stderr, "{}\n", line(done, note));
     return;
   }
   constexpr std::uint64_t width = 24;
   const std::uint64_t full = total_ == 0 ? width : std::min(width, width * done / total_);
-  fmt::print(stderr, "\r[{:#>{}}{:.>{}}] {}\x1b[K", "", full, "", width - full, line(done));
+  fmt::print(stderr, "\r[{:#>{}}{:.>{}}] {}\x1b[K", "", full, "", width - full, line(done, note));
   std::fflush(stderr);
 }
 

@@ -1,0 +1,76 @@
+// Checkpoints come back bit for bit; whatever is damaged is refused, with the file's name and in one line.
+#include "corpus/checkpoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include "corpus/case.hpp"
+
+namespace plumb::scene {
+namespace {
+
+Checkpoint sample_checkpoint() {
+  Checkpoint out;
+  out.key = 0xfedcba9876543210U;
+  out.snapshot.step = 123456789012;
+  out.snapshot.totals = {1, 2, 3, 4};
+  out.snapshot.pairs = {{0, 1}, {2, 7}};
+  out.snapshot.columns = {{"position", {1, -0.0, 1e-310, std::numeric_limits<double>::quiet_NaN()}}, {"empty", {}}};
+  out.lengths = {{"dump.lammpstrj", 17}, {"vtk/bodies.pvd", 0}};
+  out.seconds = {{"solver", 0.125}};
+  out.record = "{\"cases\": {}}";
+  return out;
+}
+
+std::string damage_of(const std::string& bytes) {
+  try {
+    (void)parse_checkpoint(bytes, "c.bin");
+  } catch (const InputFailure& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Checkpoints, ComeBackBitForBit) {
+  const std::string bytes = format_checkpoint(sample_checkpoint());
+  const Checkpoint again = parse_checkpoint(bytes, "c.bin");
+  EXPECT_EQ(format_checkpoint(again), bytes);
+  EXPECT_EQ(again.key, 0xfedcba9876543210U);
+  EXPECT_EQ(again.snapshot.step, 123456789012);
+  EXPECT_EQ(again.snapshot.pairs, sample_checkpoint().snapshot.pairs);
+  EXPECT_EQ(again.snapshot.columns[0].first, "position");
+  EXPECT_TRUE(std::signbit(again.snapshot.columns[0].second[1]));
+  EXPECT_EQ(again.lengths, sample_checkpoint().lengths);
+}
+
+TEST(Checkpoints, AnyBytesLessIsDamage) {
+  const std::string bytes = format_checkpoint(sample_checkpoint());
+  for (std::size_t size = 16; size < bytes.size(); ++size)
+    ASSERT_EQ(damage_of(bytes.substr(0, size)), "c.bin: is damaged: its checksum does not fit, or its end is missing")
+        << size;
+  EXPECT_EQ(damage_of(bytes + "x"), "c.bin: is damaged: its checksum does not fit, or its end is missing");
+}
+
+TEST(Checkpoints, AnyBitTurnedIsDamage) {
+  const std::string bytes = format_checkpoint(sample_checkpoint());
+  for (std::size_t place = 0; place < bytes.size(); ++place) {
+    std::string damaged = bytes;
+    damaged[place] = static_cast<char>(damaged[place] ^ 4);
+    const std::string error = damage_of(damaged);
+    ASSERT_TRUE(error.starts_with("c.bin: is ")) << place << " " << error;
+  }
+}
+
+TEST(Checkpoints, OtherFilesAndVersionsAreNamed) {
+  EXPECT_EQ(damage_of(""), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
+  EXPECT_EQ(damage_of("{}"), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
+  std::string other = format_checkpoint(sample_checkpoint());
+  other[16] = 2;
+  EXPECT_EQ(damage_of(other), "c.bin: is a checkpoint of version 2, must be 1");
+}
+
+TEST(Checkpoints, NoneIsNone) {
+  EXPECT_FALSE(read_checkpoint("/nonexistent/checkpoint.bin").has_value());
+}
+
+}  // namespace
+}  // namespace plumb::scene
