@@ -115,7 +115,7 @@ void set_up(World& world, const Scene& scene, const Plan& plan) {
   if (plan.analysis == Analysis::motion)
     for (const PlannedEffect& planned : plan.effects)
       if (planned.is_on) planned.effect->install(plan.asked, world);
-  world.columns.resize(Kind::body, world.bodies.all());
+  world.columns.renew(Kind::body, world.bodies.all());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) set_body(world, i, scene.bodies[i]);
   for (std::size_t i = 0; i < scene.walls.size(); ++i)
     world.state.position->vector(world.bodies.count + i) = scene.walls[i].point;
