@@ -36,6 +36,13 @@ struct Shown {
 /// From the JSON lines of `plumb report-stability --out FILE`; throws InputFailure.
 [[nodiscard]] Json stability_json(const std::filesystem::path& file);
 
+/// Whether `plumb scene --out` wrote into the folder; and what it left there, DIR/playback.jsonl; throws InputFailure.
+[[nodiscard]] bool holds_playback(const std::filesystem::path& folder);
+[[nodiscard]] Json playback_json(const std::filesystem::path& folder);
+
+/// What a page calls the folder.
+[[nodiscard]] std::string folder_name(const std::filesystem::path& folder);
+
 /// The ladders of the family hard, each method's answers by step; empty where the run has none.
 [[nodiscard]] Json ladders_json(const Results& results);
 

@@ -12,7 +12,7 @@ namespace plumb::reports {
 /// The same of the ladders of the family hard: a row for each run, ladder, method and step.
 [[nodiscard]] std::string ladders_csv(const std::vector<Run>& runs);
 
-/// For the summary page of a CI job: the last run, and what changed from the first. `report`: the whole document.
+/// For the summary page of a CI job: the last run, what changed from the first, and the scenes. `report`: the whole document.
 [[nodiscard]] std::string markdown(const std::vector<Run>& runs, const Json& report);
 
 /// JUnit of the last run: a test for each method and family, failed by a finding of what is no published baseline; and one for

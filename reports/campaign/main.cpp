@@ -1,4 +1,4 @@
-// plumb report: a campaign, or several, as one page, and as data beside it.
+// plumb report: campaigns and scenes as one page, and as data beside it.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -26,7 +26,8 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& args) {
-  app.add_option("DIR", args.folders, "folders of campaigns; the first is what the others are compared with")
+  app.add_option("DIR", args.folders,
+                 "folders of campaigns, the first of which the others are compared with, and of plumb scene --out")
       ->required();
   app.add_option("-o,--out", args.out, "the page, FILE.html")->required();
   app.add_option("--precision", args.precision,
@@ -109,6 +110,7 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
        {{"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}, {"command", command_of(args)}}},
       {"runs", Json::array()},
       {"comparisons", Json::array()},
+      {"playbacks", Json::array()},
       {"precision", nullptr},
       {"stability", nullptr},
       {"findings", findings_json()},
@@ -116,7 +118,10 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   Shown shown{args.failures, std::nullopt};
   if (!args.solver.empty()) shown.foreign = load_solver(args.solver);
   for (const Run& run : runs) out["runs"].push_back(run_json(run, shown));
+  for (const std::string& folder : args.folders)
+    if (holds_playback(folder)) out["playbacks"].push_back(playback_json(folder));
   name_apart(out["runs"]);
+  name_apart(out["playbacks"]);
   for (std::size_t i = 1; i < runs.size(); ++i) out["comparisons"].push_back(comparison_json(runs[0], runs[i]));
   const fs::path precision = given_or_beside(args.precision, args, "precision.jsonl");
   if (!precision.empty()) out["precision"] = precision_json(precision);
@@ -125,22 +130,32 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   return out;
 }
 
+/// A folder with a playback alone is no campaign's.
+std::vector<Run> read_runs(const Arguments& args) {
+  std::vector<Run> runs;
+  for (const std::string& folder : args.folders)
+    if (!holds_playback(folder) || fs::exists(fs::path(folder) / "campaign.bins"))
+      runs.push_back({folder, read_results(folder)});
+  return runs;
+}
+
 int report(const Arguments& args) {
   refuse_bad_page(args);
   const fs::path page = args.out;
-  std::vector<Run> runs;
-  for (const std::string& folder : args.folders) runs.push_back({folder, read_results(folder)});
+  const std::vector<Run> runs = read_runs(args);
   const Json whole = document(args, runs);
   if (interrupted()) return exit_interrupted;  // before anything is written: what an earlier report left stays whole
   // A file name need not be UTF-8; what is not is replaced.
   const std::string json = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
   const auto beside = [&](const char* extension) { return fs::path(page).replace_extension(extension); };
   write_file(beside(".json"), json + "\n");
-  write_file(beside(".csv"), csv(runs));
-  write_file(beside(".ladders.csv"), ladders_csv(runs));
   write_file(beside(".md"), markdown(runs, whole));
-  write_file(beside(".junit.xml"), junit(runs.back()));
-  write_file(beside(".sarif"), sarif(runs.back()));
+  if (!runs.empty()) {
+    write_file(beside(".csv"), csv(runs));
+    write_file(beside(".ladders.csv"), ladders_csv(runs));
+    write_file(beside(".junit.xml"), junit(runs.back()));
+    write_file(beside(".sarif"), sarif(runs.back()));
+  }
   write_file(page, page_of(json));
   print_line(page.string());
   return exit_done;
@@ -151,9 +166,9 @@ int report(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::reports::Arguments args;
-  CLI::App app(
-      "Campaigns as one self-contained page, with .json, .csv, .ladders.csv, .md, .junit.xml and .sarif beside it.",
-      "plumb report");
+  CLI::App app("Campaigns and scenes as one self-contained page, with .json, .csv, .ladders.csv, .md, .junit.xml and "
+               ".sarif beside it.",
+               "plumb report");
   plumb::reports::declare(app, args);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(args); });
 }

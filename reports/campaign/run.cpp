@@ -137,12 +137,12 @@ std::size_t kept_cases(const Results& results) {
   return n;
 }
 
-std::string name_of(const Run& run) {
-  const std::filesystem::path plain = run.folder.lexically_normal();
+}  // namespace
+
+std::string folder_name(const std::filesystem::path& folder) {
+  const std::filesystem::path plain = folder.lexically_normal();
   return (plain.has_filename() ? plain.filename() : plain.parent_path().filename()).string();
 }
-
-}  // namespace
 
 Json host_of(const Results& results) {
   Json out{{"system", ""}, {"machine", ""}, {"processors", 0}, {"compiler", ""}, {"flags", ""}, {"commit", "unknown"}};
@@ -178,7 +178,7 @@ Json run_json(const Run& run, const Shown& shown) {
   }
   const Json host = host_of(results);
   const double seconds = results.seconds;
-  return {{"name", name_of(run)},
+  return {{"name", folder_name(run.folder)},
           {"folder", run.folder.string()},
           {"commit", host["commit"]},
           {"seed", std::to_string(results.asked.seed)},

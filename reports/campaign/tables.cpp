@@ -179,6 +179,26 @@ std::string stability_list(const Json& stability) {
   return out;
 }
 
+std::string playback_line(const Json& playback) {
+  const Json& end = playback["end"];
+  const std::string frames =
+      fmt::format("- scene {}: {} bodies, {} frames to t = {}", playback["name"].get<std::string>(),
+                  playback["bodies"].size(), playback["times"].size(), playback["times"].back().dump());
+  if (end.is_null()) return frames + " - INCOMPLETE\n";
+  return fmt::format("{}, {} of {} solves failed, hash {}\n", frames, end["failed"].dump(), end["solves"].dump(),
+                     end["hash"].get<std::string>());
+}
+
+std::string run_tables(const Run& run, const Json& shown) {
+  const Results& results = run.results;
+  std::string out = fmt::format("## plumb: {} cases, seed {}, commit {}{}\n", results.cases(), results.asked.seed,
+                                shown["commit"].get<std::string>(), results.incomplete() ? " - INCOMPLETE" : "");
+  for (const auto& [message, n] : results.harness_errors) out += fmt::format("\n- HARNESS ERROR {} ({})\n", message, n);
+  for (const std::string& family : family_order(results))
+    out += family_table(family, results.families.at(family)) + ladders_table(results.families.at(family));
+  return out;
+}
+
 std::string changes(const Json& comparison) {
   constexpr std::size_t shown = 20;
   std::string out = fmt::format(
@@ -222,15 +242,11 @@ std::string ladders_csv(const std::vector<Run>& runs) {
 }
 
 std::string markdown(const std::vector<Run>& runs, const Json& report) {
-  const Results& results = runs.back().results;
-  const Json& last = report["runs"].back();
-  std::string out = fmt::format("## plumb: {} cases, seed {}, commit {}{}\n", results.cases(), results.asked.seed,
-                                last["commit"].get<std::string>(), results.incomplete() ? " - INCOMPLETE" : "");
-  for (const auto& [message, n] : results.harness_errors) out += fmt::format("\n- HARNESS ERROR {} ({})\n", message, n);
-  for (const std::string& family : family_order(results))
-    out += family_table(family, results.families.at(family)) + ladders_table(results.families.at(family));
+  std::string out = runs.empty() ? "## plumb\n" : run_tables(runs.back(), report["runs"].back());
   out += stability_list(report["stability"]);
   for (const Json& comparison : report["comparisons"]) out += changes(comparison);
+  if (!report["playbacks"].empty()) out += "\n### Playback\n\n";
+  for (const Json& playback : report["playbacks"]) out += playback_line(playback);
   return out;
 }
 

@@ -71,6 +71,17 @@ void keep_curvature(World& world, std::size_t c, const Curvatures& first, const 
   std::ranges::copy(relative_curvature(first, second), world.contacts.curvature->entry(c).begin());
 }
 
+/// The point on the normal through a ball's centre, and two balls' normal through both: there they are up to the solver's tolerance, but
+/// a ball's arm is zero by its shape, and what is left of it would be angular momentum made from nothing.
+void straighten(const World& world, Index i, Index j, Contact<double>& answer) {
+  const bool is_ball1 = world.bodies.is_sphere[i] != 0, is_ball2 = world.bodies.is_sphere[j] != 0;
+  if (!is_ball1 && !is_ball2) return;
+  const Vec3<double> x1 = world.state.position->vector(i), x2 = world.state.position->vector(j);
+  if (is_ball1 && is_ball2 && x1 != x2) answer.normal = (x2 - x1).normalized();
+  const Vec3<double>& centre = is_ball1 ? x1 : x2;
+  answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
+}
+
 Curvatures curvatures_of(const World& world, Index i, const PrincipalCurvature<double>& at) {
   return Curvatures::of(at, world.bodies.shape[i].semi_axes.maxCoeff());
 }
@@ -134,7 +145,7 @@ bool meet_body(World& world, std::size_t c, const Want& want, Round& round, Solv
   const Pair pair{solver_body(world, i), solver_body(world, j)};
   if (!touched && contacts.range == 0 && are_apart(world, c, pair, want, round)) return false;
   if (want.is_yes_or_no()) return true;
-  const Contact<double> answer = solve(world, c, pair, want, round);
+  Contact<double> answer = solve(world, c, pair, want, round);
   const bool is_answered = std::isfinite(answer.overlap);
   const bool touches = is_answered ? answer.overlap > -contacts.range : touched;
   if (note != nullptr)
@@ -142,6 +153,7 @@ bool meet_body(World& world, std::size_t c, const Want& want, Round& round, Solv
   if (!is_answered) return touches;
   keep_charts(contacts, c, answer);
   if (!touches) return false;
+  straighten(world, i, j, answer);
   keep_contact(world, c, answer);
   keep_curvature(world, c, curvatures_of(world, i, answer.curvature[0]), curvatures_of(world, j, answer.curvature[1]));
   return true;

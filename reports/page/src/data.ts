@@ -7,12 +7,14 @@ export interface Report {
   format: "plumb/report-1";
   /** What made the page. */
   made: { commit: string; compiler: string; flags: string; command: string };
-  /** In the order of the command line; the page begins with the last. */
+  /** In the order of the command line; the page begins with the last. Empty where only scenes were given. */
   runs: Run[];
   /** The first run against each of the others. */
   comparisons: Comparison[];
   precision: Precision | null;
   stability: Stability | null;
+  /** Scenes, in the order of the command line. */
+  playbacks: Playback[];
   /** The contract's words with what each means, in order of precedence; "none" last. */
   findings: { word: string; meaning: string }[];
   laws: { name: string; statement: string; file: string; line: number }[];
@@ -263,4 +265,65 @@ export interface StabilityRow {
   digits: { overlap: number | null; normal: number | null; points: number | null };
   /** From 1. */
   lets_go: number | null;
+}
+
+/**
+ * From `plumb scene --out DIR`: DIR/playback.jsonl. What is packed is base64 of little-endian numbers, frame by frame; lengths in it
+ * are from `origin`, in units of `size`.
+ */
+export interface Playback {
+  name: string;
+  folder: string;
+  scene: string;
+  time_step: number;
+  accuracy: number;
+  effects: { name: string; on: boolean; why: string }[];
+  shapes: { semi_axes: Vec; exponents: [number, number] }[];
+  /** Of each body, the index of its shape. */
+  bodies: number[];
+  /** Indices of bodies that do not move. */
+  fixed: number[];
+  /** Unit normals. */
+  walls: Vec[];
+  origin: Vec;
+  /** The largest semi-axis. */
+  size: number;
+  /** Of each frame; they do not decrease. */
+  times: number[];
+  /** float32, three a body. */
+  positions: string;
+  /** int16 of 32767ths, four a body: w, x, y, z, of length 1. */
+  orientations: string;
+  /** float32, three a wall: a point of its plane. */
+  wall_points: string;
+  contacts: PackedContacts;
+  /** By kind, a number for each frame. */
+  energy: Record<string, (number | null)[]>;
+  /** null: the run did not reach its end. */
+  end: PlaybackEnd | null;
+}
+export interface PackedContacts {
+  /** For each frame, how many; and their deepest overlap, in the scene's unit. */
+  counts: number[];
+  deepest: (number | null)[];
+  largest_force: number;
+  /** float32, six a frame: the least corner of a box around the frame's points, and its sides. */
+  boxes: string;
+  /** uint16, or uint32 of more than 65536 bodies and walls, two a contact: i < j; from the number of bodies on, walls. */
+  pairs: string;
+  /** uint16, three a contact: 65535ths of the box. */
+  points: string;
+  /** int16 of 32767ths, three a contact: from i to j. */
+  normals: string;
+  /** int16, one a contact: 32767ths of `largest_force`. */
+  forces: string;
+}
+export interface PlaybackEnd {
+  steps: number;
+  time: number;
+  hash: string;
+  solves: number;
+  failed: number;
+  /** Of the time that the run took, by part. */
+  shares: Record<string, number>;
 }

@@ -11,6 +11,7 @@ import { header } from "./sections/header";
 import { laddersSection } from "./sections/ladders";
 import { machineSection } from "./sections/machine";
 import { nav } from "./sections/nav";
+import { playbackSection } from "./sections/playback";
 import { precisionSection } from "./sections/precision";
 import { summarySection } from "./sections/summary";
 import type { State } from "./state";
@@ -23,14 +24,18 @@ function readReport(): Report | null {
   return text ? (JSON.parse(text) as Report) : null;
 }
 
+/** Of scenes alone, what is about campaigns is left out. */
 function sections(state: State): HTMLElement[] {
+  const { runs, precision } = state.report;
+  const isCampaign = runs.length > 0;
   const all = [
-    summarySection(state),
-    precisionSection(state),
-    atlasSection(state),
+    isCampaign ? summarySection(state) : null,
+    isCampaign || precision ? precisionSection(state) : null,
+    isCampaign ? atlasSection(state) : null,
     laddersSection(state),
-    gallerySection(state),
-    compareSection(state),
+    isCampaign ? gallerySection(state) : null,
+    playbackSection(state.report),
+    isCampaign ? compareSection(state) : null,
     machineSection(state),
   ];
   return all.filter((part) => part !== null);
@@ -39,11 +44,11 @@ function sections(state: State): HTMLElement[] {
 function show(report: Report, page: HTMLElement): void {
   meetMethods(report);
   const newest = report.runs.at(-1);
-  if (!newest) {
-    page.append(h("p", { class: "notice" }, "The report holds no run."));
+  if (!newest && report.playbacks.length === 0) {
+    page.append(h("p", { class: "notice" }, "The report holds neither a run nor a scene."));
     return;
   }
-  const state: State = { report, run: new Watched(newest) };
+  const state: State = { report, run: newest ? new Watched(newest) : null };
   const parts = sections(state);
   const skip = h("a", { class: "skip", href: "#main" }, "Skip to the report");
   const main = h("main", { id: "main", tabindex: -1 }, ...parts);

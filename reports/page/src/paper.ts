@@ -1,5 +1,6 @@
 /** On paper: light, figures at the paper's width, everything open that is not the case's JSON or a licence. */
 import { drawForPaper } from "./plot";
+import { stillsForPaper } from "./sections/playback";
 import { setPrinting } from "./theme";
 import { drawCardsForPaper } from "./view3d/cards";
 
@@ -21,10 +22,12 @@ export function preparePaper(): void {
     openDetails();
     drawForPaper(true);
     drawCardsForPaper();
+    stillsForPaper(true);
   });
   addEventListener("afterprint", () => {
     setPrinting(false);
     for (const element of opened.splice(0)) element.open = false;
     drawForPaper(false);
+    stillsForPaper(false);
   });
 }

@@ -1,6 +1,7 @@
 /** A figure: drawn by Plotly when it comes into view, with a text alternative, buttons to zoom and the table behind it. */
 import type { Config, Data, Layout, PlotlyHTMLElement, PlotMouseEvent } from "plotly.js";
 import { button, type Child, details, freshId, h } from "./dom";
+import { Mark } from "./plot_mark";
 import { ink, theme } from "./theme";
 
 export interface Drawing {
@@ -19,11 +20,15 @@ export interface FigureOptions {
   /** Gets the point's customdata. */
   clicked?: (data: unknown) => void;
   zoom?: boolean;
+  /** Paper does without the table. */
+  longTable?: boolean;
 }
 
 export interface Figure {
   element: HTMLElement;
   redraw: () => void;
+  /** An upright line at a value of the x axis. */
+  mark: (x: number) => void;
 }
 
 type Library = typeof import("plotly.js-cartesian-dist-min");
@@ -129,7 +134,8 @@ function listenToClicks(box: HTMLElement, clicked: (data: unknown) => void): voi
 export function figure(options: FigureOptions): Figure {
   const box = h("div", { class: "plot", role: "img" });
   const inner = h("div");
-  box.append(inner);
+  const mark = new Mark(inner);
+  box.append(inner, mark.line);
   let started = false;
   let drawnWidth = 0;
 
@@ -141,7 +147,10 @@ export function figure(options: FigureOptions): Figure {
     void Plotly.react(inner, data, whole, config);
     box.style.minHeight = "";
     box.dataset.drawn = "true";
-    if (!started && options.clicked) listenToClicks(inner, options.clicked);
+    if (!started) {
+      if (options.clicked) listenToClicks(inner, options.clicked);
+      (inner as unknown as PlotlyHTMLElement).on("plotly_afterplot", () => mark.place());
+    }
     started = true;
   };
   const start = () => {
@@ -152,7 +161,8 @@ export function figure(options: FigureOptions): Figure {
   const behind = h("div");
   const refresh = () => {
     box.setAttribute("aria-label", options.describe());
-    behind.replaceChildren(details(`Table: ${options.caption}`, options.table));
+    const print = options.longTable ? "closed" : undefined;
+    behind.replaceChildren(details(`Table: ${options.caption}`, options.table, { "data-print": print }));
   };
   const reset = () => {
     Plotly.purge(inner);
@@ -171,7 +181,7 @@ export function figure(options: FigureOptions): Figure {
   const caption = h("figcaption", { id: freshId("figure") }, options.caption);
   const tools = options.zoom === false ? null : zoomButtons(inner, options.caption, reset);
   const top = h("div", { class: "figure-top" }, caption, tools);
-  return { element: h("figure", {}, top, options.legend, box, behind), redraw };
+  return { element: h("figure", {}, top, options.legend, box, behind), redraw, mark: (x) => mark.to(x) };
 }
 
 /** Plotly reads some markup in its labels; the data's text must not become any. */

@@ -1,16 +1,9 @@
 // What can be said without a browser: figures in words, axes that leave nothing out, surfaces that are surfaces.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fileURLToPath } from "node:url";
-import { build } from "esbuild";
 import { stream } from "./support/fixture.mjs";
 import { contactPair } from "./support/fixture-geometry.mjs";
-
-async function load(module) {
-  const entry = fileURLToPath(new URL(`../src/${module}`, import.meta.url));
-  const { outputFiles } = await build({ entryPoints: [entry], bundle: true, write: false, format: "esm" });
-  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
-}
+import { load } from "./support/modules.mjs";
 
 test("figures are written as a reader wants them", async () => {
   const { percent, time, number, error, count } = await load("numbers.ts");

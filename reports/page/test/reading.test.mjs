@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { bring, launch, open } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
+import { makePlayback } from "./support/fixture-playback.mjs";
 import { withFolder, writePage } from "./support/pages.mjs";
 
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -27,15 +28,17 @@ const withPage = (report, options, use) =>
   });
 
 const small = (options) => makeReport({ failures: 8, cases: 1000, ...options });
+const scenes = () => [makePlayback({ bodies: 8, frames: 5 }), makePlayback({ name: "cut", frames: 5, ended: false })];
 
 for (const dark of [false, true])
   test(`axe finds nothing serious, ${dark ? "dark" : "light"}`, () =>
-    withPage(small({ second: true }), { dark }, async (page) => {
+    withPage(small({ second: true, playbacks: scenes() }), { dark }, async (page) => {
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });
       await bring(page, "#precision .plot");
       await bring(page, "#gallery canvas");
+      await bring(page, "#playback canvas");
       await page.evaluate(axe);
       const found = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
       const grave = found.violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
@@ -47,7 +50,7 @@ for (const dark of [false, true])
 
 for (const width of [400, 1400])
   test(`nothing is wider than a page of ${width} pixels`, () =>
-    withPage(small({ second: true }), { width }, async (page) => {
+    withPage(small({ second: true, playbacks: scenes() }), { width }, async (page) => {
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });
@@ -60,22 +63,39 @@ for (const width of [400, 1400])
 
 const HOSTILE = '</script><script>window.hurt=1</script><img src=x onerror="window.hurt=2"><!--<script>';
 
-/** Every text of the document, but its format and what is looked up by name. */
+const PACKED = ["positions", "orientations", "wall_points", "boxes", "pairs", "points", "normals", "forces"];
+
+/** Every text and every name of an energy or a share of the document, but its format and what is looked up by name. */
 function poisoned(value, key = "") {
-  const kept = ["format", "verdict", "measure", "unit", "map", "kept", "scalar", "problem", "certificate", "word"];
+  const kept = [
+    "format",
+    "verdict",
+    "measure",
+    "unit",
+    "map",
+    "kept",
+    "scalar",
+    "problem",
+    "certificate",
+    "word",
+    ...PACKED,
+  ];
   if (typeof value === "string") return kept.includes(key) ? value : `${value}${HOSTILE}`;
   if (Array.isArray(value)) return value.map((item) => poisoned(item, key));
   if (value === null || typeof value !== "object") return value;
-  return Object.fromEntries(Object.entries(value).map(([name, item]) => [name, poisoned(item, name)]));
+  const isNamed = ["energy", "shares"].includes(key);
+  return Object.fromEntries(
+    Object.entries(value).map(([name, item]) => [isNamed ? `${name}${HOSTILE}` : name, poisoned(item, name)]),
+  );
 }
 
 test("hostile words in the data are words", () =>
   withPage(
-    poisoned(small({ second: true, harnessErrors: { [`failed ${HOSTILE}`]: 2 } })),
+    poisoned(small({ second: true, playbacks: scenes(), harnessErrors: { [`failed ${HOSTILE}`]: 2 } })),
     {},
     async (page, noticed) => {
-      for (const id of ["precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
-      await bring(page, "#gallery canvas");
+      for (const id of ["precision", "atlas", "playback", "compare"]) await bring(page, `#${id} .plot`);
+      for (const id of ["gallery", "playback"]) await bring(page, `#${id} canvas`);
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });

@@ -1,11 +1,12 @@
 // What plumb report itself writes, in Chromium: PLUMB_BIN is the folder of the programs; without it there is nothing to ask.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { bring, launch, open } from "./support/browser.mjs";
+import { playbackLines, playbackOf } from "./support/fixture-playback.mjs";
 import { withFolder } from "./support/pages.mjs";
 
 const bin = process.env.PLUMB_BIN;
@@ -71,6 +72,26 @@ test("a report of plumb's own is shown whole, without a complaint or a request",
       const figures = await page.$$eval("td, dd, svg text", (all) => all.map((one) => one.textContent));
       assert.ok(figures.length > 100);
       for (const figure of figures) assert.doesNotMatch(figure, /undefined|\[object|^-?NaN|Infinity/);
+    } finally {
+      await browser.close();
+    }
+  }),
+);
+
+test("a scene's lines are packed as the made-up data are, and shown", { skip }, () =>
+  withFolder(async (folder) => {
+    const lines = playbackLines({ bodies: 30, frames: 11 });
+    mkdirSync(join(folder, "pile"));
+    writeFileSync(join(folder, "pile", "playback.jsonl"), lines.map((line) => `${JSON.stringify(line)}\n`).join(""));
+    run(folder, "plumb", "report", "pile", "-o", "page.html");
+    const { playbacks } = JSON.parse(readFileSync(join(folder, "page.json"), "utf8"));
+    assert.deepEqual(playbacks, [{ ...playbackOf(lines), folder: "pile" }]);
+    const browser = await launch();
+    try {
+      const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
+      await bring(page, "#playback canvas");
+      await bring(page, "#playback .plot");
+      assert.deepEqual(noticed, { console: [], requests: [] });
     } finally {
       await browser.close();
     }

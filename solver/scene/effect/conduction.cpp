@@ -4,6 +4,7 @@
 #include <string>
 
 #include "solver/scene/effect.hpp"
+#include "solver/scene/facts.hpp"
 #include "solver/scene/world.hpp"
 
 namespace plumb::scene {
@@ -42,6 +43,9 @@ Role role(const Conduction& conduction, const Scene& scene) {
     require_temperature(scene.walls[i].temperature, "walls", i);
   if (conduction.conductivity == 0) out.off = "the conductivity is 0";
   out.needs = {.contacts = true, .curvature = true};
+  // A body equalises no faster than through patches as large as itself; contacts are smaller, and several share this.
+  const double capacity = 2 * least_contact_mass(scene) * conduction.heat_capacity;
+  out.needs.fastest = capacity / (2 * conduction.conductivity * longest_axis(scene));
   return out;
 }
 

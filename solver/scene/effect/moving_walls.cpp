@@ -18,10 +18,10 @@ void move_walls(const MovingWalls& moving, const Column& first, World& world) {
     const WallMotion& motion = moving.motions[k];
     const std::size_t wall = world.bodies.count + static_cast<std::size_t>(motion.wall);
     const double turns = 2 * std::numbers::pi * motion.frequency;
-    const double phase = turns * world.time;
+    const double middle = world.time - world.time_step / 2;  // where the bodies' velocities are
     world.state.position->vector(wall) =
-        first.vector(wall) + motion.velocity * world.time + motion.amplitude * std::sin(phase);
-    world.state.velocity->vector(wall) = motion.velocity + motion.amplitude * (turns * std::cos(phase));
+        first.vector(wall) + motion.velocity * world.time + motion.amplitude * std::sin(turns * world.time);
+    world.state.velocity->vector(wall) = motion.velocity + motion.amplitude * (turns * std::cos(turns * middle));
   }
 }
 

@@ -108,5 +108,5 @@ export function comparisonFigure(comparison: Comparison, rows: () => ComparisonR
     draw: () => draw(these(), comparison, unit),
     table: () => table({ caption: "Before and after", columns, rows: these(), hideCaption: true }),
   });
-  return { element: h("div", {}, h("div", { class: "controls" }, pick), plot.element), redraw: plot.redraw };
+  return { ...plot, element: h("div", {}, h("div", { class: "controls" }, pick), plot.element) };
 }

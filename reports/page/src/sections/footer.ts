@@ -5,9 +5,11 @@ import { h } from "../dom";
 
 const SIDECARS: [string, string][] = [
   [".json", "everything on this page"],
+  [".md", "a summary to read"],
+];
+const OF_CAMPAIGNS: [string, string][] = [
   [".csv", "the summary's rows"],
   [".ladders.csv", "the hard cases, ladder by ladder"],
-  [".md", "a summary to read"],
   [".sarif", "findings, for code hosts"],
   [".junit.xml", "results, for CI"],
 ];
@@ -29,12 +31,13 @@ function licence(name: string, text: string): HTMLElement {
 }
 
 export function footer(report: Report): HTMLElement {
+  const files = report.runs.length > 0 ? [...SIDECARS, ...OF_CAMPAIGNS] : SIDECARS;
   return h(
     "footer",
     {},
     h("h2", {}, "The same as data"),
     h("p", { class: "note" }, "Written beside this page:"),
-    h("ul", { class: "files" }, ...SIDECARS.map(sidecar)),
+    h("ul", { class: "files" }, ...files.map(sidecar)),
     h("h2", {}, "Licences"),
     h("p", { class: "note" }, `plumb: BSD-3-Clause, commit ${report.made.commit}. Inside this page:`),
     licence("plotly.js", plotlyLicence),

@@ -1,6 +1,6 @@
-import type { Report, Run } from "../data";
+import type { Playback, Report, Run } from "../data";
 import { h } from "../dom";
-import { count } from "../numbers";
+import { count, number } from "../numbers";
 
 function alarm(run: Run): HTMLElement | null {
   const errors = Object.entries(run.harness_errors);
@@ -16,6 +16,15 @@ function alarm(run: Run): HTMLElement | null {
   );
 }
 
+function cutShort({ name, end }: Playback): HTMLElement | null {
+  if (end) return null;
+  const words = h("strong", {}, `The scene ${name} is incomplete. `);
+  return h("div", { class: "alarm", role: "alert" }, words, "Its run did not reach its end.");
+}
+
+const sceneLine = ({ name, scene, bodies, times }: Playback): string =>
+  `${name}: scene ${scene}, ${count(bodies.length)} bodies, ${count(times.length)} frames to t = ${number(times.at(-1))}`;
+
 export function header(report: Report): HTMLElement {
   const runs = report.runs.map(
     (run) => `${run.name}: ${count(run.cases)} cases, seed ${run.seed}, commit ${run.commit}`,
@@ -25,7 +34,8 @@ export function header(report: Report): HTMLElement {
     { class: "top" },
     h("p", { class: "brand" }, "plumb report"),
     h("h1", {}, "Does the contact normal stand true?"),
-    h("ul", { class: "runs" }, ...runs.map((text) => h("li", {}, text))),
+    h("ul", { class: "runs" }, ...[...runs, ...report.playbacks.map(sceneLine)].map((text) => h("li", {}, text))),
     ...report.runs.map(alarm),
+    ...report.playbacks.map(cutShort),
   );
 }

@@ -18,15 +18,16 @@ function markCurrent(links: Map<Element, HTMLAnchorElement>): void {
 
 function runSelect(state: State): HTMLElement | null {
   const { runs } = state.report;
-  if (runs.length < 2) return null;
+  const chosen = state.run;
+  if (!chosen || runs.length < 2) return null;
   const choose = (index: string) => {
     const run = runs[Number(index)];
-    if (run) state.run.value = run;
+    if (run) chosen.value = run;
   };
   const choice = select(
     "Run",
     runs.map((run, index) => [String(index), run.name]),
-    String(runs.indexOf(state.run.value)),
+    String(runs.indexOf(chosen.value)),
     choose,
   );
   choice.id = "run-choice";
@@ -40,6 +41,7 @@ const NAMES: Record<string, string> = {
   atlas: "Atlas",
   ladders: "Ladders",
   gallery: "Gallery",
+  playback: "Playback",
   compare: "Compare",
   machine: "Machine",
 };

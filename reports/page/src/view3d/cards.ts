@@ -5,20 +5,22 @@ import { theme } from "../theme";
 import { focusOf, type Geometry, geometryOf, type Zoom } from "./placed";
 import type { View3d } from "./view";
 
-type Engine = typeof import("./view");
+type Engine = typeof import("./engine");
 
 const ZOOMS: [Zoom, string, string][] = [
   ["bodies", "Bodies", "Show both bodies"],
   ["points", "Points", "Zoom to all points: the answer's and the reference's"],
   ["overlap", "Overlap", "Zoom to the overlap at the reference's contact"],
 ];
-const NO_WEBGL = "No 3-D view: this browser offers no WebGL. The figures, the command and the case stand below.";
+export const NO_WEBGL = "No 3-D view: this browser offers no WebGL.";
 
 let engine: Engine;
+export const loaded3d = (): Engine | undefined => engine;
 const cards = new Map<Element, Card>();
 
-export async function load3d(): Promise<void> {
-  engine ??= await import("./view");
+export async function load3d(): Promise<Engine> {
+  engine ??= await import("./engine");
+  return engine;
 }
 
 function drawAll(canvases: Iterable<Element>): void {
@@ -75,7 +77,9 @@ class Card {
 
   draw(): void {
     if (!engine.hasWebGl()) {
-      this.element.replaceChildren(h("p", { class: "empty" }, NO_WEBGL));
+      this.element.replaceChildren(
+        h("p", { class: "empty" }, `${NO_WEBGL} The figures, the command and the case stand below.`),
+      );
       return;
     }
     this.view ??= new engine.View3d(this.canvas, this.geometry, this.size);

@@ -68,11 +68,12 @@ function sections(body: Placed): Vec[][] {
   ];
 }
 
-export function wholeMesh(body: Placed, mapping: Mapping): Mesh {
+/** `half` steps from an axis to the next edge. */
+export function wholeMesh(body: Placed, mapping: Mapping, half = HALF): Mesh {
   const [n1, n2] = body.exponents;
-  const south = quarter(n1, HALF);
+  const south = quarter(n1, half);
   const meridian = [...south.map(([r, z]) => [r, -z]).reverse(), ...south.slice(1)] as [number, number][];
-  const parallel = loop(n2, HALF);
+  const parallel = loop(n2, half);
   const collector = new Collector(mapping);
   for (const [r, z] of meridian)
     for (const [x, y] of parallel) {

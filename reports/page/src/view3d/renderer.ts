@@ -64,18 +64,30 @@ function drawLabels(context: CanvasRenderingContext2D, labels: Label[], camera: 
   }
 }
 
-export function renderTo(canvas: HTMLCanvasElement, { scene, labels }: Pictured, camera: PerspectiveCamera): void {
+/** To set a size clears and allocates, even where it is the same. */
+function resize(canvas: HTMLCanvasElement, width: number, height: number, set: () => void): void {
+  if (canvas.width !== width || canvas.height !== height) set();
+}
+
+export function renderTo(
+  canvas: HTMLCanvasElement,
+  { scene, labels }: Pick<Pictured, "scene" | "labels">,
+  camera: PerspectiveCamera,
+): void {
   const context = canvas.getContext("2d");
   const { clientWidth, clientHeight } = canvas;
   if (!renderer || !context || clientWidth === 0) return;
+  const shared = renderer;
   const density = Math.min(2, Math.max(1, devicePixelRatio));
-  canvas.width = Math.round(clientWidth * density);
-  canvas.height = Math.round(clientHeight * density);
-  renderer.setSize(canvas.width, canvas.height, false);
+  const [width, height] = [Math.round(clientWidth * density), Math.round(clientHeight * density)];
+  resize(canvas, width, height, () => Object.assign(canvas, { width, height }));
+  resize(shared.domElement, width, height, () => shared.setSize(width, height, false));
   camera.aspect = clientWidth / clientHeight;
   camera.updateProjectionMatrix();
-  renderer.render(scene, camera);
-  context.drawImage(renderer.domElement, 0, 0);
+  shared.render(scene, camera);
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, width, height);
+  context.drawImage(shared.domElement, 0, 0);
   context.scale(density, density);
   drawLabels(context, labels, camera);
 }

@@ -11,6 +11,7 @@ import {
   DoubleSide,
   FrontSide,
   Group,
+  InstancedMesh,
   Line,
   LineBasicMaterial,
   LineDashedMaterial,
@@ -96,18 +97,23 @@ function skin(
   return mesh;
 }
 
-function bodyGroup({ positions, normals, triangles, lines }: Surface, colour: string, dashed: boolean): Group {
-  const group = new Group();
+export function surfaceGeometry({ positions, normals, triangles }: Surface): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
   geometry.setAttribute("normal", new BufferAttribute(normals, 3));
   geometry.setIndex(triangles);
+  return geometry;
+}
+
+function bodyGroup(surface: Surface, colour: string, dashed: boolean): Group {
+  const group = new Group();
+  const geometry = surfaceGeometry(surface);
   group.add(skin(geometry, colour, BackSide, 0.16), skin(geometry, colour, FrontSide, 0.22));
   const look = { color: colour, transparent: true, opacity: 0.75 };
   const material = dashed
     ? new LineDashedMaterial({ ...look, dashSize: 0.05, gapSize: 0.035 })
     : new LineBasicMaterial(look);
-  for (const points of lines) {
+  for (const points of surface.lines) {
     const line = new Line(new BufferGeometry().setFromPoints(points.map((point) => new Vector3(...point))), material);
     line.renderOrder = 2;
     group.add(line.computeLineDistances());
@@ -141,17 +147,19 @@ const marker = (geometry: BufferGeometry, at: Vec, colour: string): Mesh => {
   return mesh;
 };
 
+export function litScene(): Scene {
+  const sun = new DirectionalLight("#ffffff", 1.6);
+  sun.position.set(-1, 2, 3);
+  return new Scene().add(new AmbientLight("#ffffff", 1.7), sun);
+}
+
 class Drawing {
-  readonly scene = new Scene();
+  readonly scene = litScene();
   readonly labels: Label[] = [];
   constructor(
     private readonly mapping: Mapping,
     private readonly colours: Colours,
-  ) {
-    const sun = new DirectionalLight("#ffffff", 1.6);
-    sun.position.set(-1, 2, 3);
-    this.scene.add(new AmbientLight("#ffffff", 1.7), sun);
-  }
+  ) {}
 
   private note(text: string, at: Vec, colour: string): void {
     this.labels.push({ text, at, colour, side: colour === this.colours.first ? "left" : "right" });
@@ -230,5 +238,6 @@ export function dispose(scene: Scene): void {
     const { geometry, material } = thing as unknown as { geometry?: BufferGeometry; material?: Material };
     geometry?.dispose();
     material?.dispose();
+    if (thing instanceof InstancedMesh) thing.dispose();
   });
 }

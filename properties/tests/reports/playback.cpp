@@ -1,0 +1,160 @@
+// plumb report: what plumb scene left, alone and beside campaigns.
+
+#include "properties/tests/corpus/programs.hpp"
+
+namespace plumb::reports {
+namespace {
+
+Json head() {
+  return {{"format", "plumb/playback-1"},
+          {"scene", "two"},
+          {"bodies",
+           {{{"semi_axes", {1.0, 2.0, 4.0}}, {"exponents", {2.0, 8.0}}, {"fixed", false}},
+            {{"semi_axes", {1.0, 2.0, 4.0}}, {"exponents", {2.0, 8.0}}, {"fixed", true}}}},
+          {"walls", {{{"normal", {0.0, 0.0, 2.0}}}}},
+          {"effects", {{{"name", "gravity"}, {"on", true}, {"why", "asked for"}}}},
+          {"time_step", 1e-4},
+          {"accuracy", 1e-3},
+          {"x_note", "what is not known is no harm"}};
+}
+
+Json frame(double time, double height) {
+  return {{"time", time},
+          {"position", {0.0, 0.0, height, 4.0, 0.0, 0.0}},
+          {"orientation", {2.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0}},
+          {"wall", {0.0, 0.0, -4.0}},
+          {"contacts",
+           {{0, 1, 2.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.01, 5.0}, {0, 2, 4.0, 0.0, -4.0, 0.0, 0.0, -1.0, 0.02, 10.0}}},
+          {"energy", {{"kinetic", 1.5}}}};
+}
+
+Json end() {
+  return {{"end",
+           {{"steps", 3e9},
+            {"time", 2.0},
+            {"hash", "0123456789abcdef"},
+            {"solves", 100},
+            {"failed", 1},
+            {"shares", {{"solver", 0.9}}}}}};
+}
+
+std::string lines(const std::vector<Json>& all) {
+  std::string out;
+  for (const Json& line : all) out += line.dump() + "\n";
+  return out;
+}
+
+class PlaybackReport : public Commands {
+ protected:
+  void write(const std::string& folder, const std::string& text) const {
+    fs::create_directories(path_ / folder);
+    write_file(path_ / folder / "playback.jsonl", text);
+  }
+  [[nodiscard]] Json report_of(const std::vector<Json>& all) const {
+    write("scene", lines(all));
+    const Ran ran = plumb("report scene -o page.html");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    return json("page.json");
+  }
+  void refuses(const std::vector<Json>& all, const std::string& reason) const {
+    write("bad", lines(all));
+    expect_refusal("report bad -o page.html", "bad/playback.jsonl:" + reason);
+  }
+};
+
+TEST_F(PlaybackReport, HoldsTheSceneAndPacksItsFrames) {
+  const Json report = report_of({head(), frame(0, 8), frame(0.5, 4), end()});
+  EXPECT_TRUE(report["runs"].empty());
+  const Json& scene = report["playbacks"][0];
+  EXPECT_EQ(scene["name"], "scene");
+  EXPECT_EQ(scene["scene"], "two");
+  EXPECT_EQ(scene["shapes"], Json({{{"semi_axes", {1.0, 2.0, 4.0}}, {"exponents", {2.0, 8.0}}}}));
+  EXPECT_EQ(scene["bodies"], Json({0, 0}));
+  EXPECT_EQ(scene["fixed"], Json({1}));
+  EXPECT_EQ(scene["walls"], Json({{0.0, 0.0, 1.0}}));
+  EXPECT_EQ(scene["origin"], Json({2.0, 0.0, 4.0}));
+  EXPECT_EQ(scene["size"], 4.0);
+  EXPECT_EQ(scene["times"], Json({0.0, 0.5}));
+  // -1/2, 0, 1, 1/2, 0, -1 and -1/2, 0, 0, 1/2, 0, -1 as floats.
+  EXPECT_EQ(scene["positions"], "AAAAvwAAAAAAAIA/AAAAPwAAAAAAAIC/AAAAvwAAAAAAAAAAAAAAPwAAAAAAAIC/");
+  // 32767, 0, 0, 0 and 0, -32767, 0, 0, twice.
+  EXPECT_EQ(scene["orientations"], "/38AAAAAAAAAAAGAAAAAAP9/AAAAAAAAAAABgAAAAAA=");
+  EXPECT_EQ(scene["wall_points"], "AAAAvwAAAAAAAADAAAAAvwAAAAAAAADA");
+  const Json& contacts = scene["contacts"];
+  EXPECT_EQ(contacts["counts"], Json({2, 2}));
+  EXPECT_EQ(contacts["deepest"], Json({0.02, 0.02}));
+  EXPECT_EQ(contacts["largest_force"], 10.0);
+  EXPECT_EQ(contacts["pairs"], "AAABAAAAAgAAAAEAAAACAA==");
+  EXPECT_EQ(contacts["forces"], "AED/fwBA/38=");
+  EXPECT_EQ(scene["end"]["steps"].get<double>(), 3e9);
+  EXPECT_EQ(scene["end"]["hash"], "0123456789abcdef");
+}
+
+TEST_F(PlaybackReport, AnEnergyThatAFrameDoesNotHaveIsNull) {
+  Json first = frame(0, 8), second = frame(1, 4);
+  first["energy"] = {{"kinetic", 1.0}};
+  second["energy"] = {{"elastic", 2.0}, {"lost", nullptr}};
+  const Json energy = report_of({head(), first, second})["playbacks"][0]["energy"];
+  EXPECT_EQ(energy["kinetic"], Json({1.0, nullptr}));
+  EXPECT_EQ(energy["elastic"], Json({nullptr, 2.0}));
+  EXPECT_EQ(energy["lost"], Json({nullptr, nullptr}));
+}
+
+TEST_F(PlaybackReport, OfScenesAloneNothingOfCampaignsIsWritten) {
+  const Json report = report_of({head(), frame(0, 8)});
+  EXPECT_TRUE(report["playbacks"][0]["end"].is_null());
+  EXPECT_NE(read("page.html").find("plumb/report-1"), std::string::npos);
+  EXPECT_NE(read("page.md").find("- scene scene: 2 bodies, 1 frames to t = 0.0 - INCOMPLETE"), std::string::npos)
+      << read("page.md");
+  for (const char* absent : {"page.csv", "page.ladders.csv", "page.junit.xml", "page.sarif"})
+    EXPECT_FALSE(fs::exists(path_ / absent)) << absent;
+}
+
+TEST_F(PlaybackReport, BesideACampaign) {
+  ASSERT_EQ(plumb("campaign --family spheroid --cases 20 --seed 1 --method new_cn --out run 2>/dev/null").code, 0);
+  fs::create_directories(path_ / "more");
+  write("scene", lines({head(), frame(0, 8), end()}));
+  write("more/scene", lines({head(), frame(0, 8)}));
+  ASSERT_EQ(plumb("report scene run more/scene -o page.html").code, 0);
+  const Json report = json("page.json");
+  ASSERT_EQ(report["runs"].size(), 1u);
+  EXPECT_EQ(report["runs"][0]["cases"], 20);
+  ASSERT_EQ(report["playbacks"].size(), 2u);
+  EXPECT_EQ(report["playbacks"][0]["name"], "scene") << "folders of one name are called by their paths";
+  EXPECT_EQ(report["playbacks"][1]["name"], "more/scene");
+  EXPECT_TRUE(fs::exists(path_ / "page.junit.xml"));
+  EXPECT_NE(read("page.md").find("1 of 100 solves failed, hash 0123456789abcdef"), std::string::npos);
+}
+
+TEST_F(PlaybackReport, ADamagedLineIsNamed) {
+  const auto with = [](Json line, const char* field, const Json& value) {
+    line[field] = value;
+    return line;
+  };
+  const Json good = frame(0, 8);
+  refuses({frame(0, 8)}, "1: format: missing");
+  refuses({with(head(), "format", "plumb/playback-2")}, R"(1: format: must be "plumb/playback-1")");
+  refuses({with(head(), "bodies", Json::array())}, "1: bodies: is empty");
+  refuses({with(head(), "walls", {{{"normal", {0.0, 0.0, 0.0}}}})}, "1: walls[0].normal: has a normal of length 0");
+  refuses({head(), with(good, "position", {1.0, 2.0})}, "2: position: must be an array of 6 numbers, not 2");
+  refuses({head(), with(good, "position", {0, 0, nullptr, 0, 0, 0})}, "2: position[2]: must be a number, not null");
+  refuses({head(), with(good, "orientation", {0, 0, 0, 0, 1, 0, 0, 0})},
+          "2: orientation[0]: begins a quaternion of length 0");
+  refuses({head(), with(good, "contacts", {{1, 1, 0, 0, 0, 1, 0, 0, 0, 0}})},
+          "2: contacts[0][1]: must be above the first body's");
+  refuses({head(), with(good, "contacts", {{0, 3, 0, 0, 0, 1, 0, 0, 0, 0}})},
+          "2: contacts[0][1]: must be a whole number from 0 to 2");
+  refuses({head(), with(good, "energy", {1.0})}, "2: energy: must be an object");
+  refuses({head(), frame(1, 8), frame(0.5, 8)}, "3: time: is before the frame before it");
+  refuses({head(), good, end(), frame(1, 8)}, "4: comes after the end");
+  Json bad_end = end();
+  bad_end["end"]["hash"] = "short";
+  refuses({head(), good, bad_end}, "3: end.hash: must be 16 hexadecimal digits");
+  write("bad", head().dump() + "\n" + good.dump().substr(0, 40) + "\n");
+  EXPECT_EQ(plumb("report bad -o page.html 2>/dev/null").code, 2);
+  write("bad", head().dump() + "\n");
+  expect_refusal("report bad -o page.html", "bad/playback.jsonl: holds no frame of plumb scene");
+}
+
+}  // namespace
+}  // namespace plumb::reports

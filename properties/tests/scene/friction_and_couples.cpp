@@ -1,0 +1,184 @@
+// Friction, rolling and twisting resistance of a ball on a floor, against closed forms.
+#include <gtest/gtest.h>
+
+#include "properties/tests/scene/made.hpp"
+
+namespace plumb::scene {
+namespace {
+
+using made::ended;
+using made::Resting;
+using made::spin;
+using made::started;
+using made::Vec;
+using made::velocity;
+
+constexpr double g = Resting::g;
+const Resting resting;
+
+/// Of the ball about its centre, by its mass: 2/5 of radius 1.
+constexpr double gyration = 0.4;
+
+/// Damped springs, so that what they store when sliding ends does not ring on.
+Friction rough(double coefficient) {
+  return {.coefficient = coefficient, .damping = 0.5};
+}
+
+void step_until(Simulation& run, double time) {
+  while (run.time() < time) run.step();
+}
+
+// The angular momentum about the contact, v arm + 2/5 w, is kept to rounding: friction has no moment there. Rolling, w arm = v.
+TEST(Sliding, BecomesRollingAtFiveSevenths) {
+  Scene scene = resting.scene();
+  scene.bodies[0].velocity = {1, 0, 0};
+  scene.effects.friction = rough(0.3);
+  scene.run.duration = 0.3;
+  const auto run = ended(scene);
+  const double rolling = 1 / (1 + gyration / (resting.arm * resting.arm));
+  EXPECT_NEAR(velocity(*run, 0).x(), rolling, 1e-9);
+  EXPECT_NEAR(spin(*run, 0).y() * resting.arm, rolling, 1e-9);
+  EXPECT_NEAR(rolling, 5.0 / 7, resting.overlap);
+}
+
+TEST(Sliding, SlowsAsCoulombSays) {
+  Scene scene = resting.scene();
+  scene.bodies[0].velocity = {1, 0, 0};
+  scene.effects.friction = rough(0.3);
+  const double ends = (1 - 5.0 / 7) / (0.3 * g);
+  scene.run.duration = ends;
+  const auto run = started(scene);
+  step_until(*run, ends / 4);
+  const double first = velocity(*run, 0).x(), from = run->time();
+  step_until(*run, ends / 2);
+  EXPECT_NEAR((first - velocity(*run, 0).x()) / (run->time() - from), 0.3 * g, 1e-9 * g);
+}
+
+// A belt under a ball at rest: the same, seen from the belt.
+TEST(Sliding, OnABeltEndsAtTwoSeventhsOfItsSpeed) {
+  Scene scene = resting.scene();
+  scene.effects.friction = rough(0.3);
+  scene.effects.moving_walls = MovingWalls{{{.wall = 0, .velocity = {1, 0, 0}}}};
+  scene.run.duration = 0.3;
+  const double rolling = 1 / (1 + gyration / (resting.arm * resting.arm));
+  EXPECT_NEAR(velocity(*ended(scene), 0).x(), 1 - rolling, 1e-9);
+}
+
+/// Velocity down a slope at the half and at the end of a time: what acceleration is left once springs have come to rest.
+double late_acceleration(const Scene& scene) {
+  const auto run = started(scene);
+  step_until(*run, scene.run.duration / 2);
+  const double before = velocity(*run, 0).x(), from = run->time();
+  while (!run->is_done()) run->step();
+  return (velocity(*run, 0).x() - before) / (run->time() - from);
+}
+
+/// Springs swing to twice their load before they hold: the ball slips at first, and one per cent of the weight's part down the slope
+/// takes a hundred times the springs' own time to stop it.
+constexpr double comes_to_rest = 3;
+
+/// A ball that a strong rolling resistance keeps from turning.
+Scene block_on_slope(double slope, double coefficient) {
+  Scene scene = resting.scene(slope);
+  scene.effects.friction = rough(coefficient);
+  scene.effects.rolling = Rolling{.coefficient = 10, .damping = 0.5};
+  scene.run.duration = comes_to_rest;
+  return scene;
+}
+
+TEST(Slope, HoldsJustBelowTheFrictionAngle) {
+  for (const double coefficient : {0.2, 0.5, 1.0}) {
+    const auto run = ended(block_on_slope(std::atan(0.99 * coefficient), coefficient));
+    EXPECT_LE(velocity(*run, 0).norm(), 1e-6 * g * run->time()) << coefficient;
+    EXPECT_LE(spin(*run, 0).norm(), 1e-6 * g * run->time()) << coefficient;
+  }
+}
+
+TEST(Slope, SlidesJustAboveTheFrictionAngle) {
+  for (const double coefficient : {0.2, 0.5, 1.0}) {
+    const double slope = std::atan(1.01 * coefficient);
+    const double exact = g * (std::sin(slope) - coefficient * std::cos(slope));
+    EXPECT_NEAR(late_acceleration(block_on_slope(slope, coefficient)), exact, 1e-4 * exact) << coefficient;
+  }
+}
+
+TEST(Slope, IsRolledDownWithFiveSevenths) {
+  Scene scene = resting.scene(0.2);
+  scene.effects.friction = rough(0.5);
+  scene.run.duration = 0.4;
+  const double exact = g * std::sin(0.2) / (1 + gyration / (resting.arm * resting.arm));
+  EXPECT_NEAR(late_acceleration(scene), exact, 1e-6 * exact);
+}
+
+/// A ball on a slope that cannot slide.
+Scene roller_on_slope(double slope, double coefficient) {
+  Scene scene = resting.scene(slope);
+  scene.effects.friction = rough(2);
+  scene.effects.rolling = Rolling{.coefficient = coefficient, .damping = 0.5};
+  scene.run.duration = comes_to_rest;
+  return scene;
+}
+
+// The moment of the weight about the contact, m g sin arm, against coefficient * arm * m g cos.
+TEST(RollingResistance, HoldsJustBelowItsAngle) {
+  for (const double coefficient : {0.05, 0.2}) {
+    const auto run = ended(roller_on_slope(std::atan(0.99 * coefficient), coefficient));
+    EXPECT_LE(velocity(*run, 0).norm(), 1e-6 * g * run->time()) << coefficient;
+  }
+}
+
+TEST(RollingResistance, GivesWayJustAboveItsAngle) {
+  for (const double coefficient : {0.05, 0.2}) {
+    const double slope = std::atan(1.02 * coefficient);
+    const double exact =
+        g * (std::sin(slope) - coefficient * std::cos(slope)) / (1 + gyration / (resting.arm * resting.arm));
+    EXPECT_NEAR(late_acceleration(roller_on_slope(slope, coefficient)), exact, 1e-4 * exact) << coefficient;
+  }
+}
+
+TEST(RollingResistance, StopsARollingBall) {
+  Scene scene = resting.scene();
+  scene.bodies[0].velocity = {1, 0, 0};
+  scene.bodies[0].angular_velocity = {0, 1 / resting.arm, 0};
+  scene.effects.friction = rough(1);
+  scene.effects.rolling = Rolling{.coefficient = 0.2, .damping = 0.5};
+  const double slows = 0.2 * g / (1 + gyration / (resting.arm * resting.arm));
+  scene.run.duration = 2 / slows;
+  const auto run = started(scene);
+  step_until(*run, 0.25 / slows);
+  const double first = velocity(*run, 0).x(), from = run->time();
+  step_until(*run, 0.75 / slows);
+  EXPECT_NEAR((first - velocity(*run, 0).x()) / (run->time() - from), slows, 1e-3 * slows);
+  while (!run->is_done()) run->step();
+  EXPECT_LE(velocity(*run, 0).norm(), 1e-6);
+  EXPECT_LE(spin(*run, 0).norm(), 1e-6);
+}
+
+// Inertia 2/5 m against coefficient * arm * m g, and nothing else turns.
+TEST(TwistingResistance, StopsASpinningBallEvenly) {
+  Scene scene = resting.scene();
+  scene.bodies[0].angular_velocity = {0, 0, 3};
+  scene.effects.twisting = Twisting{.coefficient = 0.1, .damping = 0.5};
+  const double slows = 0.1 * resting.arm * g / gyration;
+  scene.run.duration = 2 * 3 / slows;
+  const auto run = started(scene);
+  step_until(*run, 1 / slows);
+  const double first = spin(*run, 0).z(), from = run->time();
+  step_until(*run, 2 / slows);
+  EXPECT_NEAR((first - spin(*run, 0).z()) / (run->time() - from), slows, 1e-9 * slows);
+  while (!run->is_done()) run->step();
+  EXPECT_LE(spin(*run, 0).norm(), 1e-6);
+  EXPECT_LE(velocity(*run, 0).norm(), 1e-9);
+}
+
+TEST(TwistingResistance, LetsABallRoll) {
+  Scene scene = resting.scene(0.2);
+  scene.effects.friction = rough(0.5);
+  scene.effects.twisting = Twisting{.coefficient = 5};
+  scene.run.duration = 0.4;
+  const double exact = g * std::sin(0.2) / (1 + gyration / (resting.arm * resting.arm));
+  EXPECT_NEAR(late_acceleration(scene), exact, 1e-6 * exact);
+}
+
+}  // namespace
+}  // namespace plumb::scene

@@ -1,0 +1,218 @@
+// Scenes played back, in Chromium and without: where bodies are between frames, what the player moves, what a reader is told.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { bring, launch, open } from "./support/browser.mjs";
+import { makeReport } from "./support/fixture.mjs";
+import { makePlayback, makeSceneReport, playbackLines, playbackOf } from "./support/fixture-playback.mjs";
+import { load } from "./support/modules.mjs";
+import { withFolder, writePage } from "./support/pages.mjs";
+
+let browser;
+
+before(async () => {
+  browser = await launch();
+});
+after(() => browser?.close());
+
+const withPage = (report, options, use) =>
+  withFolder(async (folder) => {
+    const { page, noticed } = await open(browser, await writePage(report, join(folder, "page.html")), options);
+    try {
+      await use(page, noticed);
+    } finally {
+      await page.close();
+    }
+  });
+
+const pixels = (page) => page.$eval("#playback canvas", (canvas) => canvas.toDataURL());
+const status = (page) => page.$eval("#playback .player-status", (line) => line.textContent);
+const frameOf = async (page) => Number(/frame (\d+)/.exec(await status(page))[1]);
+const changed = (page, old) =>
+  page.waitForFunction(
+    (was) => document.querySelector("#playback canvas").toDataURL() !== was,
+    { timeout: 10000 },
+    old,
+  );
+
+test("unpacked, a scene is where its lines say, to six digits", async () => {
+  const { Frames } = await load("playback/frames.ts");
+  const lines = playbackLines({ bodies: 12, frames: 9 });
+  const playback = playbackOf(lines);
+  const frames = new Frames(playback);
+  const frame = 6;
+  const { position, orientation, contacts } = lines[1 + frame];
+  const x = new Float32Array(position.length);
+  const q = new Float32Array(orientation.length);
+  frames.positions({ frame, part: 0 }, x);
+  frames.orientations({ frame, part: 0 }, q);
+  position.forEach((value, i) => assert.ok(Math.abs(playback.origin[i % 3] + playback.size * x[i] - value) < 1e-5));
+  orientation.forEach((value, i) => assert.ok(Math.abs(q[i] - value) < 1e-4));
+  assert.equal(frames.contacts(frame), contacts.length);
+  const at = { first: 0, second: 0, point: new Float32Array(3), normal: new Float32Array(3), force: 0 };
+  contacts.forEach((contact, index) => {
+    frames.contact(frame, index, at);
+    assert.deepEqual([at.first, at.second], contact.slice(0, 2));
+    const near = [...at.point].map((value, axis) => playback.origin[axis] + playback.size * value);
+    near.forEach((value, axis) => assert.ok(Math.abs(value - contact[2 + axis]) < 1e-3));
+    assert.ok(Math.abs(at.force * playback.contacts.largest_force - contact[9]) < 1e-2);
+  });
+});
+
+test("between two frames a body goes straight and turns the shorter way", async () => {
+  const { Frames } = await load("playback/frames.ts");
+  const lines = playbackLines({ bodies: 1, frames: 2 });
+  lines[1] = { ...lines[1], time: 1, position: [0, 0, 0], orientation: [1, 0, 0, 0] };
+  const half = Math.sqrt(0.5);
+  lines[2] = { ...lines[2], time: 3, position: [4, 0, 2], orientation: [-half, 0, 0, -half] };
+  const playback = playbackOf(lines);
+  const frames = new Frames(playback);
+  const moment = frames.at(1.5);
+  assert.deepEqual(moment, { frame: 0, part: 0.25 });
+  const [x, q] = [new Float32Array(3), new Float32Array(4)];
+  frames.positions(moment, x);
+  frames.orientations(moment, q);
+  assert.ok(Math.abs(x[0] * playback.size - 1) < 1e-6 && Math.abs(x[2] * playback.size - 0.5) < 1e-6);
+  const angle = Math.PI / 4 / 4;
+  [Math.cos(angle), 0, 0, Math.sin(angle)].forEach((part, i) => assert.ok(Math.abs(q[i] - part) < 1e-4, `${q}`));
+  assert.deepEqual(
+    [frames.at(0), frames.at(3), frames.at(9)].map(({ frame }) => frame),
+    [0, 1, 1],
+  );
+});
+
+test("a body that flies off does not make the others small", async () => {
+  const { Frames } = await load("playback/frames.ts");
+  const { extentOf } = await load("playback/extent.ts");
+  const lines = playbackLines({ bodies: 200, frames: 5 });
+  const far = lines.at(-2);
+  far.position = far.position.map((value, i) => (i === 4 ? 1e9 : value));
+  const playback = playbackOf(lines);
+  const { half } = extentOf(playback, new Frames(playback));
+  assert.ok(Math.max(...half) * playback.size < 100, `${half}`);
+});
+
+test("it plays to the end and stops there", () =>
+  withPage(makeSceneReport(makePlayback({ bodies: 5, frames: 5 })), {}, async (page, noticed) => {
+    await bring(page, "#playback canvas");
+    const first = await pixels(page);
+    await page.select("#playback .player-choices label:nth-of-type(3) select", "4");
+    await page.click('#playback button[title="Play"]');
+    await changed(page, first);
+    await page.waitForSelector('#playback button[title="Play"]', { timeout: 20000 });
+    assert.equal(await frameOf(page), 5);
+    const where = () => page.$eval("#playback .plot-mark", ({ hidden, style }) => (hidden ? null : style.left));
+    await bring(page, "#playback .plot");
+    const end = await where();
+    await page.click('#playback button[title="First frame"]');
+    assert.equal(await frameOf(page), 1);
+    assert.notEqual(await where(), end);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  }));
+
+test("keys step, play and turn", () =>
+  withPage(makeSceneReport(makePlayback({ bodies: 5, frames: 21 })), {}, async (page) => {
+    const canvas = await bring(page, "#playback canvas");
+    await page.focus("#playback input[type=range]");
+    const frames = [];
+    for (const key of ["ArrowRight", "ArrowRight", "ArrowLeft", "PageUp", "End", "ArrowRight", "Home"]) {
+      await page.keyboard.press(key);
+      frames.push(await frameOf(page));
+    }
+    assert.deepEqual(frames, [2, 3, 2, 12, 21, 21, 1]);
+    const text = await page.$eval("#playback input[type=range]", (slider) => slider.getAttribute("aria-valuetext"));
+    assert.equal(text, "t = 0, frame 1 of 21");
+    await canvas.focus();
+    await page.keyboard.press(".");
+    assert.equal(await frameOf(page), 2);
+    const before = await pixels(page);
+    await page.keyboard.press("ArrowLeft");
+    await changed(page, before);
+    await page.keyboard.press("Space");
+    await page.waitForSelector('#playback button[title="Pause"]');
+    await page.keyboard.press("Space");
+    await page.waitForSelector('#playback button[title="Play"]');
+  }));
+
+test("contacts and colours are drawn, and the scale says what they mean", () =>
+  withPage(makeSceneReport(makePlayback({ bodies: 30, frames: 11 })), {}, async (page) => {
+    await bring(page, "#playback canvas");
+    await page.click('#playback button[title="Last frame"]');
+    const key = () => page.$eval("#playback .scale-key", (line) => line.textContent);
+    for (const [colouring, words] of [
+      ["speed", /^0\S+ and more$/],
+      ["contacts", /^0\d+ contacts$/],
+      ["body", /grey ones are fixed/],
+    ]) {
+      const before = await pixels(page);
+      await page.select("#playback .player-choices select", colouring);
+      await changed(page, before);
+      assert.match(await key(), words);
+    }
+    const bare = await pixels(page);
+    await page.click("#playback .player-choices input");
+    await changed(page, bare);
+  }));
+
+test("a scene's end, its effects and what a table says", () =>
+  withPage(makeSceneReport(makePlayback({ bodies: 5, frames: 6 })), {}, async (page) => {
+    const text = await page.$eval("#playback", (part) => part.textContent.replaceAll("\u202f", " "));
+    assert.match(text, /0 of 1 234 567 solves failed/);
+    assert.match(text, /0123456789abcdef/);
+    assert.match(text, /rolling resistanceoffno coefficient is given/);
+    assert.match(text, /slerp/);
+    await page.$eval("#playback details", (closed) => {
+      closed.open = true;
+    });
+    const rows = await page.waitForSelector("#playback details tbody");
+    assert.equal(await rows.evaluate((body) => body.children.length), 6);
+  }));
+
+test("of scenes alone the page has no section of campaigns, and one that did not end is announced", () => {
+  const report = makeSceneReport(makePlayback({ bodies: 5, frames: 3 }), makePlayback({ name: "cut", ended: false }));
+  return withPage(report, {}, async (page, noticed) => {
+    const sections = await page.$$eval("main > section", (all) => all.map(({ id }) => id));
+    assert.deepEqual(sections, ["playback", "machine"]);
+    assert.match(await page.$eval('[role="alert"]', (alarm) => alarm.textContent), /scene cut is incomplete/);
+    assert.match(
+      await page.$eval("#playback article:nth-of-type(2) .verdict", (line) => line.textContent),
+      /Incomplete/,
+    );
+    assert.equal(await page.$eval(".files", (list) => list.children.length), 2);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+});
+
+test("beside campaigns it is one section more", () =>
+  withPage(
+    makeReport({ failures: 2, cases: 100, second: true, playbacks: [makePlayback({ bodies: 5, frames: 3 })] }),
+    {},
+    async (page, noticed) => {
+      await bring(page, "#playback canvas");
+      const sections = await page.$$eval("main > section", (all) => all.map(({ id }) => id));
+      assert.ok(sections.includes("summary") && sections.includes("playback") && sections.includes("compare"));
+      assert.deepEqual(noticed, { console: [], requests: [] });
+    },
+  ));
+
+test("a single frame of one body, without walls, contacts or energy", () => {
+  const lines = playbackLines({ bodies: 1, frames: 1 });
+  Object.assign(lines[0], { walls: [], effects: [] });
+  Object.assign(lines[1], { wall: [], contacts: [], energy: {} });
+  return withPage(makeSceneReport(playbackOf(lines)), {}, async (page, noticed) => {
+    await bring(page, "#playback canvas");
+    await page.click('#playback button[title="Play"]');
+    await page.click("#playback .player-choices input");
+    assert.equal(await frameOf(page), 1);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+});
+
+test("paper shows the last frame, the screen then the one before", () =>
+  withPage(makeSceneReport(makePlayback({ bodies: 5, frames: 7 })), {}, async (page) => {
+    await bring(page, "#playback canvas");
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    assert.equal(await frameOf(page), 7);
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await frameOf(page), 1);
+  }));
