@@ -17,9 +17,9 @@ Column* Columns::find(std::string_view name) {
   return const_cast<Column*>(std::as_const(*this).find(name));  // NOLINT: the constness is the caller's
 }
 
-void Columns::resize(ColumnKind::Of of, std::size_t entries) {
+void Columns::renew(ColumnKind::Of of, std::size_t entries) {
   for (Column& column : columns_)
-    if (column.kind().of == of) column.resize(entries);
+    if (column.kind().of == of) column.renew(entries);
 }
 
 std::uint64_t hash_of(std::span<const double> values, std::uint64_t seed) {

@@ -47,7 +47,8 @@ class Column {
   [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(kind_.width); }
   [[nodiscard]] std::size_t size() const { return values_.size() / width(); }
 
-  void resize(std::size_t entries) { values_.resize(entries * width(), kind_.initial); }
+  /// So many entries, all new.
+  void renew(std::size_t entries) { values_.assign(entries * width(), kind_.initial); }
   void fill(double value) { std::fill(values_.begin(), values_.end(), value); }
   [[nodiscard]] std::vector<double>& values() { return values_; }
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
@@ -71,7 +72,7 @@ class Columns {
   [[nodiscard]] auto end() { return columns_.end(); }
   [[nodiscard]] auto begin() const { return columns_.begin(); }
   [[nodiscard]] auto end() const { return columns_.end(); }
-  void resize(ColumnKind::Of of, std::size_t entries);
+  void renew(ColumnKind::Of of, std::size_t entries);
 
  private:
   std::deque<Column> columns_;

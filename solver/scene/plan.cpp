@@ -58,6 +58,7 @@ void add_needs(Needs& all, const Needs& one) {
   all.spin |= one.spin;
   all.normal_force |= one.normal_force;
   all.normal_mass |= one.normal_mass;
+  all.radius |= one.radius;
   all.range = std::max(all.range, one.range);
   all.fastest = std::min(all.fastest, one.fastest);
 }
@@ -165,12 +166,12 @@ void plan_time(Plan& plan, const Scene& scene) {
     plan.time_step_why = asked_for;
   }
   plan.time_step = std::min(plan.time_step, run.duration);
-  const auto whole = [](double x) { return static_cast<std::int64_t>(std::ceil(x * (1 - 1e-12))); };
-  if (run.outputs.every > 0) {
-    plan.steps_per_output = std::max<std::int64_t>(1, whole(run.outputs.every / plan.time_step));
-    if (!run.time_step) plan.time_step = run.outputs.every / static_cast<double>(plan.steps_per_output);
-  }
-  plan.steps = whole(run.duration / plan.time_step);
+  const double period = run.outputs.every > 0 ? run.outputs.every : run.duration;
+  const auto steps_a_period = static_cast<std::int64_t>(std::ceil(period / plan.time_step * (1 - 1e-12)));
+  if (run.outputs.every > 0) plan.steps_per_output = std::max<std::int64_t>(1, steps_a_period);
+  if (!run.time_step) plan.time_step = period / static_cast<double>(steps_a_period);
+  // None beyond the duration: what can_touch proves ends there.
+  plan.steps = static_cast<std::int64_t>(run.duration / plan.time_step * (1 + 1e-12));
 }
 
 }  // namespace

@@ -59,8 +59,7 @@ void clear_forces(World& world) {
 /// What contacts remember, of those that have ended.
 void forget(const Contacts& contacts, std::vector<Column*>& histories) {
   for (Column* column : histories)
-    for (std::size_t c = 0; c < contacts.pairs.size(); ++c)
-      if ((*contacts.is_touching)[c] == 0) std::ranges::fill(column->entry(c), column->kind().initial);
+    for (const std::uint32_t c : contacts.parted) std::ranges::fill(column->entry(c), column->kind().initial);
 }
 
 /// The elastic, viscous and cohesive forces along the normals, onto the bodies.
@@ -83,7 +82,7 @@ void take_over(Columns& columns, const Pairs& before, const Pairs& now) {
   for (Column& column : columns) {
     if (column.kind().of != ColumnKind::pair) continue;
     Column next(column.name(), column.owner(), column.kind());
-    next.resize(now.size());
+    next.renew(now.size());
     for (std::size_t old = 0, k = 0; old < before.size() && k < now.size();) {
       if (before[old] == now[k]) std::ranges::copy(column.entry(old), next.entry(k).begin());
       const bool is_behind = before[old] <= now[k], is_ahead = before[old] >= now[k];
@@ -194,7 +193,7 @@ bool Simulation::restore(const Snapshot& snapshot) {
   const auto is_kept = [](const Column& column) { return column.kind().is_kept; };
   if (std::ranges::count_if(world_->columns, is_kept) != static_cast<std::ptrdiff_t>(kept)) return false;
   world_->contacts.pairs = snapshot.pairs;
-  world_->columns.resize(ColumnKind::pair, snapshot.pairs.size());
+  world_->columns.renew(ColumnKind::pair, snapshot.pairs.size());
   for (const auto& [name, values] : snapshot.columns) world_->columns.find(name)->values() = values;
   step_ = snapshot.step;
   totals_ = snapshot.totals;

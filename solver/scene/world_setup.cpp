@@ -86,6 +86,7 @@ void add_contacts(World& world, const Plan& plan) {
     contacts.normal_force = pair("normal_force", "contacts", 1);
     contacts.stiffness = pair("stiffness", "contacts", 1);
   }
+  if (plan.needs.radius) contacts.radius = pair("radius", "contacts", 1);
   if (plan.needs.normal_mass) contacts.inverse_mass = pair("inverse_mass", "contacts", 1);
   if (!plan.needs.normal_force || !plan.has_turning()) return;
   contacts.arm1 = pair("arm1", "contacts", 3);
@@ -114,7 +115,7 @@ void set_up(World& world, const Scene& scene, const Plan& plan) {
   if (plan.analysis == Analysis::motion)
     for (const PlannedEffect& planned : plan.effects)
       if (planned.is_on) planned.effect->install(plan.asked, world);
-  world.columns.resize(Kind::body, world.bodies.all());
+  world.columns.renew(Kind::body, world.bodies.all());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) set_body(world, i, scene.bodies[i]);
   for (std::size_t i = 0; i < scene.walls.size(); ++i)
     world.state.position->vector(world.bodies.count + i) = scene.walls[i].point;

@@ -1,0 +1,84 @@
+// No contact is lost: what a run has in its list is what every pair, solved cold, says.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "properties/tests/scene/crowd.hpp"
+#include "properties/tests/scene/made.hpp"
+#include "solver/method/automatic.hpp"
+#include "solver/scene/named.hpp"
+#include "solver/scene/narrow_phase.hpp"
+#include "solver/shape/superellipsoid.hpp"
+
+namespace plumb::scene {
+namespace {
+
+using made::Vec;
+using PairSet = std::set<std::array<std::uint32_t, 2>>;
+
+bool can_change(const World& world, std::uint32_t i, std::uint32_t j) {
+  return world.bodies.inverse_mass[i] > 0 || world.bodies.inverse_mass[j] > 0;
+}
+
+/// overlap > -range, by the support function for walls and by a cold solve to rounding for bodies.
+double cold_overlap(const World& world, std::uint32_t i, std::uint32_t j) {
+  const Body first = solver_body(world, i);
+  if (!world.bodies.is_wall(j)) return automatic<double>({first, solver_body(world, j)}, Want{}, nullptr).overlap;
+  const Vec into = -world.bodies.wall_normal[j - world.bodies.count];
+  const auto& q = first.quaternion;
+  const Vec own = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * into;
+  return support<double>(first.shape, own) - into.dot(world.state.position->vector(j) - first.position);
+}
+
+PairSet touching_by_force(const World& world) {
+  PairSet out;
+  for (std::uint32_t i = 0; i < world.bodies.count; ++i)
+    for (std::uint32_t j = i + 1; j < world.bodies.all(); ++j)
+      if (can_change(world, i, j) && cold_overlap(world, i, j) > -world.contacts.range) out.insert({i, j});
+  return out;
+}
+
+PairSet touching_in_list(const World& world) {
+  PairSet out;
+  for (const std::uint32_t c : world.contacts.touching) out.insert(world.contacts.pairs[c]);
+  return out;
+}
+
+/// Looks every so many steps; how many contacts there were to lose.
+std::size_t expect_none_lost(const Scene& scene, std::int64_t every) {
+  const auto run = made::started(scene);
+  std::size_t contacts = 0;
+  while (!run->is_done()) {
+    if (run->steps() % every == 0) {
+      const PairSet expected = touching_by_force(run->world());
+      EXPECT_EQ(touching_in_list(run->world()), expected) << scene.name << " step " << run->steps();
+      contacts += expected.size();
+    }
+    run->step();
+  }
+  EXPECT_EQ(run->totals().failed, 0) << scene.name;
+  return contacts;
+}
+
+TEST(ContactList, OfThePileIsThatOfAllPairs) {
+  EXPECT_GE(expect_none_lost(find_named_scene("pile")->make(40), 97), 3000U);
+}
+
+// Fixed plates among the bodies, which are large and stay.
+TEST(ContactList, OfTheHopperIsThatOfAllPairs) {
+  EXPECT_GE(expect_none_lost(find_named_scene("hopper")->make(30), 211), 500U);
+}
+
+TEST(ContactList, OfBilliardsIsThatOfAllPairs) {
+  Scene scene = find_named_scene("billiards")->make(16);
+  scene.run.duration = 0.5;
+  EXPECT_GE(expect_none_lost(scene, 3), 100U);
+}
+
+// A range, a floor that shakes.
+TEST(ContactList, OfACrowdIsThatOfAllPairs) {
+  EXPECT_GE(expect_none_lost(crowd(), 1), 1000U);
+}
+
+}  // namespace
+}  // namespace plumb::scene
