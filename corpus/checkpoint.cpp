@@ -1,7 +1,9 @@
 #include "corpus/checkpoint.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
-#include <cstring>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <type_traits>
@@ -56,7 +58,7 @@ class Unpacker {
   [[nodiscard]] Number number() {
     std::array<char, 8> bits{};
     const std::string_view taken = take(bits.size());
-    std::memcpy(bits.data(), taken.data(), bits.size());
+    std::ranges::copy(taken, bits.data());
     return std::bit_cast<Number>(bits);
   }
   [[nodiscard]] std::string text() { return std::string(take(number<std::uint64_t>())); }
@@ -66,7 +68,7 @@ class Unpacker {
     if (count > rest_.size() / sizeof(Number)) throw Damaged{};
     std::vector<Number> out(count);
     const std::string_view taken = take(count * sizeof(Number));
-    std::memcpy(out.data(), taken.data(), taken.size());
+    std::ranges::copy(taken, reinterpret_cast<char*>(out.data()));
     return out;
   }
   template <class Value>

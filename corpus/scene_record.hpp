@@ -20,6 +20,9 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  /// One round of the solver.
+  void look(std::span<const SolveNote> notes);
+
   /// For a checkpoint, and back: what it looked at before is forgotten.
   [[nodiscard]] std::string state() const;
   void restore(const std::string& state);
@@ -35,7 +38,6 @@ class Recorder {
   using Buckets = std::map<std::string, Kept>;
   using PairOfBodies = std::pair<std::uint32_t, std::uint32_t>;
 
-  void look(std::span<const SolveNote> notes);
   void look_at_start();
   void look_for_hard(std::span<const SolveNote> notes);
   void look_at_condition(const SolveNote& note);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/corpus/scene_sample.hpp"
 #include "solver/scene/named.hpp"
@@ -48,6 +50,24 @@ TEST_F(SceneRecord, WhatIsKeptSurvivesACheckpoint) {
   second.restore(first.state());
   EXPECT_EQ(second.state(), first.state());
   EXPECT_NE(first.state().find("\"measure\""), std::string::npos);
+}
+
+TEST_F(SceneRecord, OfABucketTheWorstIsKept) {
+  const Scene scene = few_dice();
+  Simulation run(scene, make_plan(scene));
+  Recorder recorder(scene, run, Recorder::Looks::for_failures);
+  const auto& pairs = run.world().contacts.pairs;
+  const auto is_of_bodies = [&](const auto& pair) { return !run.world().bodies.is_wall(pair[1]); };
+  const auto contact = static_cast<std::uint32_t>(std::ranges::find_if(pairs, is_of_bodies) - pairs.begin());
+  for (const int evaluations : {70, 90, 80, 300})
+    recorder.look(std::vector<SolveNote>{{contact, Status::stalled, 5, evaluations, false, true}});
+  recorder.look(std::vector<SolveNote>{{contact, Status::converged, 99, 999, false, true}});
+  recorder.write(path_);
+  const Json worst = json("failures/nonconverged-blocky_superquadrics-1e1.json")["provenance"];
+  EXPECT_EQ(worst["measure"], 90);
+  EXPECT_EQ(worst["status"], "stalled");
+  EXPECT_EQ(json("failures/nonconverged-blocky_superquadrics-1e2.json")["provenance"]["measure"], 300);
+  EXPECT_FALSE(fs::exists(path_ / "cases"));
 }
 
 TEST_F(SceneRecord, ByDefaultNothingButFailuresIsKept) {
