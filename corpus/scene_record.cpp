@@ -18,14 +18,15 @@ constexpr double large_condition = 100;
 /// From here on a contact's condition is looked at, whatever else it does.
 constexpr int suspect_evaluations = 16;
 
-/// How far the normal turns for a turn of either body: the part of the condition that a flat or an edge makes large.
+/// How far the normal turns for a turn of either body (rad a rad), or for a shift by the larger body's size.
 double condition_of(const Pair& pair) {
   Want want;
   want.derivatives = true;
   const Contact<double> answer = automatic<double>(pair, want, nullptr);
   if (answer.status != Status::converged || !answer.derivatives) return 0;
   double out = 0;
-  for (const auto& derivative : *answer.derivatives) out = std::max(out, derivative.normal_by_turn.norm());
+  for (const auto& derivative : *answer.derivatives)
+    out = std::max({out, derivative.normal_by_turn.norm(), size_of(pair) * derivative.normal_by_shift.norm()});
   return std::isfinite(out) ? out : 0;
 }
 

@@ -13,8 +13,8 @@
 namespace plumb::scene {
 namespace {
 
-/// Below so many bodies one thread is the fastest.
-constexpr std::size_t few_bodies = 64;
+/// Below so many bodies threads wait for each other longer than they work.
+constexpr std::size_t few_bodies = 1000;
 
 int threads_for(const Scene& scene, int asked) {
   if (asked > 0) return asked;
@@ -50,19 +50,23 @@ SceneRun::SceneRun(const Scene& scene, const Plan& plan, const RunOptions& optio
 }
 
 void SceneRun::begin_in_folder() {
-  folder_.emplace(options_.out, run_key(scene_, run_), options_.resume);
-  const std::optional<Checkpoint> checkpoint = folder_->checkpoint();
-  recorder_.emplace(scene_, run_, options_.record ? Recorder::Looks::for_hard : Recorder::Looks::for_failures);
-  if (checkpoint) {
-    if (!run_.restore(checkpoint->snapshot))
-      throw InputFailure((folder_->path() / "checkpoint.bin").string(), 0, "", "does not fit the scene");
-    recorder_->restore(checkpoint->record);
-    seconds_before_ = checkpoint->seconds;
-    begun_at_ = run_.steps();
-  }
-  folder_->write_run(json());
-  folder_->write_scene(scene_);
-  outputs_ = open_outputs(scene_, run_.plan(), folder_->path(), checkpoint ? checkpoint->lengths : Lengths{});
+  RunFolder folder(options_.out, run_key(scene_, run_), options_.resume);
+  const std::optional<Checkpoint> checkpoint = folder.checkpoint();
+  const auto looks = options_.record ? Recorder::Looks::for_hard : Recorder::Looks::for_failures;
+  written_.reset(new Written{std::move(folder), Recorder(scene_, run_, looks), {}});
+  if (checkpoint) go_on_from(*checkpoint);
+  written_->folder.write_run(json());
+  written_->folder.write_scene(scene_);
+  const std::filesystem::path& path = written_->folder.path();
+  written_->outputs = open_outputs(scene_, run_.plan(), path, checkpoint ? checkpoint->lengths : Lengths{});
+}
+
+void SceneRun::go_on_from(const Checkpoint& checkpoint) {
+  if (!run_.restore(checkpoint.snapshot))
+    throw InputFailure((options_.out / "checkpoint.bin").string(), 0, "", "does not fit the scene");
+  written_->recorder.restore(checkpoint.record);
+  seconds_before_ = checkpoint.seconds;
+  begun_at_ = run_.steps();
 }
 
 Seconds SceneRun::seconds() const {
@@ -77,20 +81,18 @@ bool SceneRun::is_frame() const {
 }
 
 void SceneRun::write_frame() {
-  for (const auto& output : outputs_) {
+  if (written_ == nullptr) return;
+  for (const auto& output : written_->outputs) {
     output->frame(run_);
     output->flush();
   }
 }
 
 void SceneRun::write_checkpoint() {
-  if (!folder_) return;
-  Checkpoint out{0, run_.snapshot(), {}, seconds(), recorder_->state()};
-  for (const auto& output : outputs_) {
-    output->flush();
-    out.lengths[output->name()] = output->length();
-  }
-  folder_->write_checkpoint(std::move(out));
+  if (written_ == nullptr) return;
+  Checkpoint out{0, run_.snapshot(), {}, seconds(), written_->recorder.state()};
+  for (const auto& output : written_->outputs) out.lengths[output->name()] = output->length();
+  written_->folder.write_checkpoint(std::move(out));
 }
 
 void SceneRun::advance(Progress& progress) {
@@ -115,14 +117,14 @@ void SceneRun::go() {
 }
 
 void SceneRun::end() {
-  if (!folder_) return;
+  if (written_ == nullptr) return;
   const RunEnd end{hash_text(run_.hash()), shares_of(seconds())};
-  for (const auto& output : outputs_) {
+  for (const auto& output : written_->outputs) {
     if (run_.is_done()) output->end(run_, end);
     output->flush();
   }
-  recorder_->write(folder_->path());
-  folder_->write_run(json());
+  written_->recorder.write(options_.out);
+  written_->folder.write_run(json());
 }
 
 Json SceneRun::json() const {

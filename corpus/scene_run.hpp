@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "corpus/progress.hpp"
@@ -35,7 +34,13 @@ class SceneRun {
   [[nodiscard]] Json json() const;
 
  private:
+  struct Written {
+    RunFolder folder;
+    Recorder recorder;
+    Outs outputs;
+  };
   void begin_in_folder();
+  void go_on_from(const Checkpoint& checkpoint);
   void advance(Progress& progress);
   void write_frame();
   void write_checkpoint();
@@ -48,10 +53,8 @@ class SceneRun {
   Simulation run_;
   std::map<std::string, double> energy_at_start_;
   Seconds seconds_before_;
-  std::optional<RunFolder> folder_;
-  std::optional<Recorder> recorder_;
-  Outs outputs_;
-  std::int64_t begun_at_ = 0;  ///< step
+  std::unique_ptr<Written> written_;  ///< none without a folder
+  std::int64_t begun_at_ = 0;         ///< step
 };
 
 }  // namespace plumb::scene

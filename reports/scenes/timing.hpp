@@ -23,7 +23,7 @@ namespace plumb::reports {
 }
 
 /// The pile where it is dense: at this part of its duration.
-inline constexpr double dense_after = 0.25;
+inline constexpr double dense_after = 0.5;
 
 /// Steps a run to there.
 inline void run_until_dense(scene::Simulation& run) {

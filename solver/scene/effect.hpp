@@ -24,6 +24,7 @@ struct Needs {
   bool spin = false;          ///< every movable body's angular velocity, also a sphere's
   bool normal_force = false;  ///< the column of elastic and viscous forces along the normals
   bool normal_mass = false;   ///< the mass that an impulse along the normal feels
+  bool radius = false;        ///< of the contact: rolling.hpp
   double range = 0;           ///< bodies this far apart count as contacts
   double fastest = std::numeric_limits<double>::infinity();  ///< shortest time in which it does something
 };

@@ -57,17 +57,23 @@ void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
     (*contacts.inverse_mass)[c] = inverse_mass_at(world, i, arm1) + inverse_mass_at(world, j, arm2);
 }
 
+double radius_at(const World& world, std::size_t c, const Vec3<double>& point) {
+  const auto [i, j] = world.contacts.pairs[c];
+  const double inverse = 1 / (point - world.state.position->vector(i)).norm();
+  return 1 / (world.bodies.is_wall(j) ? inverse : inverse + 1 / (point - world.state.position->vector(j)).norm());
+}
+
 /// One contact's columns, from what was wanted.
 void keep_contact(World& world, std::size_t c, const Contact<double>& answer) {
   Contacts& contacts = world.contacts;
   if (contacts.overlap != nullptr) (*contacts.overlap)[c] = answer.overlap;
   if (contacts.normal != nullptr) contacts.normal->vector(c) = answer.normal;
   if (contacts.point != nullptr) contacts.point->vector(c) = answer.contact_point;
+  if (contacts.radius != nullptr) (*contacts.radius)[c] = radius_at(world, c, answer.contact_point);
   keep_arms(world, c, answer);
 }
 
 void keep_curvature(World& world, std::size_t c, const Curvatures& first, const Curvatures& second) {
-  if (world.contacts.curvature == nullptr) return;
   std::ranges::copy(relative_curvature(first, second), world.contacts.curvature->entry(c).begin());
 }
 
@@ -155,8 +161,24 @@ bool meet_body(World& world, std::size_t c, const Want& want, Round& round, Solv
   if (!touches) return false;
   straighten(world, i, j, answer);
   keep_contact(world, c, answer);
-  keep_curvature(world, c, curvatures_of(world, i, answer.curvature[0]), curvatures_of(world, j, answer.curvature[1]));
+  if (contacts.curvature != nullptr)
+    keep_curvature(world, c, curvatures_of(world, i, answer.curvature[0]),
+                   curvatures_of(world, j, answer.curvature[1]));
   return true;
+}
+
+/// Which pairs touch, and which did and no longer do.
+void sort_out(Contacts& contacts, const std::vector<char>& touches) {
+  contacts.touching.clear();
+  contacts.parted.clear();
+  for (std::size_t c = 0; c < touches.size(); ++c) {
+    double& flag = (*contacts.is_touching)[c];
+    if (touches[c] != 0)
+      contacts.touching.push_back(static_cast<Index>(c));
+    else if (flag != 0)
+      contacts.parted.push_back(static_cast<Index>(c));
+    flag = touches[c];
+  }
 }
 
 }  // namespace
@@ -171,23 +193,21 @@ Round solve_contacts(World& world, const Want& want, [[maybe_unused]] int thread
   Contacts& contacts = world.contacts;
   const auto pairs = static_cast<std::int64_t>(contacts.pairs.size());
   std::vector<SolveNote> all(notes == nullptr ? 0 : contacts.pairs.size());
+  std::vector<char> touches(contacts.pairs.size());
   std::int64_t solves = 0, evaluations = 0, failed = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 32) if (threads > 1) \
     reduction(+ : solves, evaluations, failed)
   for (std::int64_t k = 0; k < pairs; ++k) {
     const auto c = static_cast<std::size_t>(k);
     Round round;
-    const bool touches = world.bodies.is_wall(contacts.pairs[c][1])
-                             ? meet_wall(world, c)
-                             : meet_body(world, c, want, round, all.empty() ? nullptr : &all[c]);
-    (*contacts.is_touching)[c] = touches ? 1 : 0;
+    const bool is_wall = world.bodies.is_wall(contacts.pairs[c][1]);
+    SolveNote* note = all.empty() ? nullptr : &all[c];
+    touches[c] = (is_wall ? meet_wall(world, c) : meet_body(world, c, want, round, note)) ? 1 : 0;
     solves += round.solves;
     evaluations += round.evaluations;
     failed += round.failed;
   }
-  contacts.touching.clear();
-  for (std::size_t c = 0; c < contacts.pairs.size(); ++c)
-    if ((*contacts.is_touching)[c] != 0) contacts.touching.push_back(static_cast<Index>(c));
+  sort_out(contacts, touches);
   if (notes != nullptr)
     std::ranges::copy_if(all, std::back_inserter(*notes), [](const SolveNote& note) { return note.evaluations > 0; });
   return {solves, evaluations, failed};

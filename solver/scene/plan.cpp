@@ -58,6 +58,7 @@ void add_needs(Needs& all, const Needs& one) {
   all.spin |= one.spin;
   all.normal_force |= one.normal_force;
   all.normal_mass |= one.normal_mass;
+  all.radius |= one.radius;
   all.range = std::max(all.range, one.range);
   all.fastest = std::min(all.fastest, one.fastest);
 }

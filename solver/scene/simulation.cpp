@@ -59,8 +59,7 @@ void clear_forces(World& world) {
 /// What contacts remember, of those that have ended.
 void forget(const Contacts& contacts, std::vector<Column*>& histories) {
   for (Column* column : histories)
-    for (std::size_t c = 0; c < contacts.pairs.size(); ++c)
-      if ((*contacts.is_touching)[c] == 0) std::ranges::fill(column->entry(c), column->kind().initial);
+    for (const std::uint32_t c : contacts.parted) std::ranges::fill(column->entry(c), column->kind().initial);
 }
 
 /// The elastic, viscous and cohesive forces along the normals, onto the bodies.

@@ -1,6 +1,7 @@
 // What effects work on: the bodies, the state, the contacts, and the list of passes that is one step.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <chrono>
 #include <functional>
 
@@ -41,6 +42,7 @@ struct State {
 struct Contacts {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   std::vector<std::uint32_t> touching;  ///< indices in pairs, rising: overlap > -range
+  std::vector<std::uint32_t> parted;    ///< those that did in the step before, and no longer do
   double range = 0;
   Column* is_touching = nullptr;  ///< 1 or 0
   Column* chart = nullptr;        ///< 6: where the solver starts next time
@@ -51,6 +53,7 @@ struct Contacts {
   Column* arm1 = nullptr;         ///< 3: (point - centre) x normal, exactly 0 for spheres
   Column* arm2 = nullptr;
   Column* inverse_mass = nullptr;  ///< 1 / the mass that an impulse along the normal feels
+  Column* radius = nullptr;        ///< 1: 1 / (1/r1 + 1/r2) of the distances to the centres; r2 of a wall is infinite
   Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
   double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
@@ -90,12 +93,62 @@ struct World {
   [[nodiscard]] double normal_velocity(std::size_t contact) const;
   /// Angular velocity of body 2 as body 1 sees it.
   [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
-  /// 1 / (1/r1 + 1/r2) of the distances from the contact to the centres.
-  [[nodiscard]] double contact_radius(std::size_t contact) const;
   /// Adds a force on body 2 at the point of contact, and its opposite on body 1.
   void push(std::size_t contact, const Vec3<double>& force);
   /// Adds a couple on body 2, and its opposite on body 1.
   void turn(std::size_t contact, const Vec3<double>& couple);
 };
+
+namespace detail {
+
+/// r x n of each body's arm, where anything turns.
+[[nodiscard]] inline double turn_part(const World& world, std::size_t contact) {
+  const auto [i, j] = world.contacts.pairs[contact];
+  const Column& spin = *world.state.angular_velocity;
+  return spin.vector(j).dot(world.contacts.arm2->vector(contact)) -
+         spin.vector(i).dot(world.contacts.arm1->vector(contact));
+}
+
+[[nodiscard]] inline Vec3<double> point_velocity(const World& world, std::uint32_t body, const Vec3<double>& point) {
+  const Vec3<double> v = world.state.velocity->vector(body);
+  if (!world.has_turning()) return v;
+  const Vec3<double> arm = point - world.state.position->vector(body);
+  return v + Vec3<double>(world.state.angular_velocity->vector(body)).cross(arm);
+}
+
+}  // namespace detail
+
+inline Vec3<double> World::relative_velocity(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const Vec3<double> point = contacts.point->vector(contact);
+  return detail::point_velocity(*this, j, point) - detail::point_velocity(*this, i, point);
+}
+
+inline double World::normal_velocity(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const double shift = (state.velocity->vector(j) - state.velocity->vector(i)).dot(contacts.normal->vector(contact));
+  return has_turning() ? shift + detail::turn_part(*this, contact) : shift;
+}
+
+inline Vec3<double> World::relative_turn(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  return state.angular_velocity->vector(j) - state.angular_velocity->vector(i);
+}
+
+inline void World::push(std::size_t contact, const Vec3<double>& force) {
+  const auto [i, j] = contacts.pairs[contact];
+  state.force->vector(i) -= force;
+  state.force->vector(j) += force;
+  if (!has_turning()) return;
+  const Vec3<double> point = contacts.point->vector(contact);
+  state.torque->vector(i) -= (point - state.position->vector(i)).cross(force);
+  if (!bodies.is_wall(j)) state.torque->vector(j) += (point - state.position->vector(j)).cross(force);
+}
+
+inline void World::turn(std::size_t contact, const Vec3<double>& couple) {
+  const auto [i, j] = contacts.pairs[contact];
+  state.torque->vector(i) -= couple;
+  state.torque->vector(j) += couple;
+}
 
 }  // namespace plumb::scene

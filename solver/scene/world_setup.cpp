@@ -86,6 +86,7 @@ void add_contacts(World& world, const Plan& plan) {
     contacts.normal_force = pair("normal_force", "contacts", 1);
     contacts.stiffness = pair("stiffness", "contacts", 1);
   }
+  if (plan.needs.radius) contacts.radius = pair("radius", "contacts", 1);
   if (plan.needs.normal_mass) contacts.inverse_mass = pair("inverse_mass", "contacts", 1);
   if (!plan.needs.normal_force || !plan.has_turning()) return;
   contacts.arm1 = pair("arm1", "contacts", 3);

@@ -224,6 +224,15 @@ TEST_F(SceneCommand, ForcedEffectsAreOn) {
     }
 }
 
+TEST(SceneFiles, AreTheNamedScenes) {
+  for (const NamedScene& named : named_scenes()) {
+    const std::string path = fmt::format("{}/corpus/scenes/{}.json", PLUMB_SOURCE_DIR, named.name);
+    EXPECT_EQ(format_scene(read_scene(path)),
+              format_scene({named.make(named.bodies), {{"named_scene", named.name}}, {}}))
+        << "plumb scenes " << named.name << " > " << path;
+  }
+}
+
 TEST_F(SceneCommand, NamedScenesAreListedAndWritten) {
   const Ran list = plumb("scenes");
   EXPECT_EQ(list.code, 0);

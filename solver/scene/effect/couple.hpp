@@ -14,7 +14,7 @@ void resist(const Parameters& parameters, Column& springs, World& world, const P
   const Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.touching) {
     const Vec3<double> normal = contacts.normal->vector(c);
-    const double radius = world.contact_radius(c), square = radius * radius;
+    const double radius = (*contacts.radius)[c], square = radius * radius;
     const double stiffness = parameters.stiffness_ratio * (*contacts.stiffness)[c] * square;
     const double critical = 2 * std::sqrt(stiffness * square / (*contacts.inverse_mass)[c]);
     const double pressing = std::max(0.0, (*contacts.normal_force)[c]);
@@ -29,7 +29,7 @@ template <class Parameters>
 [[nodiscard]] double spring_energy(const Parameters& parameters, const Column& springs, const World& world) {
   double sum = 0;
   for (const std::uint32_t c : world.contacts.touching) {
-    const double radius = world.contact_radius(c);
+    const double radius = (*world.contacts.radius)[c];
     const double stiffness = parameters.stiffness_ratio * (*world.contacts.stiffness)[c] * radius * radius;
     sum += stiffness * springs.vector(c).squaredNorm() / 2;
   }

@@ -7,9 +7,9 @@ namespace plumb::scene {
 namespace {
 
 /// What of a rotation is about the normal.
-Vec3<double> twisting_part(const Vec3<double>& v, const Vec3<double>& normal) {
+constexpr auto twisting_part = [](const Vec3<double>& v, const Vec3<double>& normal) -> Vec3<double> {
   return normal.dot(v) * normal;
-}
+};
 
 }  // namespace
 
@@ -18,7 +18,8 @@ Role role(const Twisting& twisting, const Scene& scene) {
   if (!scene.effects.linear && !scene.effects.hertz)
     throw SceneError("effects.twisting", "is a share of a normal force, and there is none: add linear or hertz");
   if (twisting.coefficient == 0) out.off = "the coefficient is 0";
-  out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true};
+  out.needs = {
+      .contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true, .radius = true};
   return out;
 }
 
