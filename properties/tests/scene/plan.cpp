@@ -260,6 +260,22 @@ TEST(TimeStep, OfARunThatIsNotAskedForOneEndsAtItsDuration) {
   }
 }
 
+// Hertz's collisions are the shorter the faster they are, whoever moves.
+TEST(TimeStep, CountsTheSpeedOfWallsAndOfTheWind) {
+  Scene falling = just_in_time();
+  falling.effects = {};
+  falling.effects.hertz = Hertz{1e4};
+  falling.run.time_step.reset();
+  Scene lifted = falling, shaken = falling, blown = falling;
+  falling.bodies[0].velocity = {0, 0, -3};
+  lifted.effects.moving_walls = MovingWalls{{{.wall = 0, .velocity = {0, 0, 3}}}};
+  const double turn = 2 * std::numbers::pi;
+  shaken.effects.moving_walls = MovingWalls{{{.wall = 0, .amplitude = {0, 0, 3 / (turn * 0.01)}, .frequency = 0.01}}};
+  blown.effects.drag = Drag{1e-6, {0, 0, -3}};
+  const double expected = make_plan(falling).time_step;
+  for (const Scene& scene : {lifted, shaken, blown}) EXPECT_DOUBLE_EQ(make_plan(scene).time_step, expected);
+}
+
 TEST(TimeStep, GoesAsTheRootOfTheAccuracy) {
   Scene scene = meeting(egg);
   scene.run.accuracy = 1e-2;
