@@ -18,8 +18,8 @@ double kinetic(const Simulation& run) {
   return run.energy().at("kinetic");
 }
 
-std::unique_ptr<Simulation> watched_to_end(const Scene& scene, double& greatest_kinetic, int threads) {
-  auto run = started(scene, threads);
+std::unique_ptr<Simulation> watched_to_end(const Scene& scene, double& greatest_kinetic) {
+  auto run = started(scene, 1);
   while (!run->is_done()) {
     run->step();
     if (run->steps() % 100 == 0) greatest_kinetic = std::max(greatest_kinetic, kinetic(*run));
@@ -61,7 +61,7 @@ TEST(NamedScenes, ThatTakeANumberOfBodiesHaveIt) {
 // Kinetic energy of a 1e-6th of what there was: a millimetre a second after metres.
 TEST(Pile, ComesToRestWithoutAFailedSolve) {
   double greatest = 0;
-  const auto run = watched_to_end(make("pile"), greatest, 2);
+  const auto run = watched_to_end(make("pile"), greatest);
   EXPECT_EQ(run->totals().failed, 0);
   EXPECT_LE(kinetic(*run), 1e-6 * greatest);
   const auto& contacts = run->world().contacts;
@@ -72,7 +72,7 @@ TEST(Pile, ComesToRestWithoutAFailedSolve) {
 // A die on one point of its face chatters: each step gives it the moment of its weight there, m g a dt / I = 0.1 rad/s.
 TEST(Dice, ComeToRestAndTheStacksStand) {
   double greatest = 0;
-  const auto run = watched_to_end(make("dice"), greatest, 1);
+  const auto run = watched_to_end(make("dice"), greatest);
   EXPECT_EQ(run->totals().failed, 0);
   EXPECT_LE(kinetic(*run), 1e-3 * greatest);
   for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})
@@ -81,7 +81,7 @@ TEST(Dice, ComeToRestAndTheStacksStand) {
 
 TEST(Hopper, LetsEverythingThrough) {
   double greatest = 0;
-  const auto run = watched_to_end(make("hopper"), greatest, 1);
+  const auto run = watched_to_end(make("hopper"), greatest);
   EXPECT_EQ(run->totals().failed, 0);
   for (const std::uint32_t i : run->world().bodies.movable) {
     EXPECT_LT(made::position(*run, i).z(), 0.055);
