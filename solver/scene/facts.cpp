@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "solver/scene/mass.hpp"
 
@@ -15,13 +16,25 @@ double gravity_of(const Scene& scene) {
   return scene.effects.gravity ? scene.effects.gravity->acceleration.norm() : 0;
 }
 
+double wind_of(const Scene& scene) {
+  return scene.effects.drag ? scene.effects.drag->fluid_velocity.norm() : 0;
+}
+
+double fastest_wall(const Scene& scene) {
+  double fastest = 0;
+  if (scene.effects.moving_walls)
+    for (const WallMotion& motion : scene.effects.moving_walls->motions)
+      fastest =
+          std::max(fastest, motion.velocity.norm() + 2 * std::numbers::pi * motion.frequency * motion.amplitude.norm());
+  return fastest;
+}
+
 /// How far a body's surface may get from where its centre is now.
 double reach(const Scene& scene, const SceneBody& b) {
   const double radius = bounding_radius(b.body.shape);
   if (b.is_fixed) return radius;
   const double duration = scene.run.duration;
-  const double wind = scene.effects.drag ? scene.effects.drag->fluid_velocity.norm() : 0;
-  return radius + (b.velocity.norm() + wind) * duration + gravity_of(scene) * duration * duration / 2;
+  return radius + (b.velocity.norm() + wind_of(scene)) * duration + gravity_of(scene) * duration * duration / 2;
 }
 
 double wall_reach(const Scene& scene, std::size_t wall) {
@@ -93,7 +106,8 @@ double greatest_speed(const Scene& scene) {
   for (const Wall& wall : scene.walls) box.extend(wall.point);
   const double g = gravity_of(scene);
   const double height = box.isEmpty() ? 0 : box.diagonal().norm();
-  return std::min(first + g * scene.run.duration, std::sqrt(first * first + 2 * g * height));
+  const double own = std::min(first + g * scene.run.duration, std::sqrt(first * first + 2 * g * height));
+  return own + wind_of(scene) + fastest_wall(scene);
 }
 
 double longest_axis(const Scene& scene) {

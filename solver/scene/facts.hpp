@@ -14,7 +14,8 @@ namespace plumb::scene {
 /// The least mass that an impulse through a contact can feel.
 [[nodiscard]] double least_contact_mass(const Scene& scene);
 
-/// What bodies can reach: their first speeds, and what gravity adds over the scene's height or over the duration.
+/// At what speed bodies and walls may meet: their first speeds, what gravity adds over the scene's height or over the duration, and
+/// the wind.
 [[nodiscard]] double greatest_speed(const Scene& scene);
 
 /// The longest and the shortest semi-axis of all movable bodies.

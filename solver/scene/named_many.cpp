@@ -92,9 +92,8 @@ Scene dice(int bodies) {
   Draw draw;
   const int stacked = bodies - bodies / 4;
   for (int i = 0; i < stacked; ++i) {
-    const Vec3<double> shift = i % 3 == 0 ? Vec3<double>::Zero() : Vec3<double>(0.001 * (i % 3), 0, 0);
-    const double z = half + gap + (2 * half + gap) * (i % 3);
-    scene.bodies.push_back(die(Vec3<double>(0.05 * (i / 3), 0, z) + shift));
+    const int stack = i / 3, level = i % 3;
+    scene.bodies.push_back(die({0.05 * stack + 0.001 * level, 0, half + gap + (2 * half + gap) * level}));
   }
   for (int i = stacked; i < bodies; ++i) {
     scene.bodies.push_back(die({-0.05 - 0.05 * (i - stacked), 0.06, 0.03}));

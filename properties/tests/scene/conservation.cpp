@@ -20,7 +20,8 @@ Scene cloud() {
   Scene scene;
   Stream stream("cloud", 1, 0);
   for (int k = 0; k < 27; ++k) {
-    const Vec place = Vec(k % 3, k / 3 % 3, k / 9) - Vec::Ones();
+    const int layer = k / 9, row = k / 3 % 3;
+    const Vec place = Vec(k % 3, row, layer) - Vec::Ones();
     Superellipsoid<double> shape{{1, 1, 1}};
     if (k % 3 > 0) shape.semi_axes = {0.9, 0.7, 0.8};
     if (k % 3 == 2) shape.n1 = 4, shape.n2 = 3;
@@ -79,7 +80,7 @@ TEST(Energy, OfTheChainDoesNotDriftInAMillionSteps) {
   const std::vector<double> errors = energy_errors(*run, 1'000'000, 10);
   const double mass = run->world().bodies.mass[1], dt = run->plan().time_step;
   const double order2 =
-      4 * scene.effects.linear->stiffness / mass * dt * dt;  // (omega dt)^2 of a body between two springs
+      4 * scene.effects.linear.value().stiffness / mass * dt * dt;  // (omega dt)^2 of a body between two springs
   EXPECT_LE(errors.front(), order2);
   EXPECT_LE(errors.back(), 2 * errors.front());
   EXPECT_EQ(run->totals().failed, 0);

@@ -8,6 +8,7 @@
 #include "solver/method/automatic.hpp"
 #include "solver/scene/named.hpp"
 #include "solver/scene/narrow_phase.hpp"
+#include "solver/scene/neighbours.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::scene {
@@ -44,6 +45,17 @@ PairSet touching_in_list(const World& world) {
   return out;
 }
 
+/// What the list is good for: no body has left the box that it was made with, but for what rounding sums up to.
+bool are_in_their_boxes(const World& world) {
+  const Column& boxes = *world.columns.find("box");
+  return std::ranges::all_of(world.bodies.movable, [&](std::uint32_t i) {
+    const Vec low = Vec::Map(boxes.entry(i).data()), high = Vec::Map(boxes.entry(i).data() + 3);
+    const Vec at = world.state.position->vector(i), half = half_extent(world, i);
+    const double room = std::min((at - half - low).minCoeff(), (high - at - half).minCoeff());
+    return room >= -1e-12 * world.bodies.radius[i];
+  });
+}
+
 /// Looks every so many steps; how many contacts there were to lose.
 std::size_t expect_none_lost(const Scene& scene, std::int64_t every) {
   const auto run = made::started(scene);
@@ -55,6 +67,7 @@ std::size_t expect_none_lost(const Scene& scene, std::int64_t every) {
       contacts += expected.size();
     }
     run->step();
+    EXPECT_TRUE(are_in_their_boxes(run->world())) << scene.name << " step " << run->steps();
   }
   EXPECT_EQ(run->totals().failed, 0) << scene.name;
   return contacts;

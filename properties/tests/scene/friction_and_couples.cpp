@@ -1,6 +1,7 @@
 // Friction, rolling and twisting resistance of a ball on a floor, against closed forms.
 #include <gtest/gtest.h>
 
+#include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
 
 namespace plumb::scene {
@@ -108,6 +109,23 @@ TEST(Slope, IsRolledDownWithFiveSevenths) {
   scene.run.duration = 0.4;
   const double exact = g * std::sin(0.2) / (1 + gyration / (resting.arm * resting.arm));
   EXPECT_NEAR(late_acceleration(scene), exact, 1e-6 * exact);
+}
+
+// Normals turn while springs are loaded: a spring that does not turn along pushes bodies apart.
+TEST(Friction, SpringsStayAcrossTheNormal) {
+  const auto run = started(crowd());
+  const Column& springs = *run->world().columns.find("friction_spring");
+  double longest = 0, greatest_along = 0;
+  while (!run->is_done()) {
+    run->step();
+    for (const std::uint32_t c : run->world().contacts.touching) {
+      longest = std::max(longest, springs.vector(c).norm());
+      greatest_along =
+          std::max(greatest_along, std::abs(springs.vector(c).dot(run->world().contacts.normal->vector(c))));
+    }
+  }
+  EXPECT_GT(longest, 1e-3);
+  EXPECT_LE(greatest_along, 8 * 0x1p-52 * longest);
 }
 
 /// A ball on a slope that cannot slide.

@@ -146,7 +146,7 @@ TEST(Conduction, EqualisesExponentiallyAndKeepsTheHeat) {
 // However well they conduct: a time step of its own keeps the explicit step stable.
 TEST(Conduction, NeverOvershoots) {
   Scene scene = warm_and_cold();
-  scene.effects.conduction->conductivity = 1e4;
+  scene.effects.conduction = Conduction{1e4, 3};
   scene.run.duration = 1;
   const auto run = made::started(scene);
   const Column& temperature = *run->world().columns.find("temperature");

@@ -200,6 +200,57 @@ TEST(CanTouch, IsNeverFalseWhereBodiesMeet) {
   EXPECT_GE(met, 100);
 }
 
+/// A ball of radius 1, its surface 1 above a floor, that gets there by one thing alone within a time of 1.05.
+Scene just_in_time() {
+  Scene scene;
+  scene.bodies = {ball(1, {0, 0, 2})};
+  scene.walls = {made::floor_at()};
+  scene.effects.linear = Linear{100};
+  scene.run.duration = 1.05;
+  scene.run.time_step = 1e-3;
+  return scene;
+}
+
+Scene with_motion(const WallMotion& motion) {
+  Scene scene = just_in_time();
+  scene.effects.moving_walls = MovingWalls{{motion}};
+  return scene;
+}
+
+bool meets(const Scene& scene) {
+  const auto run = started(scene, 1, {.forced = {"linear"}});
+  bool has_met = false;
+  while (!run->is_done() && !has_met) {
+    run->step();
+    has_met = !run->world().contacts.touching.empty();
+  }
+  return has_met;
+}
+
+/// Each thing that brings bodies together, just in time and by itself: the bound has to count it, and to count it once.
+TEST(CanTouch, CountsWhateverBringsBodiesTogether) {
+  std::vector<Scene> all(5, just_in_time());
+  all[0].bodies[0].velocity = {0, 0, -1};
+  all[1].effects.gravity = Gravity{{0, 0, -2}};
+  all[2].effects.drag = Drag{100, {0, 0, -1}};  // at the fluid's speed in 2/900
+  all[3].bodies[0].velocity = {0, 0, -0.9};
+  all[3].effects.cohesion = Cohesion{1, 0.1};
+  all[4].bodies.push_back(ball(1, {3, 0, 2}, {-0.5, 0, 0}));
+  all[4].bodies[0].velocity = {0.5, 0, 0};
+  all.push_back(with_motion({.wall = 0, .velocity = {0, 0, 1}}));
+  all.push_back(with_motion({.wall = 0, .amplitude = {0, 0, 1.01}, .frequency = 0.25}));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    EXPECT_TRUE(meets(all[k])) << k;
+    EXPECT_TRUE(can_touch(all[k])) << k;
+  }
+  // The last one's amplitude counts from the start.
+  for (std::size_t k = 0; k + 1 < all.size(); ++k) {
+    all[k].run.duration *= 0.9;
+    EXPECT_FALSE(meets(all[k])) << k;
+    EXPECT_FALSE(can_touch(all[k])) << k;
+  }
+}
+
 TEST(TimeStep, OfARunThatIsNotAskedForOneEndsAtItsDuration) {
   for (const double every : {0.0, 0.1}) {
     Scene scene = meeting(egg);
@@ -207,6 +258,22 @@ TEST(TimeStep, OfARunThatIsNotAskedForOneEndsAtItsDuration) {
     const auto run = made::ended(scene);
     EXPECT_NEAR(run->time(), 1, 1e-12);
   }
+}
+
+// Hertz's collisions are the shorter the faster they are, whoever moves.
+TEST(TimeStep, CountsTheSpeedOfWallsAndOfTheWind) {
+  Scene falling = just_in_time();
+  falling.effects = {};
+  falling.effects.hertz = Hertz{1e4};
+  falling.run.time_step.reset();
+  Scene lifted = falling, shaken = falling, blown = falling;
+  falling.bodies[0].velocity = {0, 0, -3};
+  lifted.effects.moving_walls = MovingWalls{{{.wall = 0, .velocity = {0, 0, 3}}}};
+  const double turn = 2 * std::numbers::pi;
+  shaken.effects.moving_walls = MovingWalls{{{.wall = 0, .amplitude = {0, 0, 3 / (turn * 0.01)}, .frequency = 0.01}}};
+  blown.effects.drag = Drag{1e-6, {0, 0, -3}};
+  const double expected = make_plan(falling).time_step;
+  for (const Scene& scene : {lifted, shaken, blown}) EXPECT_DOUBLE_EQ(make_plan(scene).time_step, expected);
 }
 
 TEST(TimeStep, GoesAsTheRootOfTheAccuracy) {

@@ -61,7 +61,7 @@ TEST(RefusedScene, ContradictsItself) {
       {{"effects.linear", [](Scene& s) { s.effects.hertz = Hertz{1e4}; }},
        {"bodies[4].temperature", [](Scene& s) { s.bodies[4].temperature.reset(); }},
        {"walls[1].temperature", [](Scene& s) { s.walls[1].temperature = not_a_number; }},
-       {"effects.moving_walls.motions[0].wall", [](Scene& s) { s.effects.moving_walls->motions[0].wall = 3; }},
+       {"effects.moving_walls.motions[0].wall", [](Scene& s) { s.effects.moving_walls.value().motions[0].wall = 3; }},
        {"bodies[1].velocity", [](Scene& s) { s.bodies[1].is_fixed = true; }},
        {"bodies[4].angular_velocity", [](Scene& s) {
           s.bodies[4].is_fixed = true;
@@ -90,20 +90,20 @@ TEST(RefusedScene, HoldsAWallThatIsNone) {
 
 TEST(RefusedScene, HoldsParametersOutOfTheirRange) {
   expect_refused(
-      {{"effects.gravity.acceleration", [](Scene& s) { s.effects.gravity->acceleration.x() = infinite; }},
-       {"effects.linear.stiffness", [](Scene& s) { s.effects.linear->stiffness = -1; }},
-       {"effects.damping.restitution", [](Scene& s) { s.effects.damping->restitution = 0; }},
-       {"effects.damping.restitution", [](Scene& s) { s.effects.damping->restitution = 1.1; }},
-       {"effects.friction.coefficient", [](Scene& s) { s.effects.friction->coefficient = not_a_number; }},
-       {"effects.friction.stiffness_ratio", [](Scene& s) { s.effects.friction->stiffness_ratio = 0; }},
-       {"effects.rolling.damping", [](Scene& s) { s.effects.rolling->damping = 2; }},
-       {"effects.twisting.coefficient", [](Scene& s) { s.effects.twisting->coefficient = -1; }},
-       {"effects.cohesion.range", [](Scene& s) { s.effects.cohesion->range = infinite; }},
-       {"effects.drag.viscosity", [](Scene& s) { s.effects.drag->viscosity = -1; }},
-       {"effects.conduction.heat_capacity", [](Scene& s) { s.effects.conduction->heat_capacity = 0; }},
+      {{"effects.gravity.acceleration", [](Scene& s) { s.effects.gravity.value().acceleration.x() = infinite; }},
+       {"effects.linear.stiffness", [](Scene& s) { s.effects.linear.value().stiffness = -1; }},
+       {"effects.damping.restitution", [](Scene& s) { s.effects.damping.value().restitution = 0; }},
+       {"effects.damping.restitution", [](Scene& s) { s.effects.damping.value().restitution = 1.1; }},
+       {"effects.friction.coefficient", [](Scene& s) { s.effects.friction.value().coefficient = not_a_number; }},
+       {"effects.friction.stiffness_ratio", [](Scene& s) { s.effects.friction.value().stiffness_ratio = 0; }},
+       {"effects.rolling.damping", [](Scene& s) { s.effects.rolling.value().damping = 2; }},
+       {"effects.twisting.coefficient", [](Scene& s) { s.effects.twisting.value().coefficient = -1; }},
+       {"effects.cohesion.range", [](Scene& s) { s.effects.cohesion.value().range = infinite; }},
+       {"effects.drag.viscosity", [](Scene& s) { s.effects.drag.value().viscosity = -1; }},
+       {"effects.conduction.heat_capacity", [](Scene& s) { s.effects.conduction.value().heat_capacity = 0; }},
        {"effects.moving_walls.motions[0].frequency",
-        [](Scene& s) { s.effects.moving_walls->motions[0].frequency = -1; }},
-       {"effects.moving_walls.motions[0].wall", [](Scene& s) { s.effects.moving_walls->motions[0].wall = -1; }},
+        [](Scene& s) { s.effects.moving_walls.value().motions[0].frequency = -1; }},
+       {"effects.moving_walls.motions[0].wall", [](Scene& s) { s.effects.moving_walls.value().motions[0].wall = -1; }},
        {"effects.hertz.poissons_ratio", [](Scene& s) {
           s.effects.linear.reset();
           s.effects.hertz = Hertz{1e4, 0.6};
