@@ -12,6 +12,8 @@ using scene::Scene;
 using scene::Simulation;
 
 constexpr int crowded = 64;
+/// Part of the pile's duration after which it is dense.
+constexpr double dense_at = 0.5;
 constexpr std::int64_t cost_steps = 400;
 
 /// The pile with every effect, each weak enough to leave it the pile that it is.
@@ -64,7 +66,7 @@ SceneTable effect_costs(const SceneOptions& options) {
   const Scene all = everything();
   Simulation run(all, scene::make_plan(all));
   const auto memory = run.memory();
-  run_until_dense(run);
+  run_until(run, dense_at);
   const scene::Snapshot dense = run.snapshot();
   const double with = seconds_from(dense, all, options.repeat);
   scene::each_effect(all.effects, [&](const auto& effect) {

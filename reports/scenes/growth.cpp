@@ -11,6 +11,8 @@ namespace {
 
 using scene::Simulation;
 
+/// Part of the duration after which half of what will touch does; to its end 20 000 bodies would take an hour.
+constexpr double falling = 0.25;
 constexpr std::int64_t growth_steps = 50;
 
 struct Grown {
@@ -24,7 +26,7 @@ Grown grow(const scene::NamedScene& named, int bodies) {
   scene::Scene scene = named.make(bodies);
   scene.run.outputs = {};
   Simulation run(scene, scene::make_plan(scene));
-  run_until_dense(run);
+  run_until(run, falling);
   const auto before = run.seconds();
   Grown out;
   out.seconds = time_steps(run, growth_steps) / static_cast<double>(growth_steps);
@@ -35,14 +37,6 @@ Grown grow(const scene::NamedScene& named, int bodies) {
   out.pairs = run.world().contacts.pairs.size();
   out.totals = run.totals();
   return out;
-}
-
-/// What of the time of contacts is the solver's: moving and turning bodies is not theirs.
-double solver_share(const std::map<std::string, double>& shares) {
-  double contacts = 0;
-  for (const auto& [owner, share] : shares)
-    if (owner != "motion" && owner != "turning" && owner != "gravity" && owner != "drag") contacts += share;
-  return shares.at("solver") / contacts;
 }
 
 }  // namespace
@@ -71,6 +65,32 @@ SceneTable scene_growth(const SceneOptions& options) {
                           {"shares", grown.shares},
                           {"failed", grown.totals.failed}});
   }
+  return table;
+}
+
+SceneTable scene_rest(const SceneOptions& /*options*/) {
+  const scene::Scene scene = scene::find_named_scene("pile")->make(200);
+  Simulation run(scene, scene::make_plan(scene));
+  double greatest = 0;
+  while (!run.is_done() && !interrupted()) {
+    run.step();
+    greatest = std::max(greatest, run.energy().at("kinetic"));
+  }
+  const double left = run.energy().at("kinetic") / greatest, share = solver_share(run.seconds());
+  const scene::Totals totals = run.totals();
+  SceneTable table;
+  table.lines = {fmt::format("{:>8}{:>12}{:>14}{:>9}{:>24}{:>12}", "steps", "solves", "evaluations", "failed",
+                             "kinetic / greatest", "solver"),
+                 fmt::format("{:>8}{:>12}{:>14}{:>9}{:>24.1e}{:>10.1f} %", run.steps(), totals.solves,
+                             totals.evaluations, totals.failed, left, 100 * share)};
+  table.rows = {{{"kind", "rest"},
+                 {"steps", run.steps()},
+                 {"solves", totals.solves},
+                 {"evaluations", totals.evaluations},
+                 {"failed", totals.failed},
+                 {"kinetic_left", left},
+                 {"solver_share_of_contact_time", share},
+                 {"seconds", run.seconds()}}};
   return table;
 }
 

@@ -29,7 +29,9 @@ int report_scenes(const ScenesCommand& command) {
       {"Growth: piles of the same depth; time of a step for each body, and for each n log n, over those of 200; the "
        "solver's "
        "share of\nthe time of contacts",
-       scene_growth}};
+       scene_growth},
+      {"The pile of 200, from its fall to rest, on one thread; the solver's share of the time of contacts",
+       scene_rest}};
   std::string lines;
   for (const Part& part : parts) {
     if (interrupted()) break;

@@ -1,4 +1,5 @@
-// The three tables of plumb report-scenes: what accuracy costs in a scene, what an effect costs, how cost grows with the scene.
+// The tables of plumb report-scenes: what accuracy costs in a scene, what an effect costs, how cost grows with the scene, how a pile
+// comes to rest.
 #pragma once
 
 #include <string>
@@ -26,5 +27,8 @@ struct SceneTable {
 [[nodiscard]] SceneTable effect_costs(const SceneOptions& options);
 /// The time of a step of piles that grow.
 [[nodiscard]] SceneTable scene_growth(const SceneOptions& options);
+
+/// The pile of 200 from its fall to rest: the solver's share of the time of contacts, failed solves, what still moves.
+[[nodiscard]] SceneTable scene_rest(const SceneOptions& options);
 
 }  // namespace plumb::reports

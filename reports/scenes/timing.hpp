@@ -22,13 +22,18 @@ namespace plumb::reports {
   return processor_time() - start;
 }
 
-/// The pile where it is dense: at this part of its duration.
-inline constexpr double dense_after = 0.5;
-
-/// Steps a run to there.
-inline void run_until_dense(scene::Simulation& run) {
-  const auto first = static_cast<std::int64_t>(dense_after * static_cast<double>(run.plan().steps));
+/// Steps a run to this part of its duration.
+inline void run_until(scene::Simulation& run, double part) {
+  const auto first = static_cast<std::int64_t>(part * static_cast<double>(run.plan().steps));
   while (run.steps() < first && !interrupted()) run.step();
+}
+
+/// What of the time of contacts is the solver's: moving and turning bodies is not theirs.
+[[nodiscard]] inline double solver_share(const std::map<std::string, double>& seconds) {
+  double contacts = 0;
+  for (const auto& [owner, spent] : seconds)
+    if (owner != "motion" && owner != "turning" && owner != "gravity" && owner != "drag") contacts += spent;
+  return seconds.at("solver") / contacts;
 }
 
 }  // namespace plumb::reports

@@ -167,6 +167,9 @@ bool meet_body(World& world, std::size_t c, const Want& want, Round& round, Solv
   return true;
 }
 
+/// Below so many pairs, waking threads takes longer than they spare.
+[[maybe_unused]] constexpr std::int64_t few = 256;
+
 /// Which pairs touch, and which did and no longer do.
 void sort_out(Contacts& contacts, const std::vector<char>& touches) {
   contacts.touching.clear();
@@ -195,7 +198,7 @@ Round solve_contacts(World& world, const Want& want, [[maybe_unused]] int thread
   std::vector<SolveNote> all(notes == nullptr ? 0 : contacts.pairs.size());
   std::vector<char> touches(contacts.pairs.size());
   std::int64_t solves = 0, evaluations = 0, failed = 0;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 32) if (threads > 1) \
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 32) if (threads > 1 && pairs >= few) \
     reduction(+ : solves, evaluations, failed)
   for (std::int64_t k = 0; k < pairs; ++k) {
     const auto c = static_cast<std::size_t>(k);
