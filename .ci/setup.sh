@@ -5,12 +5,12 @@
 # The one list of Debian 12 packages, by what needs them.
 declare -A plumb_packages=(
   [build]="g++ cmake ninja-build libeigen3-dev libboost-dev libmpfi-dev libmpfr-dev libgmp-dev nlohmann-json3-dev libcli11-dev
-    libfmt-dev libsleef-dev libgtest-dev librapidcheck-dev libccd-dev libfcl-dev libbenchmark-dev"
+    libfmt-dev libsleef-dev libgtest-dev librapidcheck-dev libccd-dev libfcl-dev libbenchmark-dev valgrind"
   [page]="nodejs npm"
   [browser]="chromium"
   [fuzz]="clang-19 libclang-rt-19-dev"
   [check]="git clang-format-19 clang-tidy-19"
-  [record]="git valgrind"
+  [record]="git"
 )
 
 # Ctrl-C ends a script with the contract's exit code, once the child that got the signal too has ended.
