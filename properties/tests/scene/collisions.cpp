@@ -100,7 +100,8 @@ double error_of_impact(double accuracy) {
   Scene scene = find_named_scene("impact")->make(0);
   scene.run.accuracy = accuracy;
   const double m1 = mass(scene.bodies[0]), m2 = mass(scene.bodies[1]), reduced = m1 * m2 / (m1 + m2);
-  const double omega = std::sqrt(scene.effects.linear.value().stiffness / reduced), speed = 1, start = 1e-3 / speed;
+  const double omega = std::sqrt(scene.effects.linear.value_or(Linear{}).stiffness / reduced), speed = 1,
+               start = 1e-3 / speed;
   const auto run = started(scene);
   double worst = 0;
   while (!run->is_done()) {

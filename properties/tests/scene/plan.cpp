@@ -46,12 +46,18 @@ TEST(Plan, WithoutFrictionHasNoHistoryAndTurnsNoBalls) {
     EXPECT_FALSE(has_column(*run, name)) << name;
 }
 
-TEST(Plan, WithFrictionHasHistoryAndTurnsEverything) {
-  Scene scene = meeting({Vec::Ones()});
-  scene.effects.friction = Friction{0.3};
-  const auto run = started(scene);
-  EXPECT_EQ(run->plan().turns, std::vector<bool>(2, true));
-  EXPECT_TRUE(has_column(*run, "friction_spring"));
+TEST(Plan, WithFrictionOrACoupleHasHistoryAndTurnsEverything) {
+  const Scene smooth = meeting({Vec::Ones()});
+  std::array<Scene, 3> rough{smooth, smooth, smooth};
+  rough[0].effects.friction = Friction{0.3};
+  rough[1].effects.rolling = Rolling{0.3};
+  rough[2].effects.twisting = Twisting{0.3};
+  const std::array history{"friction_spring", "rolling_spring", "twisting_spring"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto run = started(rough[k]);
+    EXPECT_EQ(run->plan().turns, std::vector<bool>(2, true));
+    for (std::size_t other = 0; other < 3; ++other) EXPECT_EQ(has_column(*run, history[other]), other == k);
+  }
 }
 
 TEST(Plan, TurnsEggsForTheirContactsAndBallsThatSpin) {
