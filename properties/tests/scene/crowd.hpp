@@ -16,7 +16,8 @@ namespace plumb::scene {
     const double turn = 0.7 * k;
     if (k % 3 == 1) b.body.shape.semi_axes = {1, 0.8, 0.6};
     if (k % 3 == 2) b.body.shape = {{0.9, 0.8, 0.7}, 4, 3 + 0.2 * k};
-    b.body.position = {1.7 * (k % 2), 1.7 * (k / 2 % 2), 0.95 + 1.6 * (k / 4)};
+    const int column = k / 2 % 2, layer = k / 4;
+    b.body.position = {1.7 * (k % 2), 1.7 * column, 0.95 + 1.6 * layer};
     b.body.quaternion = {1, 0.3 * std::sin(turn), 0.4 * std::cos(turn), 0.1 * turn};
     b.velocity = {0.2 * std::cos(turn), 0.1, -0.1 * k};
     b.temperature = 300 + 5 * k;

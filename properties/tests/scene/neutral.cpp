@@ -84,9 +84,9 @@ TEST(NeutralEffect, OfFrictionTurnsSpheresAndNothingElse) {
 // What a plan switches off by itself is what forcing it on would not have changed.
 TEST(NeutralEffect, IsSwitchedOffByThePlan) {
   Scene scene = crowd();
-  scene.effects.friction->coefficient = 0;
-  scene.effects.damping->restitution = 1;
-  scene.effects.drag->viscosity = 0;
+  scene.effects.friction = Friction{.stiffness_ratio = 0.3};
+  scene.effects.damping = Damping{};
+  scene.effects.drag = Drag{.fluid_velocity = {1, 0, 0}};
   const Plan plan = make_plan(scene);
   for (const std::string_view name : {Friction::name, Damping::name, Drag::name}) EXPECT_FALSE(plan.is_on(name));
 }
