@@ -1,5 +1,9 @@
 #include "corpus/run_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <iterator>
 
@@ -21,7 +25,7 @@ constexpr const char* checkpoint_file = "checkpoint.bin";
 /// What a run writes, files and folders.
 std::vector<std::string> written_names() {
   std::vector<std::string> out = output_names();
-  out.insert(out.end(), {scene_file, checkpoint_file, "failures", "cases"});
+  out.insert(out.end(), {scene_file, checkpoint_file, "vtk", "failures", "cases"});
   return out;
 }
 
@@ -56,14 +60,26 @@ void remove_cases(const fs::path& folder) {
 
 }  // namespace
 
-std::uint64_t run_key(const Scene& scene, const Simulation& run) {
-  return hash_of_text(format_scene({scene, {}, {}}) + write_json(plan_json(run, {})));
+std::uint64_t run_key(const Scene& scene, const Plan& plan) {
+  return hash_of_text(format_scene({scene, {}, {}}) + write_json(plan_json(scene, plan, {})));
+}
+
+FolderLock::FolderLock(const fs::path& path) : folder_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (folder_ < 0) fail_with(path.string(), errno);
+  if (::flock(folder_, LOCK_EX | LOCK_NB) == 0) return;
+  ::close(folder_);
+  throw InputFailure(path.string(), 0, "", "another run is writing there");
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0) ::close(folder_);
 }
 
 RunFolder::RunFolder(fs::path path, std::uint64_t key, bool resume) : path_(std::move(path)), key_(key) {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) fail_with(path_.string(), error.value());
+  lock_.emplace(path_);
   if (fs::exists(path_ / run_file)) {
     if (!resume) throw InputFailure(path_.string(), 0, "", "holds a run; --resume goes on with it");
     if (key_in(path_ / run_file) != hash_text(key))

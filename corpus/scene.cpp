@@ -23,16 +23,30 @@ struct Arguments {
   bool json = false;
 };
 
+std::string refuse_accuracy(const std::string& text) {
+  double accuracy = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, accuracy);
+  return is_number && accuracy > 0 && accuracy < 1 ? "" : "must be a number between 0 and 1";
+}
+
+std::string refuse_empty(const std::string& text) {
+  return text.empty() ? "names no folder" : "";
+}
+
 void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("SCENE", arguments.scene, "scene file, or - for standard input")->required();
   app.add_flag("--plan", arguments.plan, "which effects run, why, what each costs; nothing is simulated");
   auto* out = app.add_option("--out", arguments.out, "folder for what the scene writes, checkpoints and run.json");
+  out->check(refuse_empty);
   app.add_flag("--resume", arguments.run.resume, "go on with the run in the folder")->needs(out);
   app.add_option("--threads", arguments.run.threads, "for the solver; as many as the scene can use")
       ->check(CLI::Range(1, 1024));
   app.add_flag("--record", arguments.run.record, "keep hard contacts as cases in the folder")->needs(out);
-  app.add_option("--force", arguments.forced, "an effect to be on even where it changes nothing; for tests");
-  app.add_option("--accuracy", arguments.accuracy, "instead of the scene's own");
+  app.add_option("--force", arguments.forced, "an effect to be on even where it changes nothing; for tests")
+      ->check([](const std::string& name) { return find_effect(name) == nullptr ? name + " is no effect" : ""; });
+  app.add_option("--accuracy", arguments.accuracy, "instead of the scene's own")->check([](const std::string& text) {
+    return refuse_accuracy(text);
+  });
   app.add_option("--checkpoint", arguments.run.checkpoint, "steps between two checkpoints")->check(refuse_count);
   app.add_flag("--json", arguments.json, "one JSON object instead of a table");
 }
@@ -62,8 +76,7 @@ std::string summary(const SceneRun& run) {
 }
 
 void print_plan(const Scene& scene, const Plan& plan, bool as_json) {
-  const Simulation still(scene, plan);
-  print(as_json ? write_json(plan_json(still, {})) : plan_table(scene, still, {}));
+  print(as_json ? write_json(plan_json(scene, plan, {})) : plan_table(scene, plan, {}));
 }
 
 Json static_json(const Simulation& run) {
@@ -79,7 +92,7 @@ void print_run(const Scene& scene, const SceneRun& run, bool as_json) {
     print(write_json(json));
     return;
   }
-  print(plan_table(scene, simulation, run.seconds()));
+  print(plan_table(scene, simulation.plan(), run.seconds()));
   if (is_static) print(contacts_table(simulation));
   print(summary(run));
 }
@@ -88,6 +101,12 @@ int run_scene(const Scene& scene, const Plan& plan, const Arguments& arguments) 
   SceneRun run(scene, plan, arguments.run);
   run.go();
   const Simulation& simulation = run.simulation();
+  if (const auto lost = run.lost_body()) {
+    fmt::print(stderr,
+               "{}: run.time_step: body {} is at no finite place after step {}: {:.3g} is too long for the forces\n",
+               arguments.scene, *lost, simulation.steps(), plan.time_step);
+    return exit_finding;
+  }
   if (!simulation.is_done()) {
     const char* hint = arguments.out.empty() ? "" : "; --resume goes on from here";
     fmt::print(stderr, "interrupted at step {} of {}{}\n", simulation.steps(), plan.steps, hint);

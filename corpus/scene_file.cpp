@@ -150,7 +150,7 @@ Outputs read_outputs(const Field& field) {
 
 std::optional<double> read_time_step(const Field& field) {
   if (field.value().is_string()) {
-    field.require_text("auto");
+    if (field.text() != "auto") field.fail("must be a positive number or auto");
     return std::nullopt;
   }
   return field.number();
@@ -168,6 +168,7 @@ Run read_run(const Field& field) {
 
 SceneFile read_tree(const Json& tree) {
   const Field root(tree);
+  if (root.has("format")) root.member("format").require_text(scene_format);
   root.require_object({"format", "name", "bodies", "walls", "effects", "run", "provenance"});
   root.member("format").require_text(scene_format);
   SceneFile out;

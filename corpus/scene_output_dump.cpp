@@ -18,8 +18,13 @@ class Dump : public SceneOutput {
     std::string text = "ITEM: TIME\n" + shortest(run.time());
     text += "\nITEM: TIMESTEP\n" + std::to_string(run.steps());
     text += "\nITEM: NUMBER OF ATOMS\n" + std::to_string(world.bodies.count) + "\n" + box_of(world);
-    text += "ITEM: ATOMS " + columns_of(world.state) + "\n";
-    for (std::size_t i = 0; i < world.bodies.count; ++i) add_body(text, world, i);
+    const Column* temperature = world.columns.find("temperature");
+    text += "ITEM: ATOMS " + columns_of(world.state) + (temperature == nullptr ? "\n" : " temperature\n");
+    for (std::size_t i = 0; i < world.bodies.count; ++i) {
+      add_body(text, world, i);
+      if (temperature != nullptr) add_numbers(text, temperature->entry(i));
+      text += "\n";
+    }
     file().add(text);
   }
 
@@ -61,7 +66,6 @@ class Dump : public SceneOutput {
                                  shape.n2, 2 / shape.n2, 2 / shape.n1});
     if (state.velocity != nullptr) add_numbers(text, state.velocity->entry(i));
     if (state.angular_momentum != nullptr) add_numbers(text, state.angular_momentum->entry(i));
-    text += "\n";
   }
 
   std::vector<bool> is_fixed_;

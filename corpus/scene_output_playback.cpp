@@ -98,6 +98,8 @@ class Playback : public SceneOutput {
     add_entries(text, "position", *world.state.position, 0, world.bodies.count);
     add_entries(text, "orientation", *world.state.orientation, 0, world.bodies.count);
     add_entries(text, "wall", *world.state.position, world.bodies.count, world.bodies.all());
+    if (const Column* temperature = world.columns.find("temperature"))
+      add_entries(text, "temperature", *temperature, 0, world.bodies.count);
     add_contacts(text, run);
     add_energies(text, run);
     file().add(text + "}\n");

@@ -54,7 +54,7 @@ void Recorder::look_at_start() {
   for (std::size_t c = 0; c < contacts.pairs.size(); ++c) {
     if (run_.world().bodies.is_wall(contacts.pairs[c][1])) continue;
     const Contact<double> answer = automatic<double>(run_.pair_of(c), run_.plan().want, nullptr);
-    const bool touches = (*contacts.is_touching)[c] != 0;
+    const bool touches = (*contacts.is_pressing)[c] != 0;
     notes.push_back(
         {static_cast<std::uint32_t>(c), answer.status, answer.iterations, answer.evaluations, touches, touches});
   }
@@ -91,7 +91,9 @@ void Recorder::look_at_change(const SolveNote& note) {
   if (changes >= many_changes) keep(cases_, note, "verdict_changes", changes);
 }
 
+/// What a case file can hold: of bodies that a run has lost, there is none.
 void Recorder::keep(Buckets& buckets, const SolveNote& note, const char* reason, double measure) {
+  if (!is_valid(run_.pair_of(note.contact))) return;
   const std::string bucket = bucket_of(reason, run_.pair_of(note.contact), measure);
   const auto found = buckets.find(bucket);
   if (found != buckets.end() && found->second.measure >= measure) return;

@@ -10,7 +10,7 @@
 namespace plumb::scene {
 namespace {
 
-using Memories = std::map<std::string, Simulation::Memory>;
+using Memories = std::map<std::string, Memory>;
 
 std::string_view word_of(Analysis analysis) {
   switch (analysis) {
@@ -53,7 +53,7 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-Json memory_json(const Simulation::Memory& memory) {
+Json memory_json(const Memory& memory) {
   return {{"body", memory.body}, {"pair", memory.pair}};
 }
 
@@ -70,9 +70,9 @@ struct Costs {
   Memories memory;
   std::map<std::string, double> shares;
 
-  [[nodiscard]] Simulation::Memory memory_of(const std::string& owner) const {
+  [[nodiscard]] Memory memory_of(const std::string& owner) const {
     const auto found = memory.find(owner);
-    return found == memory.end() ? Simulation::Memory{} : found->second;
+    return found == memory.end() ? Memory{} : found->second;
   }
   [[nodiscard]] Json json_of(const std::string& owner) const {
     Json out = {{"memory", memory_json(memory_of(owner))}};
@@ -124,9 +124,8 @@ std::map<std::string, double> shares_of(const Seconds& seconds) {
   return out;
 }
 
-Json plan_json(const Simulation& run, const Seconds& seconds) {
-  const Plan& plan = run.plan();
-  const Costs costs{run.memory(), shares_of(seconds)};
+Json plan_json(const Scene& scene, const Plan& plan, const Seconds& seconds) {
+  const Costs costs{memory_of(scene, plan), shares_of(seconds)};
   Json effects = Json::array(), others = Json::object();
   for (const PlannedEffect& planned : plan.effects) {
     const std::string name(planned.effect->name);
@@ -147,9 +146,8 @@ Json plan_json(const Simulation& run, const Seconds& seconds) {
           {"solver", {{"want", words_of(plan)}, {"tolerance", plan.want.tolerance}}}};
 }
 
-std::string plan_table(const Scene& scene, const Simulation& run, const Seconds& seconds) {
-  const Plan& plan = run.plan();
-  const Costs costs{run.memory(), shares_of(seconds)};
+std::string plan_table(const Scene& scene, const Plan& plan, const Seconds& seconds) {
+  const Costs costs{memory_of(scene, plan), shares_of(seconds)};
   std::string out = heading(scene, plan);
   out += row("effect", "", fmt::format("bytes: body  pair {}", seconds.empty() ? "" : "  time"),
              "why, and what it needs of the rest");

@@ -15,9 +15,9 @@ using Seconds = std::map<std::string, double>;
 
 /// Effects with why, needs, bytes for each body and each pair of the contact list, share of time; then contacts, turning, broad
 /// phase and time step with their reasons.
-[[nodiscard]] Json plan_json(const Simulation& run, const Seconds& seconds);
+[[nodiscard]] Json plan_json(const Scene& scene, const Plan& plan, const Seconds& seconds);
 /// The same as a table.
-[[nodiscard]] std::string plan_table(const Scene& scene, const Simulation& run, const Seconds& seconds);
+[[nodiscard]] std::string plan_table(const Scene& scene, const Plan& plan, const Seconds& seconds);
 
 /// The pairs that overlap, or the contacts with their numbers, a line each.
 [[nodiscard]] std::string contacts_table(const Simulation& run);

@@ -50,12 +50,13 @@ SceneRun::SceneRun(const Scene& scene, const Plan& plan, const RunOptions& optio
 }
 
 void SceneRun::begin_in_folder() {
-  RunFolder folder(options_.out, run_key(scene_, run_), options_.resume);
+  RunFolder folder(options_.out, run_key(scene_, run_.plan()), options_.resume);
   const std::optional<Checkpoint> checkpoint = folder.checkpoint();
   const auto looks = options_.record ? Recorder::Looks::for_hard : Recorder::Looks::for_failures;
   written_.reset(new Written{std::move(folder), Recorder(scene_, run_, looks), {}});
   if (checkpoint) go_on_from(*checkpoint);
-  written_->folder.write_run(json());
+  if (!checkpoint)
+    written_->folder.write_run(json());  // the restored state has no contacts yet, and what stands there has
   written_->folder.write_scene(scene_);
   const std::filesystem::path& path = written_->folder.path();
   written_->outputs = open_outputs(scene_, run_.plan(), path, checkpoint ? checkpoint->lengths : Lengths{});
@@ -98,6 +99,8 @@ void SceneRun::write_checkpoint() {
 void SceneRun::advance(Progress& progress) {
   while (!run_.is_done()) {
     run_.step();
+    lost_body_ = run_.lost_body();
+    if (lost_body_) break;
     if (is_frame()) write_frame();
     if (run_.is_done()) break;
     if (run_.steps() % options_.checkpoint == 0 || interrupted()) write_checkpoint();
@@ -120,7 +123,7 @@ void SceneRun::end() {
   if (written_ == nullptr) return;
   const RunEnd end{hash_text(run_.hash()), shares_of(seconds())};
   for (const auto& output : written_->outputs) {
-    if (run_.is_done()) output->end(run_, end);
+    if (is_complete()) output->end(run_, end);
     output->flush();
   }
   written_->recorder.write(options_.out);
@@ -133,9 +136,9 @@ Json SceneRun::json() const {
   for (const auto& [owner, seconds] : spent) sum += seconds;
   return {{"format", "plumb/run-1"},
           {"scene", scene_.name},
-          {"complete", run_.is_done()},
+          {"complete", is_complete()},
           {"accuracy", scene_.run.accuracy},
-          {"plan", plan_json(run_, spent)},
+          {"plan", plan_json(scene_, run_.plan(), spent)},
           {"totals", totals_json(run_)},
           {"hash", hash_text(run_.hash())},
           {"hashes", hashes_json(run_)},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "corpus/progress.hpp"
@@ -30,6 +31,10 @@ class SceneRun {
 
   [[nodiscard]] const Simulation& simulation() const { return run_; }
   [[nodiscard]] Seconds seconds() const;
+  /// To its last step, and everything still somewhere.
+  [[nodiscard]] bool is_complete() const { return run_.is_done() && !lost_body_; }
+  /// Where the run ended before its time: a body that is nowhere any more.
+  [[nodiscard]] std::optional<std::size_t> lost_body() const { return lost_body_; }
   /// run.json without its key.
   [[nodiscard]] Json json() const;
 
@@ -55,6 +60,7 @@ class SceneRun {
   Seconds seconds_before_;
   std::unique_ptr<Written> written_;  ///< none without a folder
   std::int64_t begun_at_ = 0;         ///< step
+  std::optional<std::size_t> lost_body_;
 };
 
 }  // namespace plumb::scene

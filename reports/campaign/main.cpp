@@ -94,6 +94,17 @@ void refuse_bad_page(const Arguments& args) {
       throw InputFailure(args.out, 0, "--out", "its data would take the place of " + folder + "/summary.json");
 }
 
+/// What stands beside the page is replaced only where it is an earlier report's: its .json says so.
+void refuse_to_replace(const fs::path& page, const std::vector<const char*>& extensions) {
+  const fs::path json = fs::path(page).replace_extension(".json");
+  constexpr std::string_view mark = "{\"format\":\"plumb/report-1\"";
+  if (fs::exists(json) && text_of(json).starts_with(mark)) return;
+  for (const char* extension : extensions)
+    if (const fs::path beside = fs::path(page).replace_extension(extension); fs::exists(beside))
+      throw InputFailure(beside.string(), 0, "",
+                         "stands where the report's data would, and is of no report: choose another -o");
+}
+
 /// Folders of one name are called by their paths.
 void name_apart(Json& runs) {
   std::map<std::string, int> seen;
@@ -130,9 +141,17 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   return out;
 }
 
+void refuse_no_run(const std::string& folder) {
+  if (!fs::is_directory(folder)) throw InputFailure(folder, 0, "", "there is no such folder");
+  if (!holds_playback(folder) && fs::exists(fs::path(folder) / "run.json"))
+    throw InputFailure(folder, 0, "",
+                       "holds a scene's run without a playback: add it to the scene's run.outputs.write");
+}
+
 /// A folder with a playback alone is no campaign's.
 std::vector<Run> read_runs(const Arguments& args) {
   std::vector<Run> runs;
+  for (const std::string& folder : args.folders) refuse_no_run(folder);
   for (const std::string& folder : args.folders)
     if (!holds_playback(folder) || fs::exists(fs::path(folder) / "campaign.bins"))
       runs.push_back({folder, read_results(folder)});
@@ -145,6 +164,9 @@ int report(const Arguments& args) {
   const std::vector<Run> runs = read_runs(args);
   const Json whole = document(args, runs);
   if (interrupted()) return exit_interrupted;  // before anything is written: what an earlier report left stays whole
+  std::vector<const char*> extensions{".json", ".md"};
+  if (!runs.empty()) extensions.insert(extensions.end(), {".csv", ".ladders.csv", ".junit.xml", ".sarif"});
+  refuse_to_replace(page, extensions);
   // A file name need not be UTF-8; what is not is replaced.
   const std::string json = whole.dump(-1, ' ', false, Json::error_handler_t::replace);
   const auto beside = [&](const char* extension) { return fs::path(page).replace_extension(extension); };

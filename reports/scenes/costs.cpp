@@ -65,7 +65,7 @@ SceneTable effect_costs(const SceneOptions& options) {
       fmt::format("{:<14}{:>22}{:>14}{:>12}", "effect", "step with / without", "bytes, body", "contact"));
   const Scene all = everything();
   Simulation run(all, scene::make_plan(all));
-  const auto memory = run.memory();
+  const auto memory = scene::memory_of(all, run.plan());
   run_until(run, dense_at);
   const scene::Snapshot dense = run.snapshot();
   const double with = seconds_from(dense, all, options.repeat);
@@ -80,7 +80,7 @@ SceneTable effect_costs(const SceneOptions& options) {
     const double ratio = with / seconds_from(dense, less, options.repeat);
     const std::string name(Parameters::name);
     const auto found = memory.find(name);
-    const Simulation::Memory bytes = found == memory.end() ? Simulation::Memory{} : found->second;
+    const scene::Memory bytes = found == memory.end() ? scene::Memory{} : found->second;
     table.lines.push_back(fmt::format("{:<14}{:>22.3f}{:>14}{:>12}", name, ratio, bytes.body, bytes.pair));
     table.rows.push_back({{"kind", "effect"},
                           {"effect", name},

@@ -59,6 +59,13 @@ bool can_touch_wall(const Scene& scene, const SceneBody& b, double radius) {
   return false;
 }
 
+/// m / (6 pi viscosity r), infinite without drag.
+double slip_time(const Scene& scene) {
+  if (!scene.effects.drag) return std::numeric_limits<double>::infinity();
+  const double slowing = 6 * std::numbers::pi * scene.effects.drag->viscosity * longest_axis(scene);
+  return 2 * least_contact_mass(scene) / slowing;
+}
+
 /// Beyond so many bodies nobody would ask.
 constexpr std::size_t most_bodies = 1000;
 
@@ -69,7 +76,9 @@ bool can_move(const Scene& scene) {
 }
 
 bool can_touch(const Scene& scene) {
-  if (scene.bodies.size() > most_bodies) return true;
+  // A step longer than a slip lasts overshoots what drag does to a body.
+  const bool is_overshooting = scene.run.time_step && *scene.run.time_step > slip_time(scene);
+  if (scene.bodies.size() > most_bodies || is_overshooting) return true;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SceneBody& a = scene.bodies[i];
     const double radius = reach(scene, a);
@@ -81,6 +90,30 @@ bool can_touch(const Scene& scene) {
     }
   }
   return false;
+}
+
+bool has_elastic_force(const Scene& scene) {
+  const Effects& effects = scene.effects;
+  return (effects.linear && effects.linear->stiffness > 0) || (effects.hertz && effects.hertz->youngs_modulus > 0);
+}
+
+void require_elastic_force(const Scene& scene, std::string_view effect, const char* why) {
+  if (scene.effects.linear || scene.effects.hertz) return;
+  throw SceneError("effects." + std::string(effect), std::string(why) + ", and there is none: add linear or hertz");
+}
+
+double collision_time(const Scene& scene) {
+  if (!has_elastic_force(scene)) return std::numeric_limits<double>::infinity();
+  const double mass = least_contact_mass(scene);
+  if (scene.effects.linear) return std::numbers::pi * std::sqrt(mass / scene.effects.linear->stiffness);
+  const double size = longest_axis(scene), modulus = scene.effects.hertz->contact_modulus();
+  const double sound = std::sqrt(modulus * size * size * size / mass);
+  const double speed = std::max(greatest_speed(scene), 1e-3 * sound);
+  return 2.87 * std::pow(mass * mass / (size * modulus * modulus * speed), 0.2);
+}
+
+double drag_time(const Scene& scene) {
+  return 0.3 * slip_time(scene);
 }
 
 double least_contact_mass(const Scene& scene) {

@@ -1,6 +1,8 @@
 // What follows from a scene before anything has moved: bounds that the plan and the roles of effects go by.
 #pragma once
 
+#include <string_view>
+
 #include "solver/scene/scene.hpp"
 
 namespace plumb::scene {
@@ -10,6 +12,18 @@ namespace plumb::scene {
 /// Whether any two bodies, or a body and a wall, can meet within the duration. False is proved: no centre leaves the ball of radius
 /// (|v| + |u|) T + |g| T^2 / 2 about its start, u being the fluid's velocity, for as long as nothing touches.
 [[nodiscard]] bool can_touch(const Scene& scene);
+
+/// A linear or Hertz's force that is not 0.
+[[nodiscard]] bool has_elastic_force(const Scene& scene);
+/// Throws SceneError where the scene asks for none; `effect` needs one.
+void require_elastic_force(const Scene& scene, std::string_view effect, const char* why);
+/// Of the fastest collision there can be: half a period of the linear force; of Hertz's, that of spheres (Johnson 1985, eq. 11.24) at
+/// the greatest speed, or at a thousandth of the speed of sound. Infinite without such a force.
+[[nodiscard]] double collision_time(const Scene& scene);
+
+/// In which a lonely body's slip dies, m / (6 pi viscosity r), or its spin, 3/10 of that: the kicks take it as constant. Infinite
+/// without drag.
+[[nodiscard]] double drag_time(const Scene& scene);
 
 /// The least mass that an impulse through a contact can feel.
 [[nodiscard]] double least_contact_mass(const Scene& scene);

@@ -1,8 +1,9 @@
 // What is asked of a simulation beside its steps: sums over bodies, hashes, costs.
 #include <Eigen/Geometry>
-#include <bit>
+#include <cmath>
 
 #include "solver/scene/simulation.hpp"
+#include "solver/scene/world_setup.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -75,13 +76,24 @@ std::map<std::string, double> Simulation::seconds() const {
   return out;
 }
 
-std::map<std::string, Simulation::Memory> Simulation::memory() const {
+std::map<std::string, Memory> memory_of(const Scene& scene, const Plan& plan) {
+  World world;
+  set_up(world, scene, plan);
   std::map<std::string, Memory> out;
-  for (const Column& column : world_->columns) {
+  for (const Column& column : world.columns) {
     Memory& of_owner = out[std::string(column.owner())];
     (column.kind().of == ColumnKind::body ? of_owner.body : of_owner.pair) += column.width() * sizeof(double);
   }
   return out;
+}
+
+std::optional<std::size_t> Simulation::lost_body() const {
+  const State& state = world_->state;
+  for (std::size_t i = 0; i < world_->bodies.count; ++i) {
+    const bool is_placed = state.position->vector(i).allFinite() && std::isfinite(state.orientation->entry(i)[0]);
+    if (!is_placed || (state.velocity != nullptr && !state.velocity->vector(i).allFinite())) return i;
+  }
+  return std::nullopt;
 }
 
 }  // namespace plumb::scene

@@ -59,7 +59,7 @@ Scene pile(int bodies) {
   scene.effects.friction = Friction{.coefficient = 0.4, .damping = 0.3};
   scene.effects.rolling = Rolling{.coefficient = 0.05};  // without the two a point contact rocks and spins on for long
   scene.effects.twisting = Twisting{.coefficient = 0.05};
-  run_for(scene, 0.6, 1e-2);
+  run_for(scene, 1, 1e-2);
   return scene;
 }
 

@@ -147,7 +147,7 @@ bool meet_body(World& world, std::size_t c, const Want& want, Round& round, Solv
   const Bodies& bodies = world.bodies;
   const double reach = bodies.radius[i] + bodies.radius[j] + contacts.range;
   if ((world.state.position->vector(j) - world.state.position->vector(i)).squaredNorm() > reach * reach) return false;
-  const bool touched = (*contacts.is_touching)[c] != 0;
+  const bool touched = (*contacts.is_pressing)[c] != 0;
   const Pair pair{solver_body(world, i), solver_body(world, j)};
   if (!touched && contacts.range == 0 && are_apart(world, c, pair, want, round)) return false;
   if (want.is_yes_or_no()) return true;
@@ -168,19 +168,20 @@ bool meet_body(World& world, std::size_t c, const Want& want, Round& round, Solv
 }
 
 /// Below so many pairs, waking threads takes longer than they spare.
-[[maybe_unused]] constexpr std::int64_t few = 256;
+[[maybe_unused]] constexpr std::int64_t few = 128;
 
-/// Which pairs touch, and which did and no longer do.
+/// Which pairs touch, which of them overlap, and which did and no longer do.
 void sort_out(Contacts& contacts, const std::vector<char>& touches) {
   contacts.touching.clear();
+  contacts.pressing.clear();
   contacts.parted.clear();
   for (std::size_t c = 0; c < touches.size(); ++c) {
-    double& flag = (*contacts.is_touching)[c];
-    if (touches[c] != 0)
-      contacts.touching.push_back(static_cast<Index>(c));
-    else if (flag != 0)
-      contacts.parted.push_back(static_cast<Index>(c));
-    flag = touches[c];
+    double& flag = (*contacts.is_pressing)[c];
+    const bool presses = touches[c] != 0 && (contacts.overlap == nullptr || (*contacts.overlap)[c] > 0);
+    if (touches[c] != 0) contacts.touching.push_back(static_cast<Index>(c));
+    if (presses) contacts.pressing.push_back(static_cast<Index>(c));
+    if (!presses && flag != 0) contacts.parted.push_back(static_cast<Index>(c));
+    flag = presses ? 1 : 0;
   }
 }
 

@@ -60,7 +60,8 @@ void add_walls(const World& world, const Column& boxes, Pairs& pairs) {
       const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
       const double middle = normal.dot((low + high) / 2 - low_of(boxes, bodies.count + wall));
       const double reach = normal.cwiseAbs().dot((high - low) / 2);
-      if (middle <= reach + margin) pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
+      if (middle <= reach + world.contacts.range / 2 + margin)
+        pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
     }
 }
 

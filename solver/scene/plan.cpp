@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "solver/scene/check_scene.hpp"
@@ -83,7 +84,8 @@ void plan_contacts(Plan& plan, const Scene& scene) {
   else
     plan.contacts_why = "no effect needs them and no output asks for them";
   plan.needs.contacts = plan.needs.contacts || plan.analysis != Analysis::motion || is_written;
-  plan.needs.points = plan.needs.points || plan.analysis == Analysis::contacts || outputs.contacts;
+  const bool is_shown = plan.needs.contacts && (outputs.contacts || outputs.vtk || outputs.playback);
+  plan.needs.points = plan.needs.points || plan.analysis == Analysis::contacts || is_shown;
 }
 
 void plan_turning(Plan& plan, const Scene& scene) {
@@ -91,7 +93,7 @@ void plan_turning(Plan& plan, const Scene& scene) {
   bool any_shape = false, any_spin = false;
   for (const SceneBody& b : scene.bodies) {
     const bool has_arm = plan.needs.normal_force && !is_sphere(b.body.shape);
-    const bool spins = !b.angular_velocity.isZero(0);
+    const bool spins = !b.angular_velocity.isZero(0);  // its energy and momentum are results of every run
     const bool is_free = plan.analysis == Analysis::motion && !b.is_fixed;
     plan.turns.push_back(is_free && (plan.needs.spin || has_arm || spins));
     any_shape |= is_free && has_arm;
@@ -105,7 +107,7 @@ void plan_turning(Plan& plan, const Scene& scene) {
     plan.turning_why = "bodies that are no spheres, for their contacts";
   else if (any_spin)
     plan.turning_why = "bodies that spin";
-  plan.needs.points |= plan.needs.normal_force && plan.has_turning();
+  plan.needs.points |= any_shape || (plan.needs.normal_force && plan.needs.spin);
 }
 
 void plan_solver(Plan& plan, const Scene& scene) {
@@ -150,8 +152,39 @@ void choose_time_step(Plan& plan, const Scene& scene) {
   if (!std::isfinite(fastest))
     plan.time_step_why = "nothing has a time of its own";
   else
-    plan.time_step_why =
-        std::to_string(static_cast<int>(steps)) + " steps of the fastest: " + (who.empty() ? "spin" : who);
+    plan.time_step_why = std::to_string(static_cast<std::int64_t>(std::min(steps, 1e15))) +
+                         " steps of the fastest: " + (who.empty() ? "spin" : who);
+}
+
+void check_masses(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SceneBody& b = scene.bodies[i];
+    const MassProperties one = mass_properties(b.body.shape);
+    const double least = std::min(one.volume, one.inertia.minCoeff()) * b.density;
+    const double greatest = std::max(one.volume, one.inertia.maxCoeff()) * b.density;
+    if (least >= std::numeric_limits<double>::min() && greatest <= std::numeric_limits<double>::max()) continue;
+    throw SceneError("bodies[" + std::to_string(i) + "]", "its mass or moment of inertia is beyond the range of a double");
+  }
+}
+
+/// Whole steps, rounded up. More than a machine could ever make are refused.
+std::int64_t count_steps(double steps, const Scene& scene) {
+  constexpr double most = 1e15;
+  if (steps <= most) return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(steps)));
+  throw SceneError(
+      scene.run.time_step ? "run.time_step" : "run.duration",
+      "takes more than 1e15 steps: shorten the run, or let the accuracy or the effects allow a longer step");
+}
+
+/// A step that is asked for is taken, and compared with the longest that the effects allow.
+void ask_for_time_step(Plan& plan, double asked) {
+  const double longest = plan.needs.fastest / least_steps;
+  plan.time_step = asked;
+  plan.time_step_why = asked_for;
+  if (asked > longest) {
+    const std::string times = std::to_string(static_cast<int>(std::min(asked / longest, 1e9)));
+    plan.time_step_why += ", though " + times + " times as long as what the effects allow: expect it to diverge";
+  }
 }
 
 void plan_time(Plan& plan, const Scene& scene) {
@@ -161,17 +194,15 @@ void plan_time(Plan& plan, const Scene& scene) {
   }
   const Run& run = scene.run;
   choose_time_step(plan, scene);
-  if (run.time_step) {
-    plan.time_step = *run.time_step;
-    plan.time_step_why = asked_for;
-  }
+  if (run.time_step) ask_for_time_step(plan, *run.time_step);
   plan.time_step = std::min(plan.time_step, run.duration);
-  const double period = run.outputs.every > 0 ? run.outputs.every : run.duration;
-  const auto steps_a_period = static_cast<std::int64_t>(std::ceil(period / plan.time_step * (1 - 1e-12)));
-  if (run.outputs.every > 0) plan.steps_per_output = std::max<std::int64_t>(1, steps_a_period);
+  const bool has_frames = run.outputs.every > 0 && run.outputs.every < run.duration;
+  const double period = has_frames ? run.outputs.every : run.duration;
+  const std::int64_t steps_a_period = count_steps(period / plan.time_step * (1 - 1e-12), scene);
+  if (has_frames) plan.steps_per_output = steps_a_period;
   if (!run.time_step) plan.time_step = period / static_cast<double>(steps_a_period);
   // None beyond the duration: what can_touch proves ends there.
-  plan.steps = static_cast<std::int64_t>(run.duration / plan.time_step * (1 + 1e-12));
+  plan.steps = count_steps(std::floor(run.duration / plan.time_step * (1 + 1e-12)), scene);
 }
 
 }  // namespace
@@ -188,6 +219,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   check_scene(scene);
   Plan plan;
   plan.analysis = analysis_of(scene);
+  if (plan.analysis == Analysis::motion) check_masses(scene);
   plan.asked = scene.effects;
   for (const std::string& name : options.forced) {
     const Effect* effect = find_effect(name);

@@ -54,6 +54,7 @@ void kick_half(World& world) {
 void clear_forces(World& world) {
   world.state.force->fill(0);
   if (world.state.torque != nullptr) world.state.torque->fill(0);
+  if (world.contacts.normal_force != nullptr) world.contacts.normal_force->fill(0);
 }
 
 /// What contacts remember, of those that have ended.
@@ -62,19 +63,9 @@ void forget(const Contacts& contacts, std::vector<Column*>& histories) {
     for (const std::uint32_t c : contacts.parted) std::ranges::fill(column->entry(c), column->kind().initial);
 }
 
-/// The elastic, viscous and cohesive forces along the normals, onto the bodies.
+/// The elastic and cohesive forces along the normals, onto the bodies.
 void push_along_normals(World& world) {
-  const Contacts& contacts = world.contacts;
-  for (const std::uint32_t c : contacts.touching) {
-    const auto [i, j] = contacts.pairs[c];
-    const double size = (*contacts.normal_force)[c];
-    const Vec3<double> force = size * contacts.normal->vector(c);
-    world.state.force->vector(i) -= force;
-    world.state.force->vector(j) += force;
-    if (contacts.arm1 == nullptr) continue;
-    world.state.torque->vector(i) -= size * contacts.arm1->vector(c);
-    world.state.torque->vector(j) += size * contacts.arm2->vector(c);
-  }
+  for (const std::uint32_t c : world.contacts.touching) world.push_along_normal(c, (*world.contacts.normal_force)[c]);
 }
 
 /// The columns of a new list, with what the old one knew of the same pairs; both are sorted.
@@ -97,12 +88,8 @@ void take_over(Columns& columns, const Pairs& before, const Pairs& now) {
 
 Simulation::Simulation(const Scene& scene, Plan plan, int threads)
     : plan_(std::move(plan)), world_(std::make_unique<World>()), threads_(threads) {
-  if (plan_.broad_phase == BroadPhase::tree) {
-    const double nowhere = std::numeric_limits<double>::quiet_NaN();
-    boxes_ = &world_->columns.add("box", "broad phase", {ColumnKind::body, box_width, true, nowhere});
-  }
   set_up(*world_, scene, plan_);
-  if (plan_.needs.contacts && boxes_ == nullptr) use_pairs(all_pairs(world_->bodies));
+  if (plan_.needs.contacts && world_->boxes == nullptr) use_pairs(all_pairs(world_->bodies));
   list_passes();
   world_->time_step = 0;  // the forces at the start, to which no time has led
   run_all(forces_);
@@ -121,7 +108,7 @@ void Simulation::list_passes() {
   if (world.has_turning()) drifts_.push_back({"turning", [&world] { rotate(world); }});
   move_all(world.movers, drifts_);
   kicks_.push_back({"motion", [&world] { kick_half(world); }});
-  if (boxes_ != nullptr) forces_.push_back({"broad phase", [this] { update_list(); }});
+  if (world_->boxes != nullptr) forces_.push_back({"broad phase", [this] { update_list(); }});
   if (plan_.needs.contacts) forces_.push_back({"solver", [this] { solve(); }});
   if (plan_.analysis != Analysis::motion) return;
   std::vector<Column*> histories;
@@ -133,6 +120,7 @@ void Simulation::list_passes() {
   move_all(world.contact_passes, forces_);
   if (plan_.needs.normal_force) forces_.push_back({"contacts", [&world] { push_along_normals(world); }});
   move_all(world.body_passes, forces_);
+  move_all(world.closing_passes, forces_);
 }
 
 void Simulation::use_pairs(Pairs pairs) {
@@ -142,9 +130,9 @@ void Simulation::use_pairs(Pairs pairs) {
 }
 
 void Simulation::update_list() {
-  if (are_within(*world_, *boxes_)) return;
-  fatten(*world_, *boxes_);
-  use_pairs(meeting_pairs(*world_, *boxes_));
+  if (are_within(*world_, *world_->boxes)) return;
+  fatten(*world_, *world_->boxes);
+  use_pairs(meeting_pairs(*world_, *world_->boxes));
 }
 
 void Simulation::solve() {

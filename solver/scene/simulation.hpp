@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,6 +44,12 @@ struct SolveNote {
   bool touched = false, touches = false;  ///< in the step before, and now
 };
 
+/// Bytes for each body and for each pair of the contact list, by owner.
+struct Memory {
+  std::size_t body = 0, pair = 0;
+};
+[[nodiscard]] std::map<std::string, Memory> memory_of(const Scene& scene, const Plan& plan);
+
 class Simulation {
  public:
   /// A plan of this scene; `threads` share the solver's calls.
@@ -73,6 +80,9 @@ class Simulation {
   /// Of this scene and plan; false, and nothing changed, when it does not fit.
   [[nodiscard]] bool restore(const Snapshot& snapshot);
 
+  /// A body whose place or velocity is no longer a finite number: the time step is too long for the forces.
+  [[nodiscard]] std::optional<std::size_t> lost_body() const;
+
   /// From now on `look` is called after each round of the solver, with every call in it but those that proved two bodies apart.
   void observe(std::function<void(std::span<const SolveNote>)> look);
   /// The two bodies of a contact as a case holds them; no wall.
@@ -80,11 +90,6 @@ class Simulation {
 
   /// Seconds spent in each pass so far, by owner ("solver", "broad phase", "motion", effects).
   [[nodiscard]] std::map<std::string, double> seconds() const;
-  /// Bytes for each body and for each pair of the contact list, by owner.
-  struct Memory {
-    std::size_t body = 0, pair = 0;
-  };
-  [[nodiscard]] std::map<std::string, Memory> memory() const;
 
  private:
   void list_passes();
@@ -95,7 +100,6 @@ class Simulation {
   Plan plan_;
   std::unique_ptr<World> world_;
   int threads_;
-  Column* boxes_ = nullptr;  ///< of the contact list; none where the list holds for good
   std::vector<Pass> kicks_, drifts_, forces_;
   std::function<void(std::span<const SolveNote>)> look_;
   std::int64_t step_ = 0;

@@ -42,9 +42,10 @@ struct State {
 struct Contacts {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   std::vector<std::uint32_t> touching;  ///< indices in pairs, rising: overlap > -range
-  std::vector<std::uint32_t> parted;    ///< those that did in the step before, and no longer do
+  std::vector<std::uint32_t> pressing;  ///< those of them that overlap
+  std::vector<std::uint32_t> parted;    ///< those that overlapped in the step before, and no longer do
   double range = 0;
-  Column* is_touching = nullptr;  ///< 1 or 0
+  Column* is_pressing = nullptr;  ///< 1 or 0
   Column* chart = nullptr;        ///< 6: where the solver starts next time
   Column* overlap = nullptr;      ///< 1
   Column* normal = nullptr;       ///< 3, from body 1 to body 2
@@ -78,9 +79,11 @@ struct World {
   Columns columns;
   State state;
   Contacts contacts;
+  Column* boxes = nullptr;  ///< of the contact list (neighbours.hpp); none where the list holds for good
 
-  /// In the order of a step, each in that of effects(): what moves by itself, forces of contacts, forces of bodies.
-  std::vector<Pass> movers, contact_passes, body_passes;
+  /// In the order of a step, each in that of effects(): what moves by itself, forces of contacts, forces of bodies, and forces
+  /// that go by the velocities to which all others lead.
+  std::vector<Pass> movers, contact_passes, body_passes, closing_passes;
   std::vector<StoredEnergy> energies;
   /// What sets an effect's columns once they have their size.
   std::vector<std::function<void(const Scene&)>> starts;
@@ -89,25 +92,20 @@ struct World {
 
   /// The velocity of body 2's point of contact as body 1's sees it.
   [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact) const;
-  /// Its component along the normal; negative: they approach. Of spheres, turning does nothing to it, exactly.
-  [[nodiscard]] double normal_velocity(std::size_t contact) const;
+  /// Its component along the normal, by these velocities of the bodies (and how they turn, where anything does); negative: they
+  /// approach. Of spheres, turning does nothing to it, exactly.
+  [[nodiscard]] double normal_velocity(std::size_t contact, const Column& velocity, const Column* spin) const;
   /// Angular velocity of body 2 as body 1 sees it.
   [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
   /// Adds a force on body 2 at the point of contact, and its opposite on body 1.
   void push(std::size_t contact, const Vec3<double>& force);
+  /// The same of a force along the normal, with the arms of the normal.
+  void push_along_normal(std::size_t contact, double size);
   /// Adds a couple on body 2, and its opposite on body 1.
   void turn(std::size_t contact, const Vec3<double>& couple);
 };
 
 namespace detail {
-
-/// r x n of each body's arm, where anything turns.
-[[nodiscard]] inline double turn_part(const World& world, std::size_t contact) {
-  const auto [i, j] = world.contacts.pairs[contact];
-  const Column& spin = *world.state.angular_velocity;
-  return spin.vector(j).dot(world.contacts.arm2->vector(contact)) -
-         spin.vector(i).dot(world.contacts.arm1->vector(contact));
-}
 
 [[nodiscard]] inline Vec3<double> point_velocity(const World& world, std::uint32_t body, const Vec3<double>& point) {
   const Vec3<double> v = world.state.velocity->vector(body);
@@ -124,10 +122,22 @@ inline Vec3<double> World::relative_velocity(std::size_t contact) const {
   return detail::point_velocity(*this, j, point) - detail::point_velocity(*this, i, point);
 }
 
-inline double World::normal_velocity(std::size_t contact) const {
+inline double World::normal_velocity(std::size_t contact, const Column& velocity, const Column* spin) const {
   const auto [i, j] = contacts.pairs[contact];
-  const double shift = (state.velocity->vector(j) - state.velocity->vector(i)).dot(contacts.normal->vector(contact));
-  return has_turning() ? shift + detail::turn_part(*this, contact) : shift;
+  const double shift = (velocity.vector(j) - velocity.vector(i)).dot(contacts.normal->vector(contact));
+  if (spin == nullptr) return shift;
+  return shift +
+         (spin->vector(j).dot(contacts.arm2->vector(contact)) - spin->vector(i).dot(contacts.arm1->vector(contact)));
+}
+
+inline void World::push_along_normal(std::size_t contact, double size) {
+  const auto [i, j] = contacts.pairs[contact];
+  const Vec3<double> force = size * contacts.normal->vector(contact);
+  state.force->vector(i) -= force;
+  state.force->vector(j) += force;
+  if (contacts.arm1 == nullptr) return;
+  state.torque->vector(i) -= size * contacts.arm1->vector(contact);
+  state.torque->vector(j) += size * contacts.arm2->vector(contact);
 }
 
 inline Vec3<double> World::relative_turn(std::size_t contact) const {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/scene/mass.hpp"
+#include "solver/scene/neighbours.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -76,7 +77,7 @@ void add_contacts(World& world, const Plan& plan) {
   };
   Contacts& contacts = world.contacts;
   contacts.range = plan.needs.range;
-  contacts.is_touching = pair("is_touching", "contacts", 1, true);
+  contacts.is_pressing = pair("is_pressing", "contacts", 1, true);
   contacts.chart = pair("chart", "solver", 6, true, std::numeric_limits<double>::quiet_NaN());
   if (plan.want.overlap) contacts.overlap = pair("overlap", "solver", 1);
   if (plan.want.normal) contacts.normal = pair("normal", "solver", 3);
@@ -112,6 +113,10 @@ void set_up(World& world, const Scene& scene, const Plan& plan) {
   world.bodies = bodies_of(scene, plan);
   add_state(world, plan);
   if (plan.needs.contacts) add_contacts(world, plan);
+  if (plan.broad_phase == BroadPhase::tree) {
+    const double nowhere = std::numeric_limits<double>::quiet_NaN();
+    world.boxes = &world.columns.add("box", "broad phase", {Kind::body, box_width, true, nowhere});
+  }
   if (plan.analysis == Analysis::motion)
     for (const PlannedEffect& planned : plan.effects)
       if (planned.is_on) planned.effect->install(plan.asked, world);

@@ -197,8 +197,9 @@ TEST_F(SceneCommand, UnusableScenesAndUsageAreOneLineAndTwo) {
   expect_refusal("scene none.json",
                  "none.json: effects.friction: is a share of a normal force, and there is none: add linear or hertz");
   expect_refusal("scene nowhere.json", "nowhere.json: No such file or directory");
-  expect_refusal("scene s.json --force lift", "s.json: effects.lift: there is no such effect");
-  expect_refusal("scene s.json --accuracy 2", "s.json: run.accuracy: must be a number between 0 and 1");
+  expect_refusal("scene s.json --force lift", "plumb scene: --force: lift is no effect (--help tells more)");
+  expect_refusal("scene s.json --accuracy 2",
+                 "plumb scene: --accuracy: must be a number between 0 and 1 (--help tells more)");
   for (const char* arguments : {"scene", "scene s.json --resume", "scene s.json --record", "scene s.json --threads 0",
                                 "scene s.json --checkpoint 0", "scene s.json --accuracy much"}) {
     const Ran ran = plumb(std::string(arguments) + " 2>&1 >/dev/null");
@@ -213,6 +214,31 @@ TEST_F(SceneCommand, WhatCannotBeWrittenIsOneLineAndTwo) {
   const Ran full = plumb("scene s.json 2>&1 >/dev/full");
   EXPECT_EQ(full.code, 2);
   EXPECT_EQ(full.out, "standard output: No space left on device\n");
+}
+
+// A step far too long for the drag: the run stops where a body is nowhere any more, and says so.
+TEST_F(SceneCommand, ARunThatDivergesIsAFinding) {
+  std::string text = sample_scene_of(R"({"gravity": {"acceleration": [0, 0, -10]}, "drag": {"viscosity": 1000}})");
+  const std::string duration = R"("duration": 0.5)";
+  text.replace(text.find(duration), duration.size(), R"("duration": 5000, "time_step": 1)");
+  (void)file("far.json", text);
+  const Ran ran = plumb("scene far.json --out far 2>&1 >/dev/null");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_TRUE(ran.out.starts_with("far.json: run.time_step: body ") &&
+              ran.out.ends_with(" is too long for the forces\n"))
+      << ran.out;
+  EXPECT_EQ(json("far/run.json")["complete"], false);
+  EXPECT_NE(plumb("scene far.json --plan").out.find("times as long as what the effects allow"), std::string::npos);
+}
+
+TEST_F(SceneCommand, AFolderIsOneRunsAtATime) {
+  (void)file("slow.json", sample_scene_with(R"("duration": 0.5)", R"("duration": 5000)"));
+  const Ran second =
+      run("cd " + path_.string() + " && { timeout 2 " + plumb_program +
+          "scene slow.json --out slow >/dev/null 2>&1 & } ; while ! test -e slow/run.json; do sleep 0.01; done; " +
+          plumb_program + "scene slow.json --out slow --resume 2>&1 >/dev/null");
+  EXPECT_EQ(second.code, 2);
+  EXPECT_EQ(second.out, "slow: another run is writing there\n");
 }
 
 TEST_F(SceneCommand, ForcedEffectsAreOn) {

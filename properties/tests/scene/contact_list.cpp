@@ -93,5 +93,16 @@ TEST(ContactList, OfACrowdIsThatOfAllPairs) {
   EXPECT_GE(expect_none_lost(crowd(), 1), 1000U);
 }
 
+// A pull that reaches further than the boxes' margins, to bodies and to walls.
+TEST(ContactList, OfALongRangeIsThatOfAllPairs) {
+  Scene scene = crowd();
+  scene.effects.cohesion = Cohesion{2, 0.7};
+  const auto run = made::started(scene);
+  for (int k = 0; k < 10; ++k) {
+    EXPECT_EQ(touching_in_list(run->world()), touching_by_force(run->world())) << k;
+    for (int i = 0; i < 20 && !run->is_done(); ++i) run->step();
+  }
+}
+
 }  // namespace
 }  // namespace plumb::scene

@@ -60,6 +60,9 @@ TEST(NeutralEffect, HasOtherParametersThatChangeNothing) {
   neutral.effects.friction = Friction{0, 1, 1};
   expect_same_state(without(crowd(), Friction::name), neutral, Friction::name);
   neutral = crowd();
+  neutral.effects.cohesion = Cohesion{0, 0.3};
+  expect_same_state(without(crowd(), Cohesion::name), neutral, Cohesion::name);
+  neutral = crowd();
   neutral.effects.rolling = Rolling{0, 1, 1};
   expect_same_state(without(crowd(), Rolling::name), neutral, Rolling::name);
   neutral = crowd();

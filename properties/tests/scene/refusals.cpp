@@ -62,11 +62,19 @@ TEST(RefusedScene, ContradictsItself) {
        {"bodies[4].temperature", [](Scene& s) { s.bodies[4].temperature.reset(); }},
        {"walls[1].temperature", [](Scene& s) { s.walls[1].temperature = not_a_number; }},
        {"effects.moving_walls.motions[0].wall", [](Scene& s) { s.effects.moving_walls.value().motions[0].wall = 3; }},
+       {"effects.moving_walls.motions[1].wall",
+        [](Scene& s) { s.effects.moving_walls.value().motions.push_back({.wall = 0, .velocity = {1, 0, 0}}); }},
+       {"effects.cohesion", [](Scene& s) { s.effects.linear = Linear{0}; }},
        {"bodies[1].velocity", [](Scene& s) { s.bodies[1].is_fixed = true; }},
        {"bodies[4].angular_velocity", [](Scene& s) {
           s.bodies[4].is_fixed = true;
           s.bodies[4].velocity.setZero();
         }}});
+}
+
+TEST(RefusedScene, HoldsABodyWhoseMassIsNoNumber) {
+  expect_refused({{"bodies[3]", [](Scene& s) { s.bodies[3].body.shape.semi_axes *= 1e-105; }},
+                  {"bodies[3]", [](Scene& s) { s.bodies[3].body.shape.semi_axes *= 1e200; }}});
 }
 
 TEST(RefusedScene, HoldsABodyThatIsNone) {
@@ -116,6 +124,10 @@ TEST(RefusedScene, HoldsARunThatIsNone) {
                   {"run.accuracy", [](Scene& s) { s.run.accuracy = 0; }},
                   {"run.accuracy", [](Scene& s) { s.run.accuracy = 1; }},
                   {"run.time_step", [](Scene& s) { s.run.time_step = 0; }},
+                  {"run.time_step", [](Scene& s) { s.run.time_step = 1e-300; }},
+                  {"run.duration", [](Scene& s) { s.run.duration = 1e30; }},
+                  {"run.duration", [](Scene& s) { s.run.accuracy = 1e-40; }},
+                  {"run.duration", [](Scene& s) { s.run.outputs.every = 1e-300; }},
                   {"run.outputs.every", [](Scene& s) { s.run.outputs.every = not_a_number; }}});
 }
 

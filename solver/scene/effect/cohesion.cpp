@@ -1,6 +1,7 @@
 #include "solver/scene/effect/cohesion.hpp"
 
 #include "solver/scene/effect.hpp"
+#include "solver/scene/facts.hpp"
 #include "solver/scene/world.hpp"
 
 namespace plumb::scene {
@@ -21,11 +22,12 @@ double stored(const Cohesion& cohesion, double overlap) {
 
 Role role(const Cohesion& cohesion, const Scene& scene) {
   Role out;
-  if (!scene.effects.linear && !scene.effects.hertz)
-    throw SceneError("effects.cohesion",
-                     "pulls bodies into each other, and no elastic force stops them: add linear or hertz");
-  if (cohesion.pull_off == 0) out.off = "the pull is 0";
-  out.needs = {.contacts = true, .normal_force = true, .range = cohesion.range};
+  require_elastic_force(scene, Cohesion::name, "pulls bodies into each other until an elastic force stops them");
+  if (cohesion.pull_off == 0)
+    out.off = "the pull is 0";
+  else if (!has_elastic_force(scene))
+    throw SceneError("effects.cohesion", "pulls bodies into each other, and the elastic force is 0");
+  out.needs = {.contacts = true, .normal_force = true, .range = cohesion.pull_off > 0 ? cohesion.range : 0};
   return out;
 }
 

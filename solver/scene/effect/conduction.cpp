@@ -14,10 +14,10 @@ namespace {
 void conduct(const Conduction& conduction, Column& temperature, Column& heat, World& world) {
   const Contacts& contacts = world.contacts;
   heat.fill(0);
-  for (const std::uint32_t c : contacts.touching) {
+  for (const std::uint32_t c : contacts.pressing) {
     const auto [i, j] = contacts.pairs[c];
     const auto curvature = contacts.curvature->entry(c);
-    const double overlap = std::max(0.0, (*contacts.overlap)[c]);
+    const double overlap = (*contacts.overlap)[c];
     const double patch = std::sqrt(overlap / (2 * std::sqrt(curvature[0] * curvature[1])));
     const double flow = 2 * conduction.conductivity * patch * (temperature[i] - temperature[j]) * world.time_step;
     heat[i] -= flow;

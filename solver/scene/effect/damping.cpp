@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "solver/scene/effect.hpp"
+#include "solver/scene/facts.hpp"
 #include "solver/scene/world.hpp"
 
 namespace plumb::scene {
@@ -35,24 +36,48 @@ double steps_of(Sample& sample) {
   return here + (sample.phase == is_counted ? sample.overlap / sample.way_on : 0.5);
 }
 
-/// The velocity at hand is that of half a step ago. That of now goes on from it as it went in the last step, with all that acts on
-/// the bodies; a contact that is new has its own dashpot ahead of it, v = v_half + dt/2 w (elastic - c v), w the inverse mass.
-void damp(double factor, Column& histories, World& world) {
+/// The velocities to which all forces but the dashpots' lead, from those of half a step ago.
+void look_ahead(World& world, Column& velocity, Column* spin) {
+  const State& state = world.state;
+  const double half = world.time_step / 2;
+  velocity.values() = state.velocity->values();
+  for (const std::uint32_t i : world.bodies.movable)
+    velocity.vector(i) += half * world.bodies.inverse_mass[i] * state.force->vector(i);
+  if (spin == nullptr) return;
+  spin->values() = state.angular_velocity->values();
+  for (const std::uint32_t i : world.bodies.turning) {
+    const auto q = state.orientation->entry(i);
+    const Eigen::Quaterniond turn(q[0], q[1], q[2], q[3]);
+    const Vec3<double> own = turn.conjugate() * Vec3<double>(state.torque->vector(i));
+    spin->vector(i) += half * (turn * Vec3<double>(own.cwiseProduct(world.bodies.inverse_inertia[i])));
+  }
+}
+
+/// What damping keeps: phases of contacts, the velocities ahead, and the dashpots' forces, which act when all are known.
+struct DampingColumns {
+  Column &phase, &velocity, &force;
+  Column* spin;  ///< none where nothing turns
+};
+
+/// v = v_ahead - dt/2 w c v, w the inverse mass.
+void damp(double factor, const DampingColumns& columns, World& world) {
+  const Contacts& contacts = world.contacts;
   const double step = world.time_step;
-  for (const std::uint32_t c : world.contacts.touching) {
-    const double overlap = (*world.contacts.overlap)[c], inverse_mass = (*world.contacts.inverse_mass)[c];
-    if (overlap <= 0) continue;
-    double& force = (*world.contacts.normal_force)[c];
-    const double viscous = factor * std::sqrt((*world.contacts.stiffness)[c] / inverse_mass);
-    const double half = step / 2 * inverse_mass, before = world.normal_velocity(c);
-    const auto history = histories.entry(c);  // the phase, and the velocity of the step before
-    const auto phase = static_cast<Phase>(history[0]);
-    const double now =
-        phase == is_new ? (before + half * force) / (1 + half * viscous) : 1.5 * before - 0.5 * history[1];
-    Sample sample{overlap, -before * step, (2 * now - before) * step, phase};
-    force -= viscous * now * steps_of(sample);
-    history[0] = sample.phase;
-    history[1] = before;
+  look_ahead(world, columns.velocity, columns.spin);
+  for (const std::uint32_t c : contacts.pressing) {
+    const double inverse_mass = (*contacts.inverse_mass)[c];
+    const double viscous = factor * std::sqrt((*contacts.stiffness)[c] / inverse_mass);
+    const double before = world.normal_velocity(c, *world.state.velocity, world.state.angular_velocity);
+    const double ahead = world.normal_velocity(c, columns.velocity, columns.spin);
+    const double now = ahead / (1 + step / 2 * inverse_mass * viscous);
+    Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step,
+                  static_cast<Phase>(columns.phase[c])};
+    columns.force[c] = -viscous * now * steps_of(sample);
+    columns.phase[c] = sample.phase;
+  }
+  for (const std::uint32_t c : contacts.pressing) {
+    (*contacts.normal_force)[c] += columns.force[c];
+    world.push_along_normal(c, columns.force[c]);
   }
 }
 
@@ -60,17 +85,22 @@ void damp(double factor, Column& histories, World& world) {
 
 Role role(const Damping& damping, const Scene& scene) {
   Role out;
-  if (!scene.effects.linear && !scene.effects.hertz)
-    throw SceneError("effects.damping", "damps an elastic force, and there is none: add linear or hertz");
+  require_elastic_force(scene, Damping::name, "damps an elastic force");
+  if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
   if (damping.restitution == 1) out.off = "the restitution is 1";
   out.needs = {.contacts = true, .normal_force = true, .normal_mass = true};
+  // The decay of a body's many contacts at once.
+  out.needs.fastest = collision_time(scene) / std::max(1.0, 2 * damping_ratio(damping.restitution));
   return out;
 }
 
 void install(const Damping& damping, World& world) {
   const double factor = 2 * damping_ratio(damping.restitution) * world.contacts.damping_factor;
-  Column& histories = world.columns.add("damping_history", Damping::name, history(2));
-  world.contact_passes.push_back({Damping::name, [factor, &histories, &world] { damp(factor, histories, world); }});
+  const auto body = [&](const char* name) { return &world.columns.add(name, Damping::name, {ColumnKind::body, 3}); };
+  const DampingColumns columns{world.columns.add("damping_phase", Damping::name, history(1)), *body("velocity_ahead"),
+                               world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1}),
+                               world.has_turning() ? body("spin_ahead") : nullptr};
+  world.closing_passes.push_back({Damping::name, [factor, columns, &world] { damp(factor, columns, world); }});
 }
 
 }  // namespace plumb::scene

@@ -4,9 +4,9 @@
 // force's slope and mass the one that the contact feels along its normal, turning included, so that e is that of the
 // normal velocity at the contact, also off centre (linear: exact; Hertz: Antypov & Elliott 2011, EPL 94, 50004).
 // The force may pull at the end of a collision: it is what makes e exact.
-// Dashpots act from the first moment of a contact with all their force, and a leapfrog that takes it for whole steps errs by a tenth of e at
-// 30 steps a collision. Here the first and the last kick count the part of their steps that the bodies touch, and the velocity is that
-// of the moment: e errs by about the run's accuracy.
+// Dashpots act from the first moment of a contact with all their force, and a leapfrog that takes it for whole steps errs by a tenth
+// of e at 30 steps a collision. Here the first and the last kick count the part of their steps that the bodies touch, and the
+// velocity is that of the moment, to which all other forces lead: e errs by a few times the run's accuracy.
 #pragma once
 
 #include "solver/scene/effect/parameter.hpp"

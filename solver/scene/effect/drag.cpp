@@ -28,9 +28,7 @@ void drag_bodies(const Drag& drag, World& world) {
 Role role(const Drag& drag, const Scene& scene) {
   Role out;
   if (drag.viscosity == 0) out.off = "the viscosity is 0";
-  // A lonely body's slip dies in m / (6 pi viscosity r), its spin in 3/10 of that; the kicks take it as constant.
-  const double slowest = 6 * std::numbers::pi * drag.viscosity * longest_axis(scene);
-  out.needs.fastest = 0.3 * 2 * least_contact_mass(scene) / slowest;
+  out.needs.fastest = drag_time(scene);
   return out;
 }
 

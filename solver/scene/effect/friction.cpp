@@ -2,6 +2,7 @@
 
 #include "solver/scene/effect.hpp"
 #include "solver/scene/effect/stick_slip.hpp"
+#include "solver/scene/facts.hpp"
 #include "solver/scene/world.hpp"
 
 namespace plumb::scene {
@@ -17,15 +18,14 @@ Vec3<double> turned_across(const Vec3<double>& spring, const Vec3<double>& norma
 
 void slide(const Friction& friction, Column& springs, World& world) {
   Contacts& contacts = world.contacts;
-  for (const std::uint32_t c : contacts.touching) {
+  for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const Vec3<double> velocity = world.relative_velocity(c);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
     springs.vector(c) = turned_across(springs.vector(c), normal);
     const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
     const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
-    const double pressing = std::max(0.0, (*contacts.normal_force)[c]);
-    const StickSlip law{stiffness, friction.damping * critical, friction.coefficient * pressing};
+    const StickSlip law{stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
     world.push(c, law.pull(springs.vector(c), across, world.time_step));
   }
 }
@@ -34,10 +34,13 @@ void slide(const Friction& friction, Column& springs, World& world) {
 
 Role role(const Friction& friction, const Scene& scene) {
   Role out;
-  if (!scene.effects.linear && !scene.effects.hertz)
-    throw SceneError("effects.friction", "is a share of a normal force, and there is none: add linear or hertz");
+  require_elastic_force(scene, Friction::name, "is a share of a normal force");
+  if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
   if (friction.coefficient == 0) out.off = "the coefficient is 0";
   out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true};
+  // Against the period of a ball's sliding, whose mass is 2/7 of the normal one's, and against the decay of many dashpots at once.
+  const double stiffer = std::sqrt(std::max(1.0, 3.5 * friction.stiffness_ratio));
+  out.needs.fastest = collision_time(scene) / stiffer / std::max(1.0, 3 * friction.damping);
   return out;
 }
 
@@ -46,7 +49,7 @@ void install(const Friction& friction, World& world) {
   world.contact_passes.push_back({Friction::name, [friction, &springs, &world] { slide(friction, springs, world); }});
   world.energies.push_back({Friction::name, [friction, &springs, &world] {
                               double sum = 0;
-                              for (const std::uint32_t c : world.contacts.touching)
+                              for (const std::uint32_t c : world.contacts.pressing)
                                 sum += friction.stiffness_ratio * (*world.contacts.stiffness)[c] *
                                        springs.vector(c).squaredNorm() / 2;
                               return sum;

@@ -12,21 +12,13 @@ namespace {
 constexpr double hertz_damping = 0.912870929175276855;
 
 void press_hertz(double modulus, Contacts& contacts) {
-  for (const std::uint32_t c : contacts.touching) {
+  for (const std::uint32_t c : contacts.pressing) {
     const auto curvature = contacts.curvature->entry(c);
-    const double overlap = std::max(0.0, (*contacts.overlap)[c]);
+    const double overlap = (*contacts.overlap)[c];
     const double slope = modulus * hertz_contact(curvature[0], curvature[1]).force_factor * std::sqrt(overlap);
     (*contacts.normal_force)[c] = slope * overlap;
     (*contacts.stiffness)[c] = 1.5 * slope;
   }
-}
-
-/// Of the fastest collision of two spheres (Johnson, eq. 11.24), at least at a thousandth of the speed of sound.
-double collision_time(const Hertz& hertz, const Scene& scene) {
-  const double mass = least_contact_mass(scene), size = longest_axis(scene), modulus = hertz.contact_modulus();
-  const double sound = std::sqrt(modulus * size * size * size / mass);
-  const double speed = std::max(greatest_speed(scene), 1e-3 * sound);
-  return 2.87 * std::pow(mass * mass / (size * modulus * modulus * speed), 0.2);
 }
 
 }  // namespace
@@ -35,7 +27,7 @@ Role role(const Hertz& hertz, const Scene& scene) {
   Role out;
   if (hertz.youngs_modulus == 0) out.off = "Young's modulus is 0";
   out.needs = {.contacts = true, .curvature = true, .normal_force = true};
-  out.needs.fastest = collision_time(hertz, scene);
+  out.needs.fastest = collision_time(scene);
   return out;
 }
 
@@ -45,11 +37,10 @@ void install(const Hertz& hertz, World& world) {
   world.contact_passes.push_back({Hertz::name, [modulus, &world] { press_hertz(modulus, world.contacts); }});
   world.energies.push_back({Hertz::name, [modulus, &world] {
                               double sum = 0;
-                              for (const std::uint32_t c : world.contacts.touching) {
+                              for (const std::uint32_t c : world.contacts.pressing) {
                                 const auto curvature = world.contacts.curvature->entry(c);
                                 const double factor = hertz_contact(curvature[0], curvature[1]).force_factor;
-                                sum +=
-                                    0.4 * modulus * factor * std::pow(std::max(0.0, (*world.contacts.overlap)[c]), 2.5);
+                                sum += 0.4 * modulus * factor * std::pow((*world.contacts.overlap)[c], 2.5);
                               }
                               return sum;
                             }});

@@ -36,6 +36,10 @@ Role role(const MovingWalls& moving, const Scene& scene) {
     if (motion.wall < 0 || static_cast<std::size_t>(motion.wall) >= scene.walls.size())
       throw SceneError("effects.moving_walls.motions[" + std::to_string(k) + "].wall",
                        "there is no such wall: the scene has " + std::to_string(scene.walls.size()));
+    for (std::size_t other = 0; other < k; ++other)
+      if (moving.motions[other].wall == motion.wall)
+        throw SceneError("effects.moving_walls.motions[" + std::to_string(k) + "].wall",
+                         "has a motion already: motions[" + std::to_string(other) + "]");
     any = any || !is_still(motion);
     if (motion.frequency > 0) shortest = std::min(shortest, 1 / motion.frequency);
   }

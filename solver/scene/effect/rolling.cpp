@@ -2,6 +2,7 @@
 
 #include "solver/scene/effect.hpp"
 #include "solver/scene/effect/couple.hpp"
+#include "solver/scene/facts.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -15,11 +16,12 @@ constexpr auto rolling_part = [](const Vec3<double>& v, const Vec3<double>& norm
 
 Role role(const Rolling& rolling, const Scene& scene) {
   Role out;
-  if (!scene.effects.linear && !scene.effects.hertz)
-    throw SceneError("effects.rolling", "is a share of a normal force, and there is none: add linear or hertz");
+  require_elastic_force(scene, Rolling::name, "is a share of a normal force");
+  if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
   if (rolling.coefficient == 0) out.off = "the coefficient is 0";
   out.needs = {
       .contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true, .radius = true};
+  out.needs.fastest = couple_time(rolling, scene);
   return out;
 }
 

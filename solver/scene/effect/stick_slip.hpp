@@ -12,15 +12,18 @@ struct StickSlip {
   double viscous;    ///< force / rate
   double limit;      ///< force
 
-  /// The force against the stretch, which goes on by rate * time; once it slips, the spring is as long as the limit holds.
+  /// The force against the stretch, which goes on by rate * time. Once it slips the spring alone holds the limit, and is no longer
+  /// than that; before, spring and dashpot together do not exceed it.
   [[nodiscard]] Vec3<double> pull(Eigen::Ref<Vec3<double>> stretch, const Vec3<double>& rate, double time) const {
     stretch += rate * time;
-    Vec3<double> force = -stiffness * stretch - viscous * rate;
+    const double elastic = stiffness * stretch.norm();
+    if (elastic > limit) {
+      stretch *= limit / elastic;
+      return -stiffness * stretch;
+    }
+    const Vec3<double> force = -stiffness * stretch - viscous * rate;
     const double size = force.norm();
-    if (size <= limit) return force;
-    force *= limit / size;
-    if (stiffness > 0) stretch = -(force + viscous * rate) / stiffness;
-    return force;
+    return size > limit ? Vec3<double>(force * (limit / size)) : force;
   }
 };
 
