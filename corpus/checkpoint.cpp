@@ -94,8 +94,8 @@ class Unpacker {
 
 void pack(Packer& out, const Snapshot& snapshot) {
   out.number(snapshot.step);
-  for (const std::int64_t total :
-       {snapshot.totals.solves, snapshot.totals.evaluations, snapshot.totals.failed, snapshot.totals.lists})
+  for (const std::int64_t total : {snapshot.totals.solves, snapshot.totals.evaluations, snapshot.totals.failed,
+                                   snapshot.totals.failed_warm, snapshot.totals.lists})
     out.number(total);
   out.numbers(std::span<const std::array<std::uint32_t, 2>>(snapshot.pairs));
   out.number(std::uint64_t{snapshot.columns.size()});
@@ -108,7 +108,8 @@ void pack(Packer& out, const Snapshot& snapshot) {
 Snapshot unpack_snapshot(Unpacker& in) {
   Snapshot out;
   out.step = in.number<std::int64_t>();
-  for (std::int64_t* total : {&out.totals.solves, &out.totals.evaluations, &out.totals.failed, &out.totals.lists})
+  for (std::int64_t* total :
+       {&out.totals.solves, &out.totals.evaluations, &out.totals.failed, &out.totals.failed_warm, &out.totals.lists})
     *total = in.number<std::int64_t>();
   out.pairs = in.numbers<std::array<std::uint32_t, 2>>();
   for (auto left = in.number<std::uint64_t>(); left > 0; --left) {

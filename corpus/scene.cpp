@@ -65,9 +65,10 @@ std::string summary(const SceneRun& run) {
   const Simulation& simulation = run.simulation();
   const Totals totals = simulation.totals();
   const Json json = run.json();
-  std::string out = fmt::format("{} steps, time {:.9g}; {} solves, {} evaluations, {} failed; {:.3g} s\n",
-                                simulation.steps(), simulation.time(), totals.solves, totals.evaluations, totals.failed,
-                                json["timing"]["seconds"].get<double>());
+  std::string out =
+      fmt::format("{} steps, time {:.9g}; {} solves, {} evaluations, {} failed ({} when warm); {:.3g} s\n",
+                  simulation.steps(), simulation.time(), totals.solves, totals.evaluations, totals.failed,
+                  totals.failed_warm, json["timing"]["seconds"].get<double>());
   if (simulation.plan().analysis == Analysis::motion) {
     out += "energy at the start " + energies_text(json["energy"]["first"]) + "\n";
     out += "energy at the end   " + energies_text(json["energy"]["last"]) + "\n";

@@ -72,6 +72,7 @@ void Recorder::look_for_hard(std::span<const SolveNote> notes) {
   for (const SolveNote& note : notes) {
     if (note.iterations >= many_iterations) keep(cases_, note, "iterations", note.iterations);
     if (note.evaluations >= many_evaluations) keep(cases_, note, "evaluations", note.evaluations);
+    if (note.failed_warm) keep(cases_, note, "warm_start", note.evaluations);
     if (note.touched != note.touches) look_at_change(note);
     if (!note.touched && note.touches) look_at_condition(note);
     if (note.evaluations >= suspect_evaluations && (suspect == nullptr || note.evaluations > suspect->evaluations))

@@ -37,7 +37,8 @@ Json totals_json(const Simulation& run) {
   const Totals totals = run.totals();
   return {{"steps", run.steps()},    {"time", run.time()},
           {"solves", totals.solves}, {"evaluations", totals.evaluations},
-          {"failed", totals.failed}, {"lists", totals.lists}};
+          {"failed", totals.failed}, {"failed_warm", totals.failed_warm},
+          {"lists", totals.lists}};
 }
 
 }  // namespace

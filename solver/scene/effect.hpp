@@ -22,7 +22,7 @@ struct Needs {
   bool points = false;        ///< where
   bool curvature = false;     ///< of both surfaces there
   bool spin = false;          ///< every movable body's angular velocity, also a sphere's
-  bool normal_force = false;  ///< the column of elastic and viscous forces along the normals
+  bool normal_force = false;  ///< the column of forces along the normals
   bool normal_mass = false;   ///< the mass that an impulse along the normal feels
   bool radius = false;        ///< of the contact: rolling.hpp
   double range = 0;           ///< bodies this far apart count as contacts

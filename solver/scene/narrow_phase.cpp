@@ -121,13 +121,14 @@ Contact<double> count(Contact<double> answer, Round& round) {
   return answer;
 }
 
-bool are_apart(World& world, std::size_t c, const Pair& pair, const Want& want, Round& round) {
+/// A yes or no, from the last answer.
+Contact<double> ask(World& world, std::size_t c, const Pair& pair, const Want& want, Round& round) {
   Want yes_or_no = want;
   yes_or_no.overlap = yes_or_no.normal = yes_or_no.points = yes_or_no.curvature = false;
   const Contact<double> last = last_answer(world.contacts, c);
   const Contact<double> answer = count(automatic<double>(pair, yes_or_no, &last), round);
   keep_charts(world.contacts, c, answer);
-  return answer.status == Status::converged && answer.verdict == Verdict::separated;
+  return answer;
 }
 
 /// Warm, and cold where that fails: a contact is never dropped because a start was bad.
@@ -135,6 +136,7 @@ Contact<double> solve(const World& world, std::size_t c, const Pair& pair, const
   const Contact<double> last = last_answer(world.contacts, c);
   const Contact<double> warm = count(automatic<double>(pair, want, &last), round);
   if (warm.status == Status::converged) return warm;
+  ++round.failed_warm;
   const Contact<double> cold = count(automatic<double>(pair, want, nullptr), round);
   if (cold.status != Status::converged) ++round.failed;
   return cold;
@@ -149,13 +151,26 @@ bool meet_body(World& world, std::size_t c, const Want& want, Round& round, Solv
   if ((world.state.position->vector(j) - world.state.position->vector(i)).squaredNorm() > reach * reach) return false;
   const bool touched = (*contacts.is_pressing)[c] != 0;
   const Pair pair{solver_body(world, i), solver_body(world, j)};
-  if (!touched && contacts.range == 0 && are_apart(world, c, pair, want, round)) return false;
-  if (want.is_yes_or_no()) return true;
+  if (want.is_yes_or_no() || (!touched && contacts.range == 0)) {
+    const Contact<double> asked = ask(world, c, pair, want, round);
+    const bool is_answered = asked.status == Status::converged;
+    if (is_answered && asked.verdict == Verdict::separated) return false;
+    if (want.is_yes_or_no()) {
+      if (!is_answered) ++round.failed;
+      return !is_answered || asked.verdict == Verdict::overlapping;
+    }
+  }
   Contact<double> answer = solve(world, c, pair, want, round);
   const bool is_answered = std::isfinite(answer.overlap);
   const bool touches = is_answered ? answer.overlap > -contacts.range : touched;
   if (note != nullptr)
-    *note = {static_cast<Index>(c), answer.status, answer.iterations, answer.evaluations, touched, touches};
+    *note = {.contact = static_cast<Index>(c),
+             .status = answer.status,
+             .iterations = answer.iterations,
+             .evaluations = static_cast<int>(round.evaluations),
+             .touched = touched,
+             .touches = touches,
+             .failed_warm = round.failed_warm > 0};
   if (!is_answered) return touches;
   keep_charts(contacts, c, answer);
   if (!touches) return false;
@@ -198,9 +213,9 @@ Round solve_contacts(World& world, const Want& want, [[maybe_unused]] int thread
   const auto pairs = static_cast<std::int64_t>(contacts.pairs.size());
   std::vector<SolveNote> all(notes == nullptr ? 0 : contacts.pairs.size());
   std::vector<char> touches(contacts.pairs.size());
-  std::int64_t solves = 0, evaluations = 0, failed = 0;
+  std::int64_t solves = 0, evaluations = 0, failed = 0, failed_warm = 0;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 32) if (threads > 1 && pairs >= few) \
-    reduction(+ : solves, evaluations, failed)
+    reduction(+ : solves, evaluations, failed, failed_warm)
   for (std::int64_t k = 0; k < pairs; ++k) {
     const auto c = static_cast<std::size_t>(k);
     Round round;
@@ -210,11 +225,12 @@ Round solve_contacts(World& world, const Want& want, [[maybe_unused]] int thread
     solves += round.solves;
     evaluations += round.evaluations;
     failed += round.failed;
+    failed_warm += round.failed_warm;
   }
   sort_out(contacts, touches);
   if (notes != nullptr)
     std::ranges::copy_if(all, std::back_inserter(*notes), [](const SolveNote& note) { return note.evaluations > 0; });
-  return {solves, evaluations, failed};
+  return {solves, evaluations, failed, failed_warm};
 }
 
 }  // namespace plumb::scene

@@ -9,7 +9,7 @@ namespace plumb::scene {
 
 /// What one round of solving took.
 struct Round {
-  std::int64_t solves = 0, evaluations = 0, failed = 0;
+  std::int64_t solves = 0, evaluations = 0, failed = 0, failed_warm = 0;
 };
 
 /// A body as the solver takes it. A sphere has no orientation, so that turning it changes no bit.

@@ -163,7 +163,8 @@ void check_masses(const Scene& scene) {
     const double least = std::min(one.volume, one.inertia.minCoeff()) * b.density;
     const double greatest = std::max(one.volume, one.inertia.maxCoeff()) * b.density;
     if (least >= std::numeric_limits<double>::min() && greatest <= std::numeric_limits<double>::max()) continue;
-    throw SceneError("bodies[" + std::to_string(i) + "]", "its mass or moment of inertia is beyond the range of a double");
+    throw SceneError("bodies[" + std::to_string(i) + "]",
+                     "its mass or moment of inertia is beyond the range of a double");
   }
 }
 

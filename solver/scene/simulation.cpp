@@ -141,6 +141,7 @@ void Simulation::solve() {
   totals_.solves += round.solves;
   totals_.evaluations += round.evaluations;
   totals_.failed += round.failed;
+  totals_.failed_warm += round.failed_warm;
   if (look_) look_(notes);
 }
 

@@ -25,6 +25,7 @@ struct Totals {
   std::int64_t solves = 0;       ///< calls of the solver
   std::int64_t evaluations = 0;  ///< of its residual
   std::int64_t failed = 0;       ///< contacts without a converged answer, cold as well as warm
+  std::int64_t failed_warm = 0;  ///< contacts whose last answer was no start: solved cold
   std::int64_t lists = 0;        ///< contact lists built
 };
 
@@ -40,8 +41,9 @@ struct Snapshot {
 struct SolveNote {
   std::uint32_t contact = 0;  ///< index in the contact list
   Status status = Status::stalled;
-  int iterations = 0, evaluations = 0;
+  int iterations = 0, evaluations = 0;    ///< evaluations over all that was tried
   bool touched = false, touches = false;  ///< in the step before, and now
+  bool failed_warm = false;
 };
 
 /// Bytes for each body and for each pair of the contact list, by owner.

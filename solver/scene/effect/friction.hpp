@@ -2,7 +2,8 @@
 // coefficient * normal force, and slides beyond (Cundall & Strack 1979; di Renzo & di Maio 2004 for the ratio).
 //
 //   spring' = velocity of the points across the normal; the spring turns with the normal
-//   force   = - ratio * normal stiffness * spring - damping, cut to coefficient * elastic normal force
+//   force   = - ratio * normal stiffness * spring - damping, cut to coefficient * elastic normal force; where the spring alone
+//             exceeds that it slides, as long as the limit holds
 #pragma once
 
 #include "solver/scene/effect/parameter.hpp"
