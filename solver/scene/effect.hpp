@@ -18,14 +18,14 @@ struct World;
 
 /// What an effect, or an output, needs from the rest.
 struct Needs {
-  bool contacts = false;      ///< which bodies touch, how deep, in which direction
-  bool points = false;        ///< where
-  bool curvature = false;     ///< of both surfaces there
-  bool spin = false;          ///< every movable body's angular velocity, also a sphere's
-  bool normal_force = false;  ///< the column of forces along the normals
-  bool normal_mass = false;   ///< the mass that an impulse along the normal feels
-  bool radius = false;        ///< of the contact: rolling.hpp
-  double range = 0;           ///< bodies this far apart count as contacts
+  bool contacts = false;                                     ///< which bodies touch, how deep, in which direction
+  bool points = false;                                       ///< where
+  bool curvature = false;                                    ///< of both surfaces there
+  bool spin = false;                                         ///< every movable body's angular velocity, also a sphere's
+  bool normal_force = false;                                 ///< the column of forces along the normals
+  bool normal_mass = false;                                  ///< the mass that an impulse along the normal feels
+  bool radius = false;                                       ///< of the contact: rolling.hpp
+  double range = 0;                                          ///< bodies this far apart count as contacts
   double fastest = std::numeric_limits<double>::infinity();  ///< shortest time in which it does something
 };
 

@@ -37,24 +37,32 @@ Vec3<double> arm_of(const World& world, Index i, const Vec3<double>& point, cons
   return (point - world.state.position->vector(i)).cross(normal);
 }
 
-/// 1 / mass and what turning adds to it, at an arm of the normal.
-double inverse_mass_at(const World& world, Index i, const Vec3<double>& arm) {
-  const Vec3<double> own = orientation_of(world, i).conjugate() * arm;
-  return world.bodies.inverse_mass[i] + own.cwiseAbs2().dot(world.bodies.inverse_inertia[i]);
+/// The inverse inertia, world axes, times an arm.
+Vec3<double> yield_of(const World& world, Index i, const Vec3<double>& arm) {
+  const Eigen::Quaterniond q = orientation_of(world, i);
+  return q * Vec3<double>((q.conjugate() * arm).cwiseProduct(world.bodies.inverse_inertia[i]));
 }
 
-/// The arms of the normal, and the mass that it feels.
+/// The arms of the normal, and the mass that it feels: 1 / mass and what turning adds to it, of both bodies.
 void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
   Contacts& contacts = world.contacts;
   const auto [i, j] = contacts.pairs[c];
-  Vec3<double> arm1 = Vec3<double>::Zero(), arm2 = Vec3<double>::Zero();
+  const bool is_wall = world.bodies.is_wall(j);
+  double inverse_mass = world.bodies.inverse_mass[i] + world.bodies.inverse_mass[j];
   if (contacts.arm1 != nullptr) {
-    contacts.arm1->vector(c) = arm1 = arm_of(world, i, answer.contact_point, answer.normal);
-    if (!world.bodies.is_wall(j))
-      contacts.arm2->vector(c) = arm2 = arm_of(world, j, answer.contact_point, answer.normal);
+    const Vec3<double> arm1 = arm_of(world, i, answer.contact_point, answer.normal);
+    const Vec3<double> arm2 = is_wall ? Vec3<double>::Zero() : arm_of(world, j, answer.contact_point, answer.normal);
+    contacts.arm1->vector(c) = arm1;
+    contacts.arm2->vector(c) = arm2;
+    if (contacts.yield1 != nullptr) {
+      const Vec3<double> yield1 = yield_of(world, i, arm1);
+      const Vec3<double> yield2 = is_wall ? Vec3<double>::Zero() : yield_of(world, j, arm2);
+      contacts.yield1->vector(c) = yield1;
+      contacts.yield2->vector(c) = yield2;
+      inverse_mass += arm1.dot(yield1) + arm2.dot(yield2);
+    }
   }
-  if (contacts.inverse_mass != nullptr)
-    (*contacts.inverse_mass)[c] = inverse_mass_at(world, i, arm1) + inverse_mass_at(world, j, arm2);
+  if (contacts.inverse_mass != nullptr) (*contacts.inverse_mass)[c] = inverse_mass;
 }
 
 double radius_at(const World& world, std::size_t c, const Vec3<double>& point) {

@@ -53,11 +53,19 @@ struct Contacts {
   Column* curvature = nullptr;    ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
   Column* arm1 = nullptr;         ///< 3: (point - centre) x normal, exactly 0 for spheres
   Column* arm2 = nullptr;
+  Column* yield1 =
+      nullptr;  ///< 3: the inverse inertia, world axes, times the arm: how a body turns by an impulse along the normal
+  Column* yield2 = nullptr;
   Column* inverse_mass = nullptr;  ///< 1 / the mass that an impulse along the normal feels
   Column* radius = nullptr;        ///< 1: 1 / (1/r1 + 1/r2) of the distances to the centres; r2 of a wall is infinite
   Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
   double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
+};
+
+/// From the bodies' centres to the point of contact; 0 of a wall, which nothing turns.
+struct Levers {
+  Vec3<double> r1, r2;
 };
 
 /// One step of work on all bodies or on all contacts.
@@ -90,44 +98,52 @@ struct World {
 
   [[nodiscard]] bool has_turning() const { return state.torque != nullptr; }
 
-  /// The velocity of body 2's point of contact as body 1's sees it.
-  [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact) const;
-  /// Its component along the normal, by these velocities of the bodies (and how they turn, where anything does); negative: they
-  /// approach. Of spheres, turning does nothing to it, exactly.
-  [[nodiscard]] double normal_velocity(std::size_t contact, const Column& velocity, const Column* spin) const;
+  [[nodiscard]] Levers levers(std::size_t contact) const;
+  /// The velocity of body 2's point of contact as body 1's sees it, where bodies turn.
+  [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact, const Levers& levers) const;
+  /// Its component along the normal; negative: they approach. Of spheres, turning does nothing to it, exactly.
+  [[nodiscard]] double normal_velocity(std::size_t contact) const;
+  /// How it changes by the forces so far: of the bodies, not of the normal.
+  [[nodiscard]] double normal_acceleration(std::size_t contact) const;
   /// Angular velocity of body 2 as body 1 sees it.
   [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
   /// Adds a force on body 2 at the point of contact, and its opposite on body 1.
-  void push(std::size_t contact, const Vec3<double>& force);
+  void push(std::size_t contact, const Vec3<double>& force, const Levers& levers);
   /// The same of a force along the normal, with the arms of the normal.
   void push_along_normal(std::size_t contact, double size);
   /// Adds a couple on body 2, and its opposite on body 1.
   void turn(std::size_t contact, const Vec3<double>& couple);
 };
 
-namespace detail {
-
-[[nodiscard]] inline Vec3<double> point_velocity(const World& world, std::uint32_t body, const Vec3<double>& point) {
-  const Vec3<double> v = world.state.velocity->vector(body);
-  if (!world.has_turning()) return v;
-  const Vec3<double> arm = point - world.state.position->vector(body);
-  return v + Vec3<double>(world.state.angular_velocity->vector(body)).cross(arm);
-}
-
-}  // namespace detail
-
-inline Vec3<double> World::relative_velocity(std::size_t contact) const {
+inline Levers World::levers(std::size_t contact) const {
   const auto [i, j] = contacts.pairs[contact];
   const Vec3<double> point = contacts.point->vector(contact);
-  return detail::point_velocity(*this, j, point) - detail::point_velocity(*this, i, point);
+  return {point - state.position->vector(i),
+          bodies.is_wall(j) ? Vec3<double>::Zero() : Vec3<double>(point - state.position->vector(j))};
 }
 
-inline double World::normal_velocity(std::size_t contact, const Column& velocity, const Column* spin) const {
+inline Vec3<double> World::relative_velocity(std::size_t contact, const Levers& levers) const {
   const auto [i, j] = contacts.pairs[contact];
-  const double shift = (velocity.vector(j) - velocity.vector(i)).dot(contacts.normal->vector(contact));
-  if (spin == nullptr) return shift;
-  return shift +
-         (spin->vector(j).dot(contacts.arm2->vector(contact)) - spin->vector(i).dot(contacts.arm1->vector(contact)));
+  const Vec3<double> spin1 = state.angular_velocity->vector(i), spin2 = state.angular_velocity->vector(j);
+  return state.velocity->vector(j) - state.velocity->vector(i) + spin2.cross(levers.r2) - spin1.cross(levers.r1);
+}
+
+inline double World::normal_velocity(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const double shift = (state.velocity->vector(j) - state.velocity->vector(i)).dot(contacts.normal->vector(contact));
+  if (!has_turning()) return shift;
+  return shift + (state.angular_velocity->vector(j).dot(contacts.arm2->vector(contact)) -
+                  state.angular_velocity->vector(i).dot(contacts.arm1->vector(contact)));
+}
+
+inline double World::normal_acceleration(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const Vec3<double> shift =
+      bodies.inverse_mass[j] * state.force->vector(j) - bodies.inverse_mass[i] * state.force->vector(i);
+  const double along = shift.dot(contacts.normal->vector(contact));
+  if (!has_turning()) return along;
+  return along + (state.torque->vector(j).dot(contacts.yield2->vector(contact)) -
+                  state.torque->vector(i).dot(contacts.yield1->vector(contact)));
 }
 
 inline void World::push_along_normal(std::size_t contact, double size) {
@@ -145,14 +161,12 @@ inline Vec3<double> World::relative_turn(std::size_t contact) const {
   return state.angular_velocity->vector(j) - state.angular_velocity->vector(i);
 }
 
-inline void World::push(std::size_t contact, const Vec3<double>& force) {
+inline void World::push(std::size_t contact, const Vec3<double>& force, const Levers& levers) {
   const auto [i, j] = contacts.pairs[contact];
   state.force->vector(i) -= force;
   state.force->vector(j) += force;
-  if (!has_turning()) return;
-  const Vec3<double> point = contacts.point->vector(contact);
-  state.torque->vector(i) -= (point - state.position->vector(i)).cross(force);
-  if (!bodies.is_wall(j)) state.torque->vector(j) += (point - state.position->vector(j)).cross(force);
+  state.torque->vector(i) -= levers.r1.cross(force);
+  state.torque->vector(j) += levers.r2.cross(force);
 }
 
 inline void World::turn(std::size_t contact, const Vec3<double>& couple) {

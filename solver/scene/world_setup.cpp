@@ -92,6 +92,9 @@ void add_contacts(World& world, const Plan& plan) {
   if (!plan.needs.normal_force || !plan.has_turning()) return;
   contacts.arm1 = pair("arm1", "contacts", 3);
   contacts.arm2 = pair("arm2", "contacts", 3);
+  if (!plan.needs.normal_mass) return;
+  contacts.yield1 = pair("yield1", "contacts", 3);
+  contacts.yield2 = pair("yield2", "contacts", 3);
 }
 
 void set_body(World& world, std::size_t i, const SceneBody& b) {

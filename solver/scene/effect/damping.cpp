@@ -36,48 +36,23 @@ double steps_of(Sample& sample) {
   return here + (sample.phase == is_counted ? sample.overlap / sample.way_on : 0.5);
 }
 
-/// The velocities to which all forces but the dashpots' lead, from those of half a step ago.
-void look_ahead(World& world, Column& velocity, Column* spin) {
-  const State& state = world.state;
-  const double half = world.time_step / 2;
-  velocity.values() = state.velocity->values();
-  for (const std::uint32_t i : world.bodies.movable)
-    velocity.vector(i) += half * world.bodies.inverse_mass[i] * state.force->vector(i);
-  if (spin == nullptr) return;
-  spin->values() = state.angular_velocity->values();
-  for (const std::uint32_t i : world.bodies.turning) {
-    const auto q = state.orientation->entry(i);
-    const Eigen::Quaterniond turn(q[0], q[1], q[2], q[3]);
-    const Vec3<double> own = turn.conjugate() * Vec3<double>(state.torque->vector(i));
-    spin->vector(i) += half * (turn * Vec3<double>(own.cwiseProduct(world.bodies.inverse_inertia[i])));
-  }
-}
-
-/// What damping keeps: phases of contacts, the velocities ahead, and the dashpots' forces, which act when all are known.
-struct DampingColumns {
-  Column &phase, &velocity, &force;
-  Column* spin;  ///< none where nothing turns
-};
-
-/// v = v_ahead - dt/2 w c v, w the inverse mass.
-void damp(double factor, const DampingColumns& columns, World& world) {
+/// v = v_ahead - dt/2 w c v, v_ahead the velocity to which all forces but the dashpots' lead and w the inverse mass. The dashpots' forces
+/// act when all are known.
+void damp(double factor, Column& phases, Column& forces, World& world) {
   const Contacts& contacts = world.contacts;
   const double step = world.time_step;
-  look_ahead(world, columns.velocity, columns.spin);
   for (const std::uint32_t c : contacts.pressing) {
     const double inverse_mass = (*contacts.inverse_mass)[c];
     const double viscous = factor * std::sqrt((*contacts.stiffness)[c] / inverse_mass);
-    const double before = world.normal_velocity(c, *world.state.velocity, world.state.angular_velocity);
-    const double ahead = world.normal_velocity(c, columns.velocity, columns.spin);
+    const double before = world.normal_velocity(c), ahead = before + step / 2 * world.normal_acceleration(c);
     const double now = ahead / (1 + step / 2 * inverse_mass * viscous);
-    Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step,
-                  static_cast<Phase>(columns.phase[c])};
-    columns.force[c] = -viscous * now * steps_of(sample);
-    columns.phase[c] = sample.phase;
+    Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(phases[c])};
+    forces[c] = -viscous * now * steps_of(sample);
+    phases[c] = sample.phase;
   }
   for (const std::uint32_t c : contacts.pressing) {
-    (*contacts.normal_force)[c] += columns.force[c];
-    world.push_along_normal(c, columns.force[c]);
+    (*contacts.normal_force)[c] += forces[c];
+    world.push_along_normal(c, forces[c]);
   }
 }
 
@@ -96,11 +71,10 @@ Role role(const Damping& damping, const Scene& scene) {
 
 void install(const Damping& damping, World& world) {
   const double factor = 2 * damping_ratio(damping.restitution) * world.contacts.damping_factor;
-  const auto body = [&](const char* name) { return &world.columns.add(name, Damping::name, {ColumnKind::body, 3}); };
-  const DampingColumns columns{world.columns.add("damping_phase", Damping::name, history(1)), *body("velocity_ahead"),
-                               world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1}),
-                               world.has_turning() ? body("spin_ahead") : nullptr};
-  world.closing_passes.push_back({Damping::name, [factor, columns, &world] { damp(factor, columns, world); }});
+  Column& phases = world.columns.add("damping_phase", Damping::name, history(1));
+  Column& forces = world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1});
+  world.closing_passes.push_back(
+      {Damping::name, [factor, &phases, &forces, &world] { damp(factor, phases, forces, world); }});
 }
 
 }  // namespace plumb::scene

@@ -10,23 +10,23 @@ namespace {
 
 /// A spring that was across the normal in the step before, turned across the normal of now and as long.
 Vec3<double> turned_across(const Vec3<double>& spring, const Vec3<double>& normal) {
-  const double length = spring.norm();
   const Vec3<double> across = spring - normal.dot(spring) * normal;
-  const double left = across.norm();
-  return left > 0 ? Vec3<double>(across * (length / left)) : Vec3<double>::Zero();
+  const double left = across.squaredNorm();
+  return left > 0 ? Vec3<double>(across * std::sqrt(spring.squaredNorm() / left)) : Vec3<double>::Zero();
 }
 
 void slide(const Friction& friction, Column& springs, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
-    const Vec3<double> velocity = world.relative_velocity(c);
+    const Levers levers = world.levers(c);
+    const Vec3<double> velocity = world.relative_velocity(c, levers);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
     springs.vector(c) = turned_across(springs.vector(c), normal);
     const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
     const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
     const StickSlip law{stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
-    world.push(c, law.pull(springs.vector(c), across, world.time_step));
+    world.push(c, law.pull(springs.vector(c), across, world.time_step), levers);
   }
 }
 

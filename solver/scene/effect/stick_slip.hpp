@@ -16,14 +16,14 @@ struct StickSlip {
   /// than that; before, spring and dashpot together do not exceed it.
   [[nodiscard]] Vec3<double> pull(Eigen::Ref<Vec3<double>> stretch, const Vec3<double>& rate, double time) const {
     stretch += rate * time;
-    const double elastic = stiffness * stretch.norm();
-    if (elastic > limit) {
-      stretch *= limit / elastic;
+    const double elastic = stiffness * stiffness * stretch.squaredNorm(), most = limit * limit;
+    if (elastic > most) {
+      stretch *= limit / std::sqrt(elastic);
       return -stiffness * stretch;
     }
     const Vec3<double> force = -stiffness * stretch - viscous * rate;
-    const double size = force.norm();
-    return size > limit ? Vec3<double>(force * (limit / size)) : force;
+    const double size = force.squaredNorm();
+    return size > most ? Vec3<double>(force * (limit / std::sqrt(size))) : force;
   }
 };
 
