@@ -20,17 +20,15 @@ constexpr std::int64_t cost_steps = 400;
 Scene everything() {
   Scene scene = scene::find_named_scene("pile")->make(crowded);
   scene.run.outputs = {};
-  scene::each_effect(scene.effects, [](auto& effect) {
-    if (!effect) effect.emplace();
-  });
-  scene.effects.hertz.reset();
-  scene.effects.damping->restitution = 0.5;
-  scene.effects.friction->coefficient = 0.4;
-  scene.effects.rolling->coefficient = scene.effects.twisting->coefficient = 1e-3;
-  scene.effects.cohesion->pull_off = 1e-9;
-  scene.effects.drag->viscosity = 1e-9;
-  scene.effects.conduction->conductivity = 1;
-  scene.effects.moving_walls->motions = {{0, {0, 0, 1e-9}, {0, 0, 0}, 0}};
+  scene::Effects& effects = scene.effects;
+  effects.damping = scene::Damping{0.5};
+  effects.friction = scene::Friction{.coefficient = 0.4};
+  effects.rolling = scene::Rolling{.coefficient = 1e-3};
+  effects.twisting = scene::Twisting{.coefficient = 1e-3};
+  effects.cohesion = scene::Cohesion{.pull_off = 1e-9};
+  effects.drag = scene::Drag{.viscosity = 1e-9};
+  effects.conduction = scene::Conduction{.conductivity = 1};
+  effects.moving_walls = scene::MovingWalls{{{.wall = 0, .velocity = {0, 0, 1e-9}}}};
   for (scene::SceneBody& b : scene.bodies) b.temperature = 300;
   for (scene::Wall& wall : scene.walls) wall.temperature = 310;
   return scene;

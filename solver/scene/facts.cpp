@@ -103,10 +103,12 @@ void require_elastic_force(const Scene& scene, std::string_view effect, const ch
 }
 
 double collision_time(const Scene& scene) {
-  if (!has_elastic_force(scene)) return std::numeric_limits<double>::infinity();
+  const std::optional<Linear>& linear = scene.effects.linear;
+  const std::optional<Hertz>& hertz = scene.effects.hertz;
   const double mass = least_contact_mass(scene);
-  if (scene.effects.linear) return std::numbers::pi * std::sqrt(mass / scene.effects.linear->stiffness);
-  const double size = longest_axis(scene), modulus = scene.effects.hertz->contact_modulus();
+  if (linear && linear->stiffness > 0) return std::numbers::pi * std::sqrt(mass / linear->stiffness);
+  if (!hertz || hertz->youngs_modulus == 0) return std::numeric_limits<double>::infinity();
+  const double size = longest_axis(scene), modulus = hertz->contact_modulus();
   const double sound = std::sqrt(modulus * size * size * size / mass);
   const double speed = std::max(greatest_speed(scene), 1e-3 * sound);
   return 2.87 * std::pow(mass * mass / (size * modulus * modulus * speed), 0.2);
