@@ -222,8 +222,7 @@ TEST_F(Report, CountsThatDoNotAddUpAreRefused) {
 }
 
 TEST_F(Report, UnusableInputIsNamed) {
-  expect_refusal("report nowhere -o page.html",
-                 "nowhere/campaign.bins: campaign.bins: cannot be read: is this the folder of a campaign?");
+  expect_refusal("report nowhere -o page.html", "nowhere: there is no such folder");
   const std::string run = campaign("run", 1);
   expect_refusal("report " + run + " -o page.txt", "page.txt: --out: must end in .html: the data lie beside it");
   write_file(path_ / "bad.jsonl", "{\"kind\": \"point\", \"set\": \"spheroid\"}\n{\"kind\": 1}\n");
@@ -237,6 +236,9 @@ TEST_F(Report, UnusableInputIsNamed) {
                  "worse.jsonl:1: envelopes: must be an array, not a number");
   expect_refusal("report " + run + " -o run/summary.html",
                  "run/summary.html: --out: its data would take the place of run/summary.json");
+  write_file(path_ / "mine.json", "{}\n");
+  expect_refusal("report " + run + " -o mine.html",
+                 "mine.json: stands where the report's data would, and is of no report: choose another -o");
   expect_refusal("report " + run + " -o nowhere/page.html", "nowhere/page.json: No such file or directory");
 }
 
