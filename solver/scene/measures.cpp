@@ -13,9 +13,8 @@ double kinetic_energy(const World& world) {
   for (const std::uint32_t i : world.bodies.movable)
     sum += world.bodies.mass[i] * world.state.velocity->vector(i).squaredNorm() / 2;
   for (const std::uint32_t i : world.bodies.turning) {
-    const auto q = world.state.orientation->entry(i);
     const Vec3<double> momentum = world.state.angular_momentum->vector(i);
-    const Vec3<double> own = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * momentum;
+    const Vec3<double> own = world.state.orientation_of(i).conjugate() * momentum;
     sum += own.cwiseAbs2().dot(world.bodies.inverse_inertia[i]) / 2;
   }
   return sum;

@@ -11,11 +11,6 @@ namespace {
 
 using Index = std::uint32_t;
 
-Eigen::Quaterniond orientation_of(const World& world, Index i) {
-  const auto q = world.state.orientation->entry(i);
-  return {q[0], q[1], q[2], q[3]};
-}
-
 /// What the solver takes of its last answer.
 Contact<double> last_answer(const Contacts& contacts, std::size_t c) {
   Contact<double> last;
@@ -39,7 +34,7 @@ Vec3<double> arm_of(const World& world, Index i, const Vec3<double>& point, cons
 
 /// The inverse inertia, world axes, times an arm.
 Vec3<double> yield_of(const World& world, Index i, const Vec3<double>& arm) {
-  const Eigen::Quaterniond q = orientation_of(world, i);
+  const Eigen::Quaterniond q = world.state.orientation_of(i);
   return q * Vec3<double>((q.conjugate() * arm).cwiseProduct(world.bodies.inverse_inertia[i]));
 }
 
@@ -108,7 +103,8 @@ bool meet_wall(World& world, std::size_t c) {
   const double distance = into.dot(world.state.position->vector(j) - world.state.position->vector(i));
   if (distance >= world.bodies.radius[i] + contacts.range) return false;
   const Superellipsoid<double>& shape = world.bodies.shape[i];
-  const Eigen::Quaterniond q = world.bodies.is_sphere[i] ? Eigen::Quaterniond::Identity() : orientation_of(world, i);
+  const Eigen::Quaterniond q =
+      world.bodies.is_sphere[i] ? Eigen::Quaterniond::Identity() : world.state.orientation_of(i);
   const NormValue<double> at = support_point<double>(shape, q.conjugate() * into);
   Contact<double> answer;
   answer.overlap = at.value - distance;

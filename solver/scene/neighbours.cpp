@@ -96,8 +96,7 @@ bool walls_stand(const World& world, const Column& boxes) {
 }  // namespace
 
 Vec3<double> half_extent(const World& world, std::size_t body) {
-  const auto q = world.state.orientation->entry(body);
-  const Mat3<double> rotation = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Mat3<double> rotation = world.state.orientation_of(body).toRotationMatrix();
   const Vec3<double> box = rotation.cwiseAbs() * world.bodies.shape[body].semi_axes;
   return box.cwiseMin(world.bodies.radius[body]).array() + world.contacts.range / 2;
 }

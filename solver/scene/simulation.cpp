@@ -21,11 +21,6 @@ void run_all(std::vector<Pass>& passes) {
   }
 }
 
-Eigen::Quaterniond orientation_at(const World& world, std::uint32_t i) {
-  const auto q = world.state.orientation->entry(i);
-  return {q[0], q[1], q[2], q[3]};
-}
-
 void shift(World& world) {
   for (const std::uint32_t i : world.bodies.movable)
     world.state.position->vector(i) += world.time_step * world.state.velocity->vector(i);
@@ -36,7 +31,7 @@ void rotate(World& world) {
   for (const std::uint32_t i : world.bodies.turning) {
     const Vec3<double> momentum = state.angular_momentum->vector(i);
     const Vec3<double>& inverse_inertia = world.bodies.inverse_inertia[i];
-    const Eigen::Quaterniond q = rotated(orientation_at(world, i), momentum, inverse_inertia, world.time_step);
+    const Eigen::Quaterniond q = rotated(state.orientation_of(i), momentum, inverse_inertia, world.time_step);
     std::ranges::copy(std::array{q.w(), q.x(), q.y(), q.z()}, state.orientation->entry(i).begin());
     const Vec3<double> own = q.conjugate() * momentum;
     state.angular_velocity->vector(i) = q * Vec3<double>(own.cwiseProduct(inverse_inertia));

@@ -36,6 +36,11 @@ struct State {
   Column* angular_velocity = nullptr;  ///< 3, world axes, made from the momentum
   Column* force = nullptr;             ///< 3
   Column* torque = nullptr;            ///< 3, about the centre
+
+  [[nodiscard]] Eigen::Quaterniond orientation_of(std::size_t body) const {
+    const auto q = orientation->entry(body);
+    return {q[0], q[1], q[2], q[3]};
+  }
 };
 
 /// The contact list: pairs that may touch (body 2 has the higher index, a wall is body 2), and those of them that do.
