@@ -4,8 +4,7 @@
 #include <cmath>
 #include <exception>
 
-#include "solver/pose.hpp"
-#include "solver/shape/superellipsoid.hpp"
+#include "properties/screen.hpp"
 
 namespace plumb {
 namespace {
@@ -15,14 +14,6 @@ Judgement crashed(const std::string& what) {
   judgement.finding = {FindingKind::crash, std::numeric_limits<double>::infinity(), "returns", what};
   judgement.judged = true;
   return judgement;
-}
-
-/// o(n) = h1(n) + h2(-n) - n.(c2 - c1): the depth along any direction bounds the lowest overlap from above.
-long double depth_along(const Pair& pair, const Vec3<long double>& n) {
-  const auto placed = place<long double>(pair);
-  const long double reach1 = support<long double>(placed.body1.shape, placed.body1.to_body_direction(n));
-  const long double reach2 = support<long double>(placed.body2.shape, placed.body2.to_body_direction(-n));
-  return placed.to_world_length(reach1 + reach2 - n.dot(placed.body2.centre - placed.body1.centre));
 }
 
 }  // namespace

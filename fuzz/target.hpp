@@ -16,4 +16,8 @@ struct Outcome {
 /// Throws InputFailure for settings of the environment that are of no use, and for a finding that cannot be written.
 [[nodiscard]] Outcome examine(std::span<const std::uint8_t> bytes);
 
+struct Layout;
+/// What the mutator steers by (mutate.hpp); only targets whose input has a layout define it.
+[[nodiscard]] const Layout& target_layout();
+
 }  // namespace plumb

@@ -1,0 +1,13 @@
+// What the targets that ask a solver about a pair have in common: the certified judgement, and what is kept of a finding.
+#pragma once
+
+#include "corpus/case.hpp"
+#include "fuzz/target.hpp"
+
+namespace plumb {
+
+/// Asks the solver of target_settings.hpp, judges by all laws, lights the thermometers; the case of a finding that stops is kept
+/// ready for plumb replay.
+[[nodiscard]] Outcome examine_pair(const Case& c, const char* target);
+
+}  // namespace plumb
