@@ -12,7 +12,8 @@ namespace plumb {
 class AbortRule {
  public:
   explicit AbortRule(std::string_view words);
-  [[nodiscard]] bool stops(const Finding& finding) const { return kinds_.contains(finding.kind); }
+  [[nodiscard]] bool stops(const Finding& finding) const { return stops(finding.kind); }
+  [[nodiscard]] bool stops(FindingKind kind) const { return kinds_.contains(kind); }
 
  private:
   std::set<FindingKind> kinds_;

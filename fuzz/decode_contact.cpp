@@ -72,7 +72,7 @@ BuiltContact decode_contact(Bytes bytes) {
   const auto raw1 = read_shape(bytes, 0, nullptr);
   const auto shape1 = in_unit(raw1, unit), shape2 = in_unit(read_shape(bytes, kBodySize, &raw1), unit);
   const TouchPlace at1 = place_on(shape1, chart_direction(bytes, 0)),
-              at2 = place_on(shape2, chart_direction(bytes, kBodySize));
+                   at2 = place_on(shape2, chart_direction(bytes, kBodySize));
   const auto q1 = quaternion_from_degrees(angle(bytes, 68), angle(bytes, 72), angle(bytes, 76));
   const Mat3<Wide> r1 = rotation<Wide>(q1);
   const Vec3<Wide> normal = r1 * at1.normal;

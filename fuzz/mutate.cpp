@@ -10,22 +10,22 @@ namespace {
 
 using Buffer = std::vector<std::uint8_t>;
 
-void write(Buffer& bytes, const Field& field, std::uint32_t value) {
+void write(Buffer& bytes, const ByteField& field, std::uint32_t value) {
   for (std::size_t i = 0; i < field.width; ++i) bytes[field.offset + i] = static_cast<std::uint8_t>(value >> (8 * i));
 }
 
-std::uint32_t greatest(const Field& field) {
+std::uint32_t greatest(const ByteField& field) {
   return field.width == 4 ? 0xffffffffu : (1u << (8 * field.width)) - 1;
 }
 
 /// Up or down by a power of two, from one unit in the last place to half the range; stops at the ends.
-std::uint32_t stepped(const Field& field, std::uint32_t value, Stream& stream) {
+std::uint32_t stepped(const ByteField& field, std::uint32_t value, Stream& stream) {
   const std::int64_t step = std::int64_t{1} << stream.below(8 * std::size_t{field.width});
   const std::int64_t moved = stream.chance(0.5) ? value + step : value - step;
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>(moved, 0, greatest(field)));
 }
 
-std::uint32_t drawn(const Field& field, Stream& stream) {
+std::uint32_t drawn(const ByteField& field, Stream& stream) {
   return static_cast<std::uint32_t>(stream.bits()) & greatest(field);
 }
 
@@ -37,7 +37,7 @@ std::uint32_t special_angle(Stream& stream) {
   return round | 1u | (miss & 0xffff8000u);
 }
 
-std::uint32_t snapped(const Field& field, Stream& stream) {
+std::uint32_t snapped(const ByteField& field, Stream& stream) {
   switch (field.kind) {
     case FieldKind::angle: return special_angle(stream);
     case FieldKind::number: return stream.chance(0.5) ? 0 : greatest(field);
@@ -46,7 +46,7 @@ std::uint32_t snapped(const Field& field, Stream& stream) {
 }
 
 void change_field(const Layout& layout, Buffer& bytes, Stream& stream) {
-  const Field& field = layout.fields[stream.below(layout.fields.size())];
+  const ByteField& field = layout.fields[stream.below(layout.fields.size())];
   const std::uint32_t value = layout::read(bytes, field.offset, field.width);
   if (field.kind == FieldKind::choice) return write(bytes, field, drawn(field, stream));
   switch (stream.below(4)) {
@@ -106,7 +106,7 @@ Buffer cross(const Layout& layout, std::span<const std::uint8_t> a, std::span<co
   out.resize(layout.size);
   other.resize(layout.size);
   const std::size_t way = stream.below(3);
-  for (const Field& field : layout.fields) {
+  for (const ByteField& field : layout.fields) {
     const bool in_body = field.offset < 2 * layout.body_size, of_second = field.offset >= layout.body_size;
     const bool taken = way == 0   ? stream.chance(0.5)
                        : way == 1 ? in_body && of_second

@@ -19,7 +19,7 @@ enum class FieldKind : std::uint8_t {
   number      ///< more is more
 };
 
-struct Field {
+struct ByteField {
   std::uint8_t offset, width;
   FieldKind kind;
 };
@@ -36,7 +36,7 @@ struct Stroke {
 struct Layout {
   std::string_view name;
   std::size_t size;
-  std::vector<Field> fields;
+  std::vector<ByteField> fields;
   std::vector<Stroke> strokes;
   std::size_t body_size = 0;  ///< bodies stand at 0 and at body_size
 };
@@ -48,7 +48,7 @@ struct Layout {
 /// copied, wholly or in its shape or its pose.
 void mutate(const Layout& layout, std::vector<std::uint8_t>& bytes, Stream& stream);
 
-/// Field by field of one or the other, or body 1 of one and body 2 of the other, or the shapes of one in the pose of the other.
+/// ByteField by field of one or the other, or body 1 of one and body 2 of the other, or the shapes of one in the pose of the other.
 [[nodiscard]] std::vector<std::uint8_t> cross(const Layout& layout, std::span<const std::uint8_t> a,
                                               std::span<const std::uint8_t> b, Stream& stream);
 

@@ -9,20 +9,20 @@ namespace {
 
 using layout::kBodySize;
 
-void add_twice(std::vector<Field>& fields, std::initializer_list<Field> body) {
+void add_twice(std::vector<ByteField>& fields, std::initializer_list<ByteField> body) {
   for (const std::size_t at : {std::size_t{0}, kBodySize})
-    for (const Field& field : body)
+    for (const ByteField& field : body)
       fields.push_back({static_cast<std::uint8_t>(at + field.offset), field.width, field.kind});
 }
 
-constexpr std::initializer_list<Field> kShape{{0, 1, FieldKind::choice}, {2, 2, FieldKind::scale},
-                                              {4, 2, FieldKind::scale},  {6, 2, FieldKind::scale},
-                                              {8, 2, FieldKind::scale},  {10, 2, FieldKind::scale}};
+constexpr std::initializer_list<ByteField> kShape{{0, 1, FieldKind::choice}, {2, 2, FieldKind::scale},
+                                                  {4, 2, FieldKind::scale},  {6, 2, FieldKind::scale},
+                                                  {8, 2, FieldKind::scale},  {10, 2, FieldKind::scale}};
 
-std::vector<Field> pair_fields() {
-  std::vector<Field> fields{{56, 4, FieldKind::angle},     {60, 4, FieldKind::angle},  {64, 1, FieldKind::choice},
-                            {66, 2, FieldKind::magnitude}, {68, 1, FieldKind::choice}, {69, 1, FieldKind::number},
-                            {70, 1, FieldKind::choice},    {71, 1, FieldKind::number}};
+std::vector<ByteField> pair_fields() {
+  std::vector<ByteField> fields{{56, 4, FieldKind::angle},     {60, 4, FieldKind::angle},  {64, 1, FieldKind::choice},
+                                {66, 2, FieldKind::magnitude}, {68, 1, FieldKind::choice}, {69, 1, FieldKind::number},
+                                {70, 1, FieldKind::choice},    {71, 1, FieldKind::number}};
   add_twice(fields, kShape);
   add_twice(fields, {{1, 1, FieldKind::choice},
                      {12, 4, FieldKind::angle},
@@ -32,11 +32,11 @@ std::vector<Field> pair_fields() {
   return fields;
 }
 
-std::vector<Field> contact_fields() {
-  std::vector<Field> fields{{56, 4, FieldKind::angle},  {60, 1, FieldKind::choice}, {62, 2, FieldKind::magnitude},
-                            {64, 1, FieldKind::choice}, {65, 1, FieldKind::number}, {66, 1, FieldKind::choice},
-                            {67, 1, FieldKind::number}, {68, 4, FieldKind::angle},  {72, 4, FieldKind::angle},
-                            {76, 4, FieldKind::angle}};
+std::vector<ByteField> contact_fields() {
+  std::vector<ByteField> fields{{56, 4, FieldKind::angle},  {60, 1, FieldKind::choice}, {62, 2, FieldKind::magnitude},
+                                {64, 1, FieldKind::choice}, {65, 1, FieldKind::number}, {66, 1, FieldKind::choice},
+                                {67, 1, FieldKind::number}, {68, 4, FieldKind::angle},  {72, 4, FieldKind::angle},
+                                {76, 4, FieldKind::angle}};
   add_twice(fields, kShape);
   add_twice(fields, {{1, 1, FieldKind::choice},
                      {12, 2, FieldKind::magnitude},

@@ -31,7 +31,10 @@ const TargetSettings& target_settings() {
 
 void keep_fuzzed(const std::string& file, const std::string& text) {
   const std::filesystem::path& folder = target_settings().out;
-  if (!folder.empty()) write_file(folder / file, text);
+  if (folder.empty()) return;
+  std::error_code refused;  // said by write_file
+  std::filesystem::create_directories(folder, refused);
+  write_file(folder / file, text);
 }
 
 }  // namespace plumb

@@ -20,15 +20,18 @@ extern "C" {
 __attribute__((section("__libfuzzer_extra_counters"), used,
                aligned(64))) std::array<std::uint8_t, plumb::kThermometerCells + plumb::kKindCells>
     plumb_thermometer_cells;
-extern std::uint8_t __start___libfuzzer_extra_counters;
-extern std::uint8_t __stop___libfuzzer_extra_counters;
+extern std::uint8_t __start___libfuzzer_extra_counters[];
+extern std::uint8_t __stop___libfuzzer_extra_counters[];
 }
 
 namespace plumb {
 namespace {
 
+/// A compiler that knows whose the pointer is may drop writes that nothing here reads again.
 std::uint8_t* cells() {
-  return plumb_thermometer_cells.data();
+  std::uint8_t* first = plumb_thermometer_cells.data();
+  asm volatile("" : "+r"(first));
+  return first;
 }
 
 }  // namespace
@@ -57,12 +60,12 @@ void light_kind(std::string_view what, int kind) {
 }
 
 void clear_thermometers() {
-  plumb_thermometer_cells.fill(0);
+  std::fill_n(cells(), plumb_thermometer_cells.size(), std::uint8_t{0});
 }
 
 std::string_view thermometer_fault() {
-  const std::uint8_t* const first = &__start___libfuzzer_extra_counters;
-  const std::uint8_t* const last = &__stop___libfuzzer_extra_counters;
+  const std::uint8_t* const first = __start___libfuzzer_extra_counters;
+  const std::uint8_t* const last = __stop___libfuzzer_extra_counters;
   if (!(first <= cells() && cells() + plumb_thermometer_cells.size() <= last))
     return "the cells are not in the engine's section";
   clear_thermometers();
