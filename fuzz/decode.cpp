@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "fuzz/layout.hpp"
+#include "fuzz/layout_fields.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/shape/superellipsoid.hpp"
@@ -13,22 +13,6 @@ namespace plumb {
 namespace {
 
 using namespace layout;
-
-std::array<double, 4> raw_quaternion(Bytes bytes, std::size_t offset) {
-  std::array<double, 4> q{};
-  bool zero = true;
-  for (std::size_t i = 0; i < 4; ++i) {
-    q[i] = static_cast<double>(read(bytes, offset + 4 * i, 4)) / 2147483648.0 - 1;
-    zero = zero && q[i] == 0;
-  }
-  if (zero) q[0] = 1;
-  return q;
-}
-
-std::array<double, 4> read_quaternion(Bytes bytes, std::size_t body) {
-  if (read(bytes, body + 1, 1) % 4 == 3) return raw_quaternion(bytes, body + 12);
-  return quaternion_from_degrees(angle(bytes, body + 12), angle(bytes, body + 16), angle(bytes, body + 20));
-}
 
 /// Half the body's extent along a line.
 long double reach(const Body& body, const Vec3<long double>& line) {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "fuzz/layout.hpp"
+#include "fuzz/layout_fields.hpp"
 #include "properties/draft.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/chart.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fuzz/layout.hpp"
+#include "fuzz/layout_fields.hpp"
 
 namespace plumb {
 namespace {

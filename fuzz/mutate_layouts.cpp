@@ -1,7 +1,7 @@
 // The layouts as the mutator sees them; decode.hpp and decode_contact.hpp say what each byte means.
 #include "fuzz/decode.hpp"
 #include "fuzz/decode_contact.hpp"
-#include "fuzz/layout.hpp"
+#include "fuzz/layout_fields.hpp"
 #include "fuzz/mutate.hpp"
 
 namespace plumb {

@@ -64,8 +64,12 @@ double normal_rounding(const SeenPoint& at) {
   return few + at.turn;
 }
 
+/// Where the points' rounding turns the normals by as much as no normal is wrong, they say nothing: on the tip of a needle that
+/// is pointed, corpus/cases/regressions/tip-of-a-pointed-needle.json.
 double opposition_severity(const SeenPoint& at1, const SeenPoint& at2) {
-  return severity_of(angle_between_normals(at1.normal, -at2.normal), normal_rounding(at1) + normal_rounding(at2));
+  const double allowed = normal_rounding(at1) + normal_rounding(at2);
+  if (allowed > undetermined) return 0;
+  return severity_of(angle_between_normals(at1.normal, -at2.normal), allowed);
 }
 
 /// |d x n1| against its rounding, and the sign of d.n1 once |d| is above it.

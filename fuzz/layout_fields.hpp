@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -22,6 +23,14 @@ inline constexpr std::size_t kBodySize = 28;
 /// Little-endian; bytes that are not there read as 0.
 [[nodiscard]] std::uint32_t read(Bytes bytes, std::size_t offset, std::size_t count);
 
+/// Values on which solvers break are reachable by one byte, all others on a log scale.
+template <std::size_t N>
+[[nodiscard]] double pick(std::uint32_t v, const std::array<double, N>& special, double low, double high) {
+  if (v < 256) return special[v % N];
+  const long double t = static_cast<long double>(v - 256) / (65535 - 256);
+  return static_cast<double>(low * std::pow(static_cast<long double>(high) / low, t));
+}
+
 /// Two bytes as 10^(-16 .. 0), log scale.
 [[nodiscard]] long double log_magnitude(std::uint32_t v);
 
@@ -33,6 +42,9 @@ inline constexpr std::size_t kBodySize = 28;
 
 /// quaternion_from_euler_zxz of solver/pose.hpp, in degrees.
 [[nodiscard]] std::array<double, 4> quaternion_from_degrees(long double phi, long double theta, long double psi);
+
+/// Of the body at that offset: Euler angles or raw components.
+[[nodiscard]] std::array<double, 4> read_quaternion(Bytes bytes, std::size_t body);
 
 /// Of the body at that offset. `first` is body 1's shape for body 2, nullptr for body 1.
 [[nodiscard]] Superellipsoid<double> read_shape(Bytes bytes, std::size_t body, const Superellipsoid<double>* first);

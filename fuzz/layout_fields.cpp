@@ -1,4 +1,4 @@
-#include "fuzz/layout.hpp"
+#include "fuzz/layout_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -9,15 +9,6 @@
 namespace plumb::layout {
 namespace {
 
-/// Values on which solvers break are reachable by one byte, all others on a log scale. Powers are taken in long double and
-/// rounded once, so that math libraries that differ in the last digit of a long double give the same case.
-template <std::size_t N>
-double pick(std::uint32_t v, const std::array<double, N>& special, double low, double high) {
-  if (v < 256) return special[v % N];
-  const long double t = static_cast<long double>(v - 256) / (65535 - 256);
-  return static_cast<double>(low * std::pow(static_cast<long double>(high) / low, t));
-}
-
 constexpr std::array<double, 16> kAspects{1,   2,  0.5,  3,    1.0 / 3, 5,    0.2, 10,
                                           0.1, 20, 0.05, 1000, 0.001,   1e-2, 100, 1 + 0x1p-52};
 constexpr std::array<double, 16> kSizes{1, 2, 0.5, 3, 1.0 / 3, 5, 0.2, 10, 0.1, 100, 0.01, 1000, 0.001, 1e4, 1e-4, 1.5};
@@ -25,6 +16,17 @@ constexpr std::array<double, 16> kExponents{2,  4,  3,   8,  2.5,       6,      
                                             10, 40, 1.1, 50, 2 + 1e-12, 2 - 1e-12, 1.25, 2.1};
 constexpr std::array<double, 16> kOverlaps{1e-2, 0,    1e-3, 5e-2, 0.1,   0.2,   0.5,   0.9,
                                            1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-14, 1e-16};
+
+std::array<double, 4> raw_quaternion(Bytes bytes, std::size_t offset) {
+  std::array<double, 4> q{};
+  bool zero = true;
+  for (std::size_t i = 0; i < 4; ++i) {
+    q[i] = static_cast<double>(read(bytes, offset + 4 * i, 4)) / 2147483648.0 - 1;
+    zero = zero && q[i] == 0;
+  }
+  if (zero) q[0] = 1;
+  return q;
+}
 
 /// Aspects beyond 1000 lie outside the domain that plumb declares.
 Superellipsoid<double> within_domain(const Vec3<double>& axes, double n1, double n2) {
@@ -75,6 +77,11 @@ std::array<double, 4> quaternion_from_degrees(long double phi, long double theta
   const auto [cd, sd] = cos_sin_deg((phi - psi) / 2);
   return {static_cast<double>(ct * cs), static_cast<double>(st * cd), static_cast<double>(st * sd),
           static_cast<double>(ct * ss)};
+}
+
+std::array<double, 4> read_quaternion(Bytes bytes, std::size_t body) {
+  if (read(bytes, body + 1, 1) % 4 == 3) return raw_quaternion(bytes, body + 12);
+  return quaternion_from_degrees(angle(bytes, body + 12), angle(bytes, body + 16), angle(bytes, body + 20));
 }
 
 Superellipsoid<double> read_shape(Bytes bytes, std::size_t body, const Superellipsoid<double>* first) {
