@@ -61,22 +61,24 @@ Quaternion facing(const Vec3<double>& u, const Vec3<double>& n) {
   return product(align(-u, -n), {0, across[0], across[1], across[2]});
 }
 
-Superellipsoid<double> in_unit(const Superellipsoid<double>& shape, double unit) {
-  return {shape.semi_axes * unit, shape.n1, shape.n2};
+Superellipsoid<double> in_unit(const Superellipsoid<double>& shape, double unit, ContactShapes shapes) {
+  const bool keeps = shapes == ContactShapes::all;
+  return {shape.semi_axes * unit, keeps ? shape.n1 : 2, keeps ? shape.n2 : 2};
 }
 
 }  // namespace
 
-BuiltContact decode_contact(Bytes bytes) {
+BuiltContact decode_contact(Bytes bytes, ContactShapes shapes) {
   const double unit = read_unit(bytes, 64);
   const auto raw1 = read_shape(bytes, 0, nullptr);
-  const auto shape1 = in_unit(raw1, unit), shape2 = in_unit(read_shape(bytes, kBodySize, &raw1), unit);
+  const auto shape1 = in_unit(raw1, unit, shapes), shape2 = in_unit(read_shape(bytes, kBodySize, &raw1), unit, shapes);
   const TouchPlace at1 = place_on(shape1, chart_direction(bytes, 0)),
                    at2 = place_on(shape2, chart_direction(bytes, kBodySize));
   const auto q1 = quaternion_from_degrees(angle(bytes, 68), angle(bytes, 72), angle(bytes, 76));
   const Mat3<Wide> r1 = rotation<Wide>(q1);
   const Vec3<Wide> normal = r1 * at1.normal;
   BuiltContact out;
+  out.layout = shapes == ContactShapes::all ? "contact-1" : "ellipsoid-1";
   out.normal = normal.cast<double>();
   const auto q2 = product(spin_about(out.normal, angle(bytes, 56)), facing(at2.normal.cast<double>(), out.normal));
   const Wide overlap =
@@ -93,7 +95,8 @@ Case contact_case(const BuiltContact& built, Bytes bytes) {
   Case c;
   c.name = "decoded bytes";
   c.pair = built.pair;
-  c.provenance = Json{{"layout", "contact-1"}, {"bytes", hex(bytes.first(std::min(bytes.size(), kContactLayoutSize)))}};
+  c.provenance =
+      Json{{"layout", built.layout}, {"bytes", hex(bytes.first(std::min(bytes.size(), kContactLayoutSize)))}};
   return c;
 }
 

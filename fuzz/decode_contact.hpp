@@ -26,6 +26,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "corpus/case.hpp"
 
@@ -34,12 +35,17 @@ namespace plumb {
 inline constexpr std::size_t kContactLayoutSize = 80;
 
 struct BuiltContact {
+  std::string_view layout;
   Pair pair;
   Vec3<double> normal;  ///< unit, from body 1 to body 2
   double overlap = 0;
 };
 
-[[nodiscard]] BuiltContact decode_contact(std::span<const std::uint8_t> bytes);
+/// Layout ellipsoid-1 is contact-1 with all exponents 2, whatever the bytes say of them.
+enum class ContactShapes : std::uint8_t { all, ellipsoids };
+
+[[nodiscard]] BuiltContact decode_contact(std::span<const std::uint8_t> bytes,
+                                          ContactShapes shapes = ContactShapes::all);
 
 /// Its pair, with the bytes as hex in the provenance.
 [[nodiscard]] Case contact_case(const BuiltContact& built, std::span<const std::uint8_t> bytes);

@@ -17,13 +17,13 @@ void light(const JudgedAnswer& judged, const Reference& reference) {
   if (reference.common_normal.solved) light(Thermometer::condition, reference.common_normal.condition.normal, 4);
 }
 
-void keep(const Case& c, const char* target, const std::string& method, const Finding& finding,
-          const Reference& reference) {
+}  // namespace
+
+void keep_finding(const Case& c, const char* target, const std::string& method, const Finding& finding,
+                  const Reference& reference) {
   keep_fuzzed(bucket(name(finding.kind), method, c.pair, reference) + "--fuzzed.json",
               format_case(failing_case(c, method, finding, target)) + "\n");
 }
-
-}  // namespace
 
 Outcome examine_pair(const Case& c, const char* target) {
   Judge judge(c.pair);
@@ -32,7 +32,7 @@ Outcome examine_pair(const Case& c, const char* target) {
   const Finding& finding = judged.judgement.finding;
   const std::string& method = target_settings().solver.name;
   const bool stop = target_settings().rule.stops(finding);
-  if (stop) keep(c, target, method, finding, judge.reference());
+  if (stop) keep_finding(c, target, method, finding, judge.reference());
   if (finding.kind == FindingKind::none) return {false, fmt::format("none by {}", method)};
   return {stop, fmt::format("{} by {}, severity {:.3g}, law '{}': {}", name(finding.kind), method, finding.severity,
                             finding.law, finding.detail)};

@@ -78,4 +78,8 @@ inline constexpr double undetermined = 0.1;
   return 2 * std::atan2(sine, cosine);
 }
 
+[[nodiscard]] inline const Finding& worse(const Finding& a, const Finding& b) {
+  return a.severity < b.severity ? b : a;
+}
+
 }  // namespace plumb::law

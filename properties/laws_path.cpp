@@ -17,6 +17,7 @@ namespace {
 using law::few;
 using law::few_of;
 using law::severity_of;
+using law::worse;
 using PathScalar = long double;
 
 Vec3<PathScalar> between_centres(const Pair& pair) {
@@ -100,10 +101,6 @@ Finding follows(const PathStep& from, const PathStep& to) {
           {},
           fmt::format("the other step's normal has an overlap higher by {:.3g}, the motion allows {:.3g}", excess,
                       allowed)};
-}
-
-const Finding& worse(const Finding& a, const Finding& b) {
-  return a.severity < b.severity ? b : a;
 }
 
 Finding normal_follows(const PathLink& link) {
