@@ -10,21 +10,12 @@
 #include <vector>
 
 #include "corpus/shape_class.hpp"
+#include "properties/tests/fuzz/noise.hpp"
 
 namespace plumb {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// A fixed pseudo-random input.
-Bytes noise(std::uint64_t seed, std::size_t size) {
-  Bytes bytes;
-  for (std::size_t i = 0; i < size; ++i) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    bytes.push_back(static_cast<std::uint8_t>(seed >> 56));
-  }
-  return bytes;
-}
 
 /// FNV-1a over the doubles of a recipe.
 class Hash {
