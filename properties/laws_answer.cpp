@@ -227,16 +227,32 @@ Finding has_the_lowest_overlap(const Evidence& e) {
           doubt};
 }
 
-Finding normals_are_opposite(const Evidence& e) {
-  if (e.problem != Problem::common_normal || !shows_surfaces(e)) return {};
+PointFindings points_show(const Evidence& e) {
+  if (!shows_surfaces(e)) return {};
   const SeenPair s = see(e);
-  return {FindingKind::misaligned, opposition_severity(s.at1, s.at2), {}, "n1 + n2 is not 0"};
+  const double gap = std::max(s.at1.gap, s.at2.gap);
+  PointFindings out;
+  out.surface = {FindingKind::off_surface,
+                 severity_of(gap, point_rounding(e.pair)),
+                 {},
+                 fmt::format("off the surface by {:.3g}", gap)};
+  if (e.problem != Problem::common_normal) return out;
+  out.opposite = {FindingKind::misaligned, opposition_severity(s.at1, s.at2), {}, "n1 + n2 is not 0"};
+  out.collinear = {
+      FindingKind::misaligned, collinearity_severity(e, s), {}, "p2 - p1 is not along n1 with the overlap's sign"};
+  return out;
+}
+
+Finding normals_are_opposite(const Evidence& e) {
+  return points_show(e).opposite;
 }
 
 Finding points_lie_on_the_normal(const Evidence& e) {
-  if (e.problem != Problem::common_normal || !shows_surfaces(e)) return {};
-  return {
-      FindingKind::misaligned, collinearity_severity(e, see(e)), {}, "p2 - p1 is not along n1 with the overlap's sign"};
+  return points_show(e).collinear;
+}
+
+Finding points_are_on_surfaces(const Evidence& e) {
+  return points_show(e).surface;
 }
 
 Finding agrees_with_itself(const Evidence& e) {
@@ -305,16 +321,6 @@ Finding normal_agrees(const Evidence& e) {
           {},
           fmt::format("normal off by {:.3g} rad", angle),
           doubt_of(e, truth.normal_radius, allowed)};
-}
-
-Finding points_are_on_surfaces(const Evidence& e) {
-  if (!shows_surfaces(e)) return {};
-  const SeenPair s = see(e);
-  const double gap = std::max(s.at1.gap, s.at2.gap);
-  return {FindingKind::off_surface,
-          severity_of(gap, point_rounding(e.pair)),
-          {},
-          fmt::format("off the surface by {:.3g}", gap)};
 }
 
 Finding overlap_agrees(const Evidence& e) {

@@ -8,6 +8,12 @@ namespace plumb::law {
 /// The certified solution that the answer is held against: of several that tie within rounding, the nearest.
 [[nodiscard]] const Solution& nearest(const Evidence& e);
 
+/// What the points say of the surfaces and the normals there: three laws from one look, for who asks for all of them.
+struct PointFindings {
+  Finding opposite, collinear, surface;
+};
+[[nodiscard]] PointFindings points_show(const Evidence& e);
+
 [[nodiscard]] Finding answers_are_finite(const Evidence& e);
 [[nodiscard]] Finding converges(const Evidence& e);
 [[nodiscard]] Finding verdict_is_right(const Evidence& e);

@@ -62,9 +62,10 @@ Screening screen(const Pair& pair, const Contact<double>& answer, std::span<cons
   }
   const Evidence evidence{pair, Problem::common_normal, answer, no_reference, no_reference.common_normal, {}};
   set(ScreenCheck::itself, law::agrees_with_itself(evidence).severity);
-  set(ScreenCheck::opposite, law::normals_are_opposite(evidence).severity);
-  set(ScreenCheck::collinear, law::points_lie_on_the_normal(evidence).severity);
-  set(ScreenCheck::surface, law::points_are_on_surfaces(evidence).severity);
+  const law::PointFindings points = law::points_show(evidence);
+  set(ScreenCheck::opposite, points.opposite.severity);
+  set(ScreenCheck::collinear, points.collinear.severity);
+  set(ScreenCheck::surface, points.surface.severity);
   const auto placed = place<Wide>(pair);
   const double allowed = allowed_depth(pair, answer.overlap);
   set(ScreenCheck::own_depth, law::severity_of(std::abs(excess_over(placed, answer.overlap, answer.normal)), allowed));
