@@ -187,8 +187,8 @@ TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& wan
   return out;
 }
 
-std::uint64_t hangs_of(const Solver& solver) {
-  return solver.pool ? solver.pool->hangs() : 0;
+bool is_given_up(const Solver& solver) {
+  return solver.pool && solver.pool->hangs() >= most_hangs;
 }
 
 std::optional<Leak> find_leak(const Solver& solver, std::span<const Pair> pairs) {

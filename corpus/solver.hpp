@@ -67,8 +67,9 @@ struct TimedContact {
 [[nodiscard]] TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& want,
                                        const Contact<double>* last);
 
-/// How often a solver did not come back so far; always 0 of one in this process.
-[[nodiscard]] std::uint64_t hangs_of(const Solver& solver);
+/// After so many answers that did not come a foreign solver is not asked any more: each takes the whole limit.
+inline constexpr std::uint64_t most_hangs = 20;
+[[nodiscard]] bool is_given_up(const Solver& solver);
 
 /// Memory that a foreign solver takes and does not give back.
 struct Leak {

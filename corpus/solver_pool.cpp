@@ -1,7 +1,8 @@
 #include "corpus/solver_pool.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace plumb {
@@ -96,6 +97,8 @@ void SolverPool::give_back(Process process) {
 }
 
 wire::Reply SolverPool::ask(const wire::Request& request) {
+  if (hangs_ >= most_hangs)
+    throw NoAnswer(NoAnswer::How::hung, fmt::format("not asked any more: {} times no answer before", most_hangs));
   Process process = take();
   try {
     wire::Reply reply = process->ask(request);

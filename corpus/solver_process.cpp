@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/pidfd.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -23,6 +23,11 @@
 
 namespace plumb {
 namespace {
+
+// glibc 2.36 declares pidfd_open() for C alone, and older ones do not.
+Descriptor end_of(pid_t child) {
+  return Descriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
+}
 
 /// Both ends are closed by an exec; what a child is to have is handed to it by its number.
 struct Ends {
@@ -144,7 +149,7 @@ void SolverProcess::start(const std::string& library) {
   socket_ = std::move(socket.ours);
   lifeline_ = std::move(lifeline.ours);
   output_ = std::move(output.ours);
-  ended_ = Descriptor(pidfd_open(child_, 0));
+  ended_ = end_of(child_);
 }
 
 wire::Reply SolverProcess::ask(const wire::Request& request) {
