@@ -127,6 +127,20 @@ Solver solver_over(const std::shared_ptr<SolverPool>& pool, std::string summary)
           pool};
 }
 
+Solver load_here(const std::string& path, const std::string& name, const std::string& summary) try {
+  const auto solver = std::make_shared<const InProcess>(InProcess{name, open_solver_library(path)});
+  return {name,
+          Problem::common_normal,
+          summary,
+          false,
+          false,
+          [solver](const Pair& pair, const Want&, const Contact<double>* last) {
+            return ask_in_process(*solver, pair, last);
+          }};
+} catch (const UnusableLibrary& e) {
+  throw InputFailure(path, 0, e.field, e.what());
+}
+
 struct Peer {
   std::string_view name, summary;
 };
@@ -148,18 +162,15 @@ Solver load_solver(const std::string& path, const SolverLimits& limits) {
   return solver_over(pool, "foreign solver " + path);
 }
 
-Solver load_solver_in_process(const std::string& path) try {
-  const auto solver = std::make_shared<const InProcess>(InProcess{foreign_name(path), open_solver_library(path)});
-  return {solver->name,
-          Problem::common_normal,
-          "foreign solver " + path,
-          false,
-          false,
-          [solver](const Pair& pair, const Want&, const Contact<double>* last) {
-            return ask_in_process(*solver, pair, last);
-          }};
-} catch (const UnusableLibrary& e) {
-  throw InputFailure(path, 0, e.field, e.what());
+Solver load_solver_in_process(const std::string& path) {
+  return load_here(path, foreign_name(path), "foreign solver " + path);
+}
+
+Solver in_process(const Solver& solver) {
+  if (!solver.pool) return solver;
+  Solver here = load_here(solver.pool->library(), solver.name, solver.summary);
+  here.published = solver.published;
+  return here;
 }
 
 std::vector<std::string> peer_names() {

@@ -54,6 +54,9 @@ struct SolverLimits {
 /// The same in this process, which ends when the library ends it: for an engine that is to see its code, and for our own.
 [[nodiscard]] Solver load_solver_in_process(const std::string& path);
 
+/// A foreign solver taken into this process, any other as it is: for a clock that is to see the solver alone.
+[[nodiscard]] Solver in_process(const Solver& solver);
+
 /// The peers that this build has, other people's solvers (fuzz/peers/): those whose library is in peers/ beside the program.
 [[nodiscard]] std::vector<std::string> peer_names();
 

@@ -42,7 +42,9 @@ void be_expendable() {
 
 template <class Message>
 void say(int socket, const Message& message) {
-  if (send(socket, &message, sizeof message, MSG_NOSIGNAL) != sizeof message) std::_Exit(EXIT_FAILURE);
+  if (send(socket, &message, sizeof message, MSG_NOSIGNAL) == sizeof message) return;
+  (void)std::fputs("plumb-solver-host: the library closed the socket that it answers through\n", stderr);
+  std::_Exit(EXIT_FAILURE);
 }
 
 std::optional<Request> next_request(int socket) {

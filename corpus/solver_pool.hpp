@@ -25,6 +25,7 @@ class SolverPool {
   [[nodiscard]] std::optional<Leak> find_leak(std::vector<plumb_pair> pairs) const;
   [[nodiscard]] std::uint64_t hangs() const { return hangs_; }
   [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& library() const { return library_; }
 
  private:
   using Process = std::unique_ptr<SolverProcess>;

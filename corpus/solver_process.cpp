@@ -95,7 +95,7 @@ class Patience {
     if (last_ - first_ >= limit_)
       throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer after {} s of processor time", limit_));
     if (asleep_ >= asleep * limit_)
-      throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer, and {} s asleep", asleep * limit_));
+      throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer, and {:.3g} s asleep", asleep * limit_));
   }
 
  private:
