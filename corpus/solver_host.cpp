@@ -15,6 +15,7 @@
 #include <fstream>
 #include <optional>
 
+#include "corpus/one_processor.hpp"
 #include "corpus/solver_library.hpp"
 #include "corpus/solver_wire.hpp"
 
@@ -110,9 +111,15 @@ Reply memory() {
   return reply;
 }
 
+/// It waits where plumb waits; the library may run anywhere.
 void serve(const SolverLibrary& library, int socket) {
-  while (const auto request = next_request(socket))
-    say(socket, request->kind == Request::Kind::measure_memory ? memory() : answer(library, *request));
+  std::optional<Request> request = next_request(socket);
+  while (request) {
+    const Reply reply = request->kind == Request::Kind::measure_memory ? memory() : answer(library, *request);
+    const OneProcessor beside_plumb(request->processor);
+    say(socket, reply);
+    request = next_request(socket);
+  }
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "corpus/case.hpp"
+#include "corpus/one_processor.hpp"
 #include "corpus/program_folder.hpp"
 
 namespace plumb {
@@ -152,8 +153,10 @@ void SolverProcess::start(const std::string& library) {
   ended_ = end_of(child_);
 }
 
-wire::Reply SolverProcess::ask(const wire::Request& request) {
+wire::Reply SolverProcess::ask(wire::Request request) {
   (void)said();  // what it says from here on is about this request
+  request.processor = sched_getcpu();
+  const OneProcessor here(request.processor);
   if (send(socket_.number(), &request, sizeof request, MSG_NOSIGNAL) != sizeof request) throw_death();
   return receive<wire::Reply>();
 }

@@ -42,7 +42,7 @@ class SolverProcess {
   SolverProcess& operator=(const SolverProcess&) = delete;
 
   /// Throws NoAnswer; nothing more can be asked of this process then.
-  [[nodiscard]] wire::Reply ask(const wire::Request& request);
+  [[nodiscard]] wire::Reply ask(wire::Request request);
 
  private:
   void start(const std::string& library);

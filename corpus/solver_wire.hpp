@@ -2,6 +2,7 @@
 // call, over a socket that keeps messages whole. Both are of one build, so that a struct's bytes are the format.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +36,7 @@ struct Hello {
 struct Request {
   enum class Kind : std::uint8_t { solve, solve_warm, measure_memory };
   Kind kind = Kind::solve;
+  int processor = 0;  ///< where plumb waits for the reply (one_processor.hpp)
   plumb_pair pair{};
   plumb_contact last{};
 };

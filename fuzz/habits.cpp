@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kFew = 8;  // below it a habit may be chance
 
-std::size_t index(Verdict certified, Verdict said) {
+std::size_t place_of(Verdict certified, Verdict said) {
   return 3 * static_cast<std::size_t>(certified) + static_cast<std::size_t>(said);
 }
 
@@ -36,7 +36,7 @@ void Habits::add(Verdict certified, const Contact<double>& answer) {
     return;
   }
   if (answer.method.empty()) return;
-  ++verdicts[index(certified, answer.verdict)];
+  ++verdicts[place_of(certified, answer.verdict)];
   least_digest = std::min(least_digest, digest_of(answer));
   greatest_digest = std::max(greatest_digest, digest_of(answer));
 }
@@ -57,8 +57,8 @@ std::vector<std::string> Habits::in_words() const {
   for (const Verdict truth : {Verdict::overlapping, Verdict::separated}) {
     std::uint64_t pairs = 0;
     for (const Verdict said : {Verdict::undecided, Verdict::overlapping, Verdict::separated})
-      pairs += verdicts[index(truth, said)];
-    if (pairs >= kFew && verdicts[index(truth, truth)] == 0)
+      pairs += verdicts[place_of(truth, said)];
+    if (pairs >= kFew && verdicts[place_of(truth, truth)] == 0)
       words.push_back(fmt::format("never says {0}: 0 of {1} {0} pairs", name(truth), pairs));
   }
   return words;
