@@ -138,6 +138,11 @@ Json answer_json(const Answer& answer) {
   Json out;
   out["name"] = answer.name;
   out["method"] = contact.method;
+  if (answer.none) {
+    out["x_finding"] = answer.none->finding;
+    out["x_detail"] = answer.none->detail;
+    return out;
+  }
   out["status"] = name(contact.status);
   out["verdict"] = name(contact.verdict);
   if (answer.want.overlap) put(out, "overlap", contact.overlap);

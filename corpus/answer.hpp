@@ -16,10 +16,14 @@ struct Answer {
   Want want;
   Contact<double> contact;
   std::optional<double> nanoseconds;
+  struct None {
+    std::string finding, detail;  ///< crash or slow, and what happened
+  };
+  std::optional<None> none = {};  ///< of a foreign solver that gave no answer: there is nothing but the method's name
 };
 
 /// The contract's object; a field that was not asked for, or is not valid, is absent. A radius of curvature that is
-/// infinite (a flat) is the string "infinite".
+/// infinite (a flat) is the string "infinite". Without an answer "x_finding" and "x_detail" say why.
 [[nodiscard]] Json answer_json(const Answer& answer);
 
 /// The three angles of "angles_deg"; null when none is valid. Without a sign (0) d_n1 and d_n2 say nothing.

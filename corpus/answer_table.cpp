@@ -71,6 +71,10 @@ std::string one_answer(const Answer& answer) {
   const Json fields = answer_json(answer);
   std::string out;
   add_row(out, "method", fields["method"]);
+  if (answer.none) {
+    add_row(out, answer.none->finding, answer.none->detail);
+    return out;
+  }
   add_row(out, "status",
           fmt::format("{}, {}", fields["status"].get<std::string>(), fields["verdict"].get<std::string>()));
   if (fields.contains("overlap")) add_row(out, "overlap", fmt::format("{: .16e}", fields["overlap"].get<double>()));
@@ -93,6 +97,8 @@ std::string largest_angle(const Json& fields) {
 }
 
 std::string row(const Answer& answer) {
+  if (answer.none)
+    return fmt::format("  {:<26} {}: {}\n", answer.contact.method, answer.none->finding, answer.none->detail);
   const Json fields = answer_json(answer);
   const std::string overlap =
       fields.contains("overlap") ? fmt::format("{: .5e}", fields["overlap"].get<double>()) : "-";

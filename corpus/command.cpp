@@ -64,6 +64,16 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>
   }
 }
 
+CLI::Option* declare_solver(CLI::App& app, ForeignOption& option, const std::string& help) {
+  auto* solver = app.add_option("--solver", option.library, help);
+  app.add_option("--solver-limit", option.limits.seconds,
+                 "seconds of processor time for an answer of that library; sleeping, six times that")
+      ->needs(solver)
+      ->check(refuse_seconds)
+      ->capture_default_str();
+  return solver;
+}
+
 void flush_output() {
   if (std::fflush(stdout) != 0) fail_with("standard output", errno);
 }
@@ -75,6 +85,11 @@ void print_line(const std::string& text) {
 std::string refuse_count(const std::string& text) {
   const auto count = number_from<std::int64_t>(text);
   return count && *count > 0 ? "" : "'" + text + "' is not a whole number above 0";
+}
+
+std::string refuse_seconds(const std::string& text) {
+  const auto seconds = number_from<double>(text);
+  return seconds && *seconds > 0 && *seconds <= 1e6 ? "" : "'" + text + "' is not a number above 0, at most 1e6";
 }
 
 void each_case(const std::string& file, const std::function<void(const Case&)>& work) {

@@ -7,9 +7,19 @@
 #include <functional>
 #include <string>
 
+#include "corpus/solver.hpp"
+
 namespace plumb {
 
 struct Case;
+
+/// --solver and --solver-limit.
+struct ForeignOption {
+  std::string library;  ///< empty: none was named
+  SolverLimits limits;
+};
+/// The option --solver, for what excludes it.
+CLI::Option* declare_solver(CLI::App& app, ForeignOption& option, const std::string& help);
 
 enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interrupted = 130 };
 
@@ -20,6 +30,9 @@ enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interru
 /// A check for CLI11, which takes nan for a number in any range and prints the bounds of a type as hundreds of digits: what is
 /// wrong with the text of a whole number above 0, empty when nothing is.
 [[nodiscard]] std::string refuse_count(const std::string& text);
+
+/// The same of a time: a number above 0.
+[[nodiscard]] std::string refuse_seconds(const std::string& text);
 
 /// Hands each case of a file to `work` until Ctrl-C. Throws InputFailure, also where the file holds none.
 void each_case(const std::string& file, const std::function<void(const Case&)>& work);

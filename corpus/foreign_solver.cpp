@@ -1,22 +1,17 @@
-// The loader of shared libraries that implement solver/plumb_solver.h: foreign ones by their path, the peers by their name.
-#include <dlfcn.h>
-
+// Foreign solvers, which implement solver/plumb_solver.h: by the path of their library, the peers by their name.
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 
 #include "corpus/case.hpp"
 #include "corpus/program_folder.hpp"
 #include "corpus/solver.hpp"
-#include "solver/plumb_solver.h"
+#include "corpus/solver_library.hpp"
+#include "corpus/solver_pool.hpp"
 
 namespace plumb {
 namespace {
-
-struct Library {
-  std::string name;
-  decltype(&plumb_solver_solve) solve;
-};
 
 plumb_body body_of(const Body& body) {
   const Superellipsoid<double>& shape = body.shape;
@@ -27,6 +22,10 @@ plumb_body body_of(const Body& body) {
   std::copy_n(body.position.data(), 3, out.position);
   std::copy_n(body.quaternion.data(), 4, out.quaternion_wxyz);
   return out;
+}
+
+plumb_pair c_pair(const Pair& pair) {
+  return {{body_of(pair.body1), body_of(pair.body2)}};
 }
 
 Vec3<double> vector_of(const double (&v)[3]) {
@@ -50,13 +49,7 @@ Verdict read_verdict(int verdict) {
   return verdict == PLUMB_SEPARATED ? Verdict::separated : Verdict::undecided;
 }
 
-plumb_contact silent_contact() {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return {
-      PLUMB_STALLED, PLUMB_UNDECIDED, nan, {nan, nan, nan}, {{nan, nan, nan}, {nan, nan, nan}}, {nan, nan, nan}, 0, 0};
-}
-
-Contact<double> contact_of(const plumb_contact& answer) {
+Contact<double> read_contact(const plumb_contact& answer) {
   Contact<double> out;
   out.status = status_of(answer.status);
   out.verdict = read_verdict(answer.verdict);
@@ -70,48 +63,82 @@ Contact<double> contact_of(const plumb_contact& answer) {
   return out;
 }
 
-Contact<double> solve_with(const Library& library, const Pair& pair) {
-  const plumb_pair input{{body_of(pair.body1), body_of(pair.body2)}};
-  plumb_contact answer = silent_contact();
-  const bool refused = library.solve(&input, &answer) != 0;
-  Contact<double> out = refused ? Contact<double>{} : contact_of(answer);
+/// `refused`: it wrote nothing that counts. `name` outlives the answer.
+Contact<double> contact_of(bool refused, const plumb_contact& answer, const std::string& name) {
+  Contact<double> out = refused ? Contact<double>{} : read_contact(answer);
   if (refused) out.status = Status::invalid_input;
-  out.method = library.name;
+  out.method = name;
   return out;
 }
 
-template <class Function>
-Function symbol(void* handle, const std::string& path, const char* name) {
-  void* address = dlsym(handle, name);
-  if (address == nullptr) throw InputFailure(path, 0, name, "not exported by the library (see solver/plumb_solver.h)");
-  return reinterpret_cast<Function>(address);
+plumb_contact c_contact(const Contact<double>& contact) {
+  static_assert(static_cast<int>(Status::invalid_input) == PLUMB_INVALID_INPUT);
+  static_assert(static_cast<int>(Verdict::separated) == PLUMB_SEPARATED);
+  plumb_contact out{};
+  out.status = static_cast<int>(contact.status);
+  out.verdict = static_cast<int>(contact.verdict);
+  out.overlap = contact.overlap;
+  std::copy_n(contact.normal.data(), 3, out.normal);
+  std::copy_n(contact.point1.data(), 3, out.points[0]);
+  std::copy_n(contact.point2.data(), 3, out.points[1]);
+  std::copy_n(contact.contact_point.data(), 3, out.contact_point);
+  out.iterations = contact.iterations;
+  out.evaluations = contact.evaluations;
+  return out;
 }
 
-void require_version(void* handle, const std::string& path) {
-  const int version = symbol<decltype(&plumb_solver_version)>(handle, path, "plumb_solver_version")();
-  if (version == PLUMB_SOLVER_VERSION) return;
-  throw InputFailure(path, 0, "plumb_solver_version",
-                     "is " + std::to_string(version) + ", must be " + std::to_string(PLUMB_SOLVER_VERSION));
+TimedContact ask_pool(SolverPool& pool, const Pair& pair, const Contact<double>* last) {
+  wire::Request request;
+  request.pair = c_pair(pair);
+  if (last != nullptr) {
+    request.kind = wire::Request::Kind::solve_warm;
+    request.last = c_contact(*last);
+  }
+  const wire::Reply reply = pool.ask(request);
+  return {contact_of(reply.kind == wire::Reply::Kind::refused, reply.contact, pool.name()), reply.nanoseconds};
 }
 
-// Without a slash dlopen would look in the system's folders and not here.
-void* open_library(const std::string& path) {
-  const std::string name = path.find('/') == std::string::npos ? "./" + path : path;
-  void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) throw InputFailure(path, 0, "", std::string("cannot be loaded: ") + dlerror());
-  return handle;
+struct InProcess {
+  std::string name;
+  SolverLibrary library;
+};
+
+Contact<double> ask_in_process(const InProcess& solver, const Pair& pair, const Contact<double>* last) {
+  const plumb_pair input = c_pair(pair);
+  const plumb_contact start = last == nullptr ? silent_contact() : c_contact(*last);
+  plumb_contact answer{};
+  const int refused = ask(solver.library, input, last == nullptr ? nullptr : &start, answer);
+  return contact_of(refused != 0, answer, solver.name);
 }
 
-// The library stays loaded until the process ends: what it registered with the system may outlive any owner of ours.
-Solver load(const std::string& path, const std::string& name, const std::string& summary) {
-  void* handle = open_library(path);
-  require_version(handle, path);
-  const auto solve = symbol<decltype(&plumb_solver_solve)>(handle, path, "plumb_solver_solve");
-  const auto library = std::make_shared<const Library>(Library{name, solve});
-  return {
-      name,    Problem::common_normal,
-      summary, false,
-      false,   [library](const Pair& pair, const Want&, const Contact<double>*) { return solve_with(*library, pair); }};
+std::string foreign_name(const std::string& path) {
+  return "solver:" + std::filesystem::path(path).filename().string();
+}
+
+Solver solver_over(const std::shared_ptr<SolverPool>& pool, std::string summary) {
+  return {pool->name(),
+          Problem::common_normal,
+          std::move(summary),
+          false,
+          false,
+          [pool](const Pair& pair, const Want&, const Contact<double>* last) {
+            return ask_pool(*pool, pair, last).contact;
+          },
+          pool};
+}
+
+Solver load_here(const std::string& path, const std::string& name, const std::string& summary) try {
+  const auto solver = std::make_shared<const InProcess>(InProcess{name, open_solver_library(path)});
+  return {name,
+          Problem::common_normal,
+          summary,
+          false,
+          false,
+          [solver](const Pair& pair, const Want&, const Contact<double>* last) {
+            return ask_in_process(*solver, pair, last);
+          }};
+} catch (const UnusableLibrary& e) {
+  throw InputFailure(path, 0, e.field, e.what());
 }
 
 struct Peer {
@@ -129,8 +156,21 @@ std::string peer_path(std::string_view name) {
 
 }  // namespace
 
-Solver load_solver(const std::string& path) {
-  return load(path, "solver:" + std::filesystem::path(path).filename().string(), "foreign solver " + path);
+Solver load_solver(const std::string& path, const SolverLimits& limits) {
+  const auto pool = std::make_shared<SolverPool>(foreign_name(path), path, limits);
+  pool->start();
+  return solver_over(pool, "foreign solver " + path);
+}
+
+Solver load_solver_in_process(const std::string& path) {
+  return load_here(path, foreign_name(path), "foreign solver " + path);
+}
+
+Solver in_process(const Solver& solver) {
+  if (!solver.pool) return solver;
+  Solver here = load_here(solver.pool->library(), solver.name, solver.summary);
+  here.published = solver.published;
+  return here;
 }
 
 std::vector<std::string> peer_names() {
@@ -143,9 +183,30 @@ std::vector<std::string> peer_names() {
 Solver load_peer(const std::string& name) {
   const auto peer = std::find_if(kPeers.begin(), kPeers.end(), [&](const Peer& p) { return p.name == name; });
   if (peer == kPeers.end()) throw InputFailure("--method", 0, name, "no such peer");
-  Solver solver = load(peer_path(name), name, std::string(peer->summary));
+  Solver solver =
+      solver_over(std::make_shared<SolverPool>(name, peer_path(name), SolverLimits{}), std::string(peer->summary));
   solver.published = true;
   return solver;
+}
+
+TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& want, const Contact<double>* last) {
+  if (solver.pool) return ask_pool(*solver.pool, pair, last);
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  TimedContact out{solver.solve(pair, want, last)};
+  out.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+  return out;
+}
+
+bool is_given_up(const Solver& solver) {
+  return solver.pool && solver.pool->hangs() >= most_hangs;
+}
+
+std::optional<Leak> find_leak(const Solver& solver, std::span<const Pair> pairs) {
+  if (!solver.pool) return std::nullopt;
+  std::vector<plumb_pair> asked;
+  for (const Pair& pair : pairs) asked.push_back(c_pair(pair));
+  return solver.pool->find_leak(std::move(asked));
 }
 
 }  // namespace plumb

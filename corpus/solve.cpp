@@ -1,7 +1,6 @@
 // plumb solve: the contact of each case by one method or several.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -18,7 +17,7 @@ namespace {
 struct Options {
   std::string cases;
   std::string methods;
-  std::string library;
+  ForeignOption library;
   std::string want = "overlap,normal,points";
   int repeat = 1;
   bool warm = false;
@@ -28,7 +27,7 @@ struct Options {
 void declare(CLI::App& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
   app.add_option("--method", options.methods, "NAME,.. or all; default auto (plumb methods lists them)");
-  app.add_option("--solver", options.library, "a shared library that implements solver/plumb_solver.h");
+  declare_solver(app, options.library, "a shared library that implements solver/plumb_solver.h");
   app.add_option("--want", options.want,
                  "what to compute: overlap,normal,points,curvature,derivatives; or verdict alone")
       ->capture_default_str();
@@ -60,25 +59,29 @@ Want parse_want(const std::string& names) {
 
 std::vector<Solver> chosen_solvers(const Options& options) {
   std::vector<Solver> solvers;
-  if (!options.methods.empty() || options.library.empty())
+  const auto& [library, limits] = options.library;
+  if (!options.methods.empty() || library.empty())
     solvers = find_solvers(options.methods.empty() ? "auto" : options.methods);
-  if (!options.library.empty()) solvers.push_back(load_solver(options.library));
+  if (!library.empty()) solvers.push_back(load_solver(library, limits));
   return solvers;
 }
 
-/// The last call's answer, which is that of every call, and the smallest time.
+/// The last call's answer, which is that of every call, and the smallest time; or why there is none.
 Answer solve_case(const Case& c, const Solver& solver, const Want& want, const Options& options) {
-  using Clock = std::chrono::steady_clock;
   Answer answer{c.name, c.pair, want, {}, {}};
-  Contact<double> start;
-  if (options.warm) start = solver.solve(c.pair, want, nullptr);
-  auto shortest = Clock::duration::max();
-  for (int i = 0; i < options.repeat && (i == 0 || !interrupted()); ++i) {
-    const auto before = Clock::now();
-    answer.contact = solver.solve(c.pair, want, options.warm ? &start : nullptr);
-    shortest = std::min(shortest, Clock::now() - before);
+  try {
+    Contact<double> start;
+    if (options.warm) start = solver.solve(c.pair, want, nullptr);
+    for (int i = 0; i < options.repeat && (i == 0 || !interrupted()); ++i) {
+      const TimedContact timed = solve_timed(solver, c.pair, want, options.warm ? &start : nullptr);
+      answer.contact = timed.contact;
+      answer.nanoseconds = std::min(answer.nanoseconds.value_or(timed.nanoseconds), timed.nanoseconds);
+    }
+  } catch (const NoAnswer& none) {
+    answer.contact = {};
+    answer.contact.method = solver.name;
+    answer.none = {none.how == NoAnswer::How::hung ? "slow" : "crash", none.what()};
   }
-  answer.nanoseconds = static_cast<double>(std::chrono::nanoseconds(shortest).count());
   return answer;
 }
 
@@ -92,13 +95,17 @@ void print_answers(const std::vector<Answer>& answers, bool json) {
 int solve(const Options& options) {
   const Want want = parse_want(options.want);
   const std::vector<Solver> solvers = chosen_solvers(options);
+  int code = exit_done;
   each_case(options.cases, [&](const Case& c) {
     std::vector<Answer> answers;
-    for (const Solver& solver : solvers) answers.push_back(solve_case(c, solver, want, options));
+    for (const Solver& solver : solvers) {
+      answers.push_back(solve_case(c, solver, want, options));
+      if (answers.back().none && !solver.published) code = exit_finding;
+    }
     print_answers(answers, options.json);
     flush_output();
   });
-  return exit_done;
+  return code;
 }
 
 }  // namespace

@@ -1,14 +1,20 @@
 // Anything that answers a pair: plumb's own methods by name, or a shared library behind solver/plumb_solver.h.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "solver/contact.hpp"
 
 namespace plumb {
+
+class SolverPool;
 
 struct Solver {
   std::string name;
@@ -18,6 +24,21 @@ struct Solver {
       false;  ///< a baseline from the literature or a peer: its findings are results, not failures of plumb
   bool unit_keeps_bits = false;  ///< plumb's own: a change of unit by a power of two changes no bit of the answer
   std::function<Contact<double>(const Pair&, const Want&, const Contact<double>* last)> solve;
+  std::shared_ptr<SolverPool> pool = nullptr;  ///< the processes of a foreign solver, whose solve() may throw NoAnswer
+};
+
+/// What a foreign solver did instead of an answer; what() says it in words. Its process is gone, the next call gets another.
+class NoAnswer : public std::runtime_error {
+ public:
+  enum class How { crashed, hung };
+  NoAnswer(How how_, const std::string& what) : std::runtime_error(what), how(how_) {}
+  How how;
+};
+
+struct SolverLimits {
+  /// Of processor time for an answer, and six times that asleep. The one budget in plumb that is no count: nothing but the clock
+  /// tells of a library that does not come back.
+  double seconds = 10;
 };
 
 /// Every solver that this build has, in the order of `plumb methods`.
@@ -26,13 +47,41 @@ struct Solver {
 /// Comma-separated names or "all"; throws InputFailure (corpus/case.hpp) for an unknown one.
 [[nodiscard]] std::vector<Solver> find_solvers(const std::string& names);
 
-/// The solver in a shared library (solver/plumb_solver.h); throws InputFailure when it cannot be loaded.
-[[nodiscard]] Solver load_solver(const std::string& path);
+/// The solver in a shared library (solver/plumb_solver.h), in processes of its own: one for each thread that asks at the same
+/// time. Throws InputFailure when it cannot be loaded.
+[[nodiscard]] Solver load_solver(const std::string& path, const SolverLimits& limits = {});
+
+/// The same in this process, which ends when the library ends it: for an engine that is to see its code, and for our own.
+[[nodiscard]] Solver load_solver_in_process(const std::string& path);
+
+/// A foreign solver taken into this process, any other as it is: for a clock that is to see the solver alone.
+[[nodiscard]] Solver in_process(const Solver& solver);
 
 /// The peers that this build has, other people's solvers (fuzz/peers/): those whose library is in peers/ beside the program.
 [[nodiscard]] std::vector<std::string> peer_names();
 
-/// One of them; throws InputFailure when it cannot be loaded.
+/// One of them, in processes of its own that start with its first answer; throws InputFailure when there is no such peer.
 [[nodiscard]] Solver load_peer(const std::string& name);
+
+struct TimedContact {
+  Contact<double> contact;
+  double nanoseconds = 0;  ///< of the solver alone, wherever it runs
+};
+[[nodiscard]] TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& want,
+                                       const Contact<double>* last);
+
+/// After so many answers that did not come a foreign solver is not asked any more: each takes the whole limit.
+inline constexpr std::uint64_t most_hangs = 20;
+[[nodiscard]] bool is_given_up(const Solver& solver);
+
+/// Memory that a foreign solver takes and does not give back.
+struct Leak {
+  double bytes_a_call = 0;
+  std::uint64_t calls = 0;  ///< over which it was measured
+};
+
+/// Asks a fresh process for the same pairs again and again: a leak is what grows each time, after the first. Pairs without
+/// an answer are left out. nullopt: none, or the solver is in this process, or it hung.
+[[nodiscard]] std::optional<Leak> find_leak(const Solver& solver, std::span<const Pair> pairs);
 
 }  // namespace plumb

@@ -66,6 +66,7 @@ bool judge_answer(Round& round, const Solver& solver) {
   for (Tally* tally : tallies_of(round, method)) {
     tally->published = solver.published;
     add_answer(*tally, round.place, judged.answer, judged.judgement, judged.nanoseconds);
+    tally->habits.add(round.judge.reference().verdict, judged.answer);
   }
   count_on_ladder(round, method, judged);
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
@@ -116,8 +117,38 @@ Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& option
   return asked;
 }
 
-void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, Progress& progress) {
-  while (done.load() < total && !interrupted()) {
+std::set<std::string> given_up(const CampaignOptions& options) {
+  std::set<std::string> names;
+  for (const Solver& solver : options.solvers)
+    if (is_given_up(solver)) names.insert(solver.name);
+  return names;
+}
+
+bool is_over(const CampaignOptions& options) {
+  return interrupted() || std::any_of(options.solvers.begin(), options.solvers.end(), is_given_up);
+}
+
+/// The same in every shard, whatever its cases are: a solver leaks in all of them or in none.
+std::vector<Pair> first_pairs(const std::vector<Source>& sources) {
+  constexpr std::uint64_t most = 256;  // of each source
+  std::vector<Pair> pairs;
+  for (const Source& source : sources)
+    for (std::uint64_t i = 0; i < std::min(most, source.cases); ++i) pairs.push_back(source.at(i).pair);
+  return pairs;
+}
+
+void look_for_leaks(Results& results, const std::vector<Source>& sources, const CampaignOptions& options) try {
+  for (const Solver& solver : options.solvers) {
+    if (solver.published || !solver.pool || is_over(options)) continue;
+    if (const auto leak = find_leak(solver, first_pairs(sources))) results.leaks[solver.name] = *leak;
+  }
+} catch (const std::exception& e) {
+  ++results.harness_errors[std::string("looking for leaks: ") + e.what()];
+}
+
+void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, const CampaignOptions& options,
+              Progress& progress) {
+  while (done.load() < total && !is_over(options)) {
     progress.show(done.load());
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -149,7 +180,7 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   std::atomic<std::uint64_t> next{0}, done{0};
   std::vector<Results> parts(std::max(1u, options.threads));
   const auto worker = [&](Results& results) {
-    for (std::uint64_t k = next++; k < total && !interrupted(); k = next++) {
+    for (std::uint64_t k = next++; k < total && !is_over(options); k = next++) {
       const Work work = work_at(sources, sizes, options.shard, k);
       judge_case(results, *work.source, work.index, options);
       ++done;
@@ -159,7 +190,7 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   {
     std::vector<std::jthread> threads;
     for (Results& part : parts) threads.emplace_back(worker, std::ref(part));
-    wait_for(done, total, progress);
+    wait_for(done, total, options, progress);
   }
   Results results;
   for (Results& part : parts) results.merge(std::move(part));
@@ -168,8 +199,10 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   results.hosts = {host_json().dump()};
   results.threads = static_cast<unsigned>(parts.size());
   results.seconds = progress.seconds();
-  results.interrupted = done.load() < total;
+  results.given_up = given_up(options);
+  results.interrupted = done.load() < total && results.given_up.empty();
   progress.finish(done.load());
+  look_for_leaks(results, sources, options);
   return results;
 }
 

@@ -40,9 +40,9 @@ struct CampaignOptions {
 [[nodiscard]] Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed,
                                    const std::string& options);
 
-/// Judges until all is done or interrupted(); shows its progress. A C++ exception is never passed on: out of a solver it
-/// counts as a finding (crash), out of anything else as an error of the harness. What ends the process (a signal, a sanitizer,
-/// abort() or exit() in a foreign solver) ends the campaign.
+/// Judges until all is done, interrupted() or a foreign solver is given up; shows its progress. A C++ exception is never passed
+/// on: out of a solver it counts as a finding (crash), out of anything else as an error of the harness. What a foreign solver
+/// does in its own process (solver.hpp) is a finding; what ends this one (a signal, a sanitizer) ends the campaign.
 [[nodiscard]] Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options);
 
 /// One case into the results, as each worker does it.

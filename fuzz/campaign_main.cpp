@@ -13,7 +13,8 @@ namespace plumb {
 namespace {
 
 struct Arguments {
-  std::string family, method, solver, shard = "1/1", out, cache;
+  std::string family, method, shard = "1/1", out, cache;
+  ForeignOption solver;
   std::int64_t cases = 0;
   std::uint64_t seed = 1;
   unsigned threads = default_threads();
@@ -25,7 +26,7 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
   app.add_option("--seed", args.seed, "same seed, same cases and results")->capture_default_str();
   app.add_option("--method", args.method, "methods with commas, or all (the default without --solver)");
-  app.add_option("--solver", args.solver, "a shared library behind solver/plumb_solver.h");
+  declare_solver(app, args.solver, "a shared library behind solver/plumb_solver.h, in processes of its own");
   app.add_option("--shard", args.shard, "i/n: the i-th of n parts, 1 <= i <= n; plumb merge puts them together");
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
   app.add_option("--out", args.out, "folder for summary.json, campaign.bins and failures/");
@@ -34,23 +35,23 @@ void declare(CLI::App& app, Arguments& args) {
 
 /// Without either option: all. A foreign solver is asked alone unless methods are named beside it.
 std::string methods_of(const Arguments& args) {
-  return args.method.empty() && args.solver.empty() ? "all" : args.method;
+  return args.method.empty() && args.solver.library.empty() ? "all" : args.method;
 }
 
 CampaignOptions options_of(const Arguments& args) {
   const std::string methods = methods_of(args);
   CampaignOptions options{{}, args.seed, args.threads, parse_shard(args.shard)};
   if (!methods.empty()) options.solvers = find_solvers(methods);
-  if (args.solver.empty()) return options;
-  options.solvers.push_back(load_solver(args.solver));
-  options.libraries[options.solvers.back().name] = std::filesystem::absolute(args.solver).string();
+  if (args.solver.library.empty()) return options;
+  options.solvers.push_back(load_solver(args.solver.library, args.solver.limits));
+  options.libraries[options.solvers.back().name] = std::filesystem::absolute(args.solver.library).string();
   return options;
 }
 
 std::string command_options(const Arguments& args) {
   const std::string methods = methods_of(args);
   const std::string by_name = methods.empty() ? "" : " --method " + methods;
-  return by_name + (args.solver.empty() ? "" : " --solver " + shell_word(args.solver));
+  return by_name + (args.solver.library.empty() ? "" : " --solver " + shell_word(args.solver.library));
 }
 
 int campaign(const Arguments& args) {

@@ -1,39 +1,10 @@
 #include "fuzz/judging.hpp"
 
-#include <chrono>
 #include <cmath>
-#include <exception>
 
 #include "properties/screen.hpp"
 
 namespace plumb {
-namespace {
-
-Judgement crashed(const std::string& what) {
-  Judgement judgement;
-  judgement.finding = {FindingKind::crash, std::numeric_limits<double>::infinity(), "returns", what};
-  judgement.judged = true;
-  return judgement;
-}
-
-}  // namespace
-
-JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver) {
-  using Clock = std::chrono::steady_clock;
-  JudgedAnswer out;
-  const Want want;
-  try {
-    const auto start = Clock::now();
-    out.answer = solver.solve(pair, want, nullptr);
-    out.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-    out.judgement = judge.judge(
-        solver.problem, out.answer, [&](const Pair& related) { return solver.solve(related, want, nullptr); },
-        solver.unit_keeps_bits);
-  } catch (const std::exception& e) {
-    out.judgement = crashed(e.what());
-  }
-  return out;
-}
 
 double beats_reference(const Pair& pair, const Contact<double>& answer, const Reference& reference) {
   if (!answer.normal.allFinite()) return 0;

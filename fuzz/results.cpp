@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "plumb/bins-6";
+constexpr const char* kFormat = "plumb/bins-7";
 
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
@@ -80,6 +80,12 @@ FamilyResults read_family(const Json& json) {
   return family;
 }
 
+Json leaks_json(const Results& results) {
+  Json json = Json::object();
+  for (const auto& [method, leak] : results.leaks) json[method] = leak_json(leak);
+  return json;
+}
+
 Json bins_json(const Results& results) {
   Json families = Json::object();
   for (const auto& [name, family] : results.families) families[name] = family_json(family);
@@ -90,6 +96,8 @@ Json bins_json(const Results& results) {
           {"buckets", results.buckets},
           {"harness_errors", results.harness_errors},
           {"libraries", results.libraries},
+          {"leaks", leaks_json(results)},
+          {"given_up", results.given_up},
           {"hosts", results.hosts},
           {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
 }
@@ -112,6 +120,9 @@ Results parse_bins(const Json& json) {
   json.at("buckets").get_to(results.buckets);
   json.at("harness_errors").get_to(results.harness_errors);
   json.at("libraries").get_to(results.libraries);
+  for (const auto& [method, leak] : json.at("leaks").items())
+    results.leaks[method] = {leak.at("bytes_a_call").get<double>(), count_at(leak, "calls")};
+  json.at("given_up").get_to(results.given_up);
   json.at("hosts").get_to(results.hosts);
   for (const std::string& host : results.hosts) require_host(host);
   json.at("timing").at("seconds").get_to(results.seconds);
@@ -148,6 +159,9 @@ void Results::merge(Results&& other) {
   for (const auto& [bucket, n] : other.buckets) buckets[bucket] += n;
   for (const auto& [message, n] : other.harness_errors) harness_errors[message] += n;
   libraries.insert(other.libraries.begin(), other.libraries.end());
+  for (const auto& [method, leak] : other.leaks)  // each shard asked for the same pairs
+    if (leak.bytes_a_call > leaks[method].bytes_a_call) leaks[method] = leak;
+  given_up.insert(other.given_up.begin(), other.given_up.end());
   kept.merge(std::move(other.kept));
   hosts.merge(other.hosts);
   seconds += other.seconds;
@@ -173,8 +187,8 @@ Json Results::hosts_json() const {
 }
 
 int exit_code(const Results& results) {
-  if (results.incomplete()) return 130;
-  bool found = !results.harness_errors.empty();
+  if (results.interrupted || results.shards_missing) return 130;
+  bool found = !results.harness_errors.empty() || !results.leaks.empty();
   for (const auto& [name, family] : results.families) {
     found = found || family.reference_beaten > 0;
     for (const auto& [method, tally] : family.methods) found = found || (!tally.published && tally.failures() > 0);

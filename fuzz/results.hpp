@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "corpus/solver.hpp"
 #include "fuzz/asked.hpp"
 #include "fuzz/kept.hpp"
 #include "fuzz/ladders.hpp"
@@ -44,6 +45,8 @@ struct Results {
   std::map<std::string, std::uint64_t> buckets;         ///< failures in each
   std::map<std::string, std::uint64_t> harness_errors;  ///< message -> cases
   std::map<std::string, std::string> libraries;         ///< foreign solver -> absolute path of its library
+  std::map<std::string, Leak> leaks;                    ///< of foreign solvers
+  std::set<std::string> given_up;                       ///< foreign solvers that did not come back too often
   KeptFailures kept;
   std::set<std::string> hosts;  ///< machine and build of each part, as JSON (corpus/build_info.hpp)
   double seconds = 0;           ///< wall clock, added up over merged runs
@@ -54,10 +57,11 @@ struct Results {
   [[nodiscard]] Tallies methods() const;  ///< over all families
   /// The one host, or a list where parts of several were merged.
   [[nodiscard]] Json hosts_json() const;
-  [[nodiscard]] bool incomplete() const { return interrupted || shards_missing; }
+  [[nodiscard]] bool incomplete() const { return interrupted || shards_missing || !given_up.empty(); }
 };
 
-/// 1 when a method that is no published baseline, the reference or the harness has a finding; 130 when incomplete; else 0.
+/// 130 when interrupted or without some of the shards; 1 when a method that is no published baseline, the reference or the
+/// harness has a finding, or a foreign solver leaks; else 0.
 [[nodiscard]] int exit_code(const Results& results);
 
 /// real, spheroid, ellipsoid, superquadric, hard; methods in the order of `plumb methods`, foreign ones last.
@@ -68,6 +72,7 @@ struct Results {
 
 /// Cases by the dearest effort that judging them took.
 [[nodiscard]] Json needed_json(const FamilyResults& family);
+[[nodiscard]] Json leak_json(const Leak& leak);
 [[nodiscard]] Json summary_json(const Results& results);
 
 /// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. What an earlier run

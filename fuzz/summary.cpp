@@ -43,6 +43,7 @@ Json method_json(const Tally& tally) {
   json["x_converged"] = {{"count", tally.converged()},
                          {"findings", counts_json<FindingKind>(tally.converged_findings)},
                          {"angle_error_above_0.01_deg", share_json(tally.angles_wrong, tally.angle_error_deg.count())}};
+  if (const auto words = tally.habits.in_words(); !words.empty()) json["x_habits"] = words;
   return json;
 }
 
@@ -121,7 +122,16 @@ Json timing_json(const Results& results) {
           {"ns_per_solve", methods}};
 }
 
+/// What a solver does beside its answers stands with the figures of all of them.
+void add_leaks(Json& methods, const Results& results) {
+  for (const auto& [method, leak] : results.leaks) methods[method]["x_leak"] = leak_json(leak);
+}
+
 }  // namespace
+
+Json leak_json(const Leak& leak) {
+  return {{"bytes_a_call", leak.bytes_a_call}, {"calls", leak.calls}};
+}
 
 Json needed_json(const FamilyResults& family) {
   Json json = Json::object();
@@ -136,6 +146,8 @@ Json summary_json(const Results& results) {
   json["families"] = family_order(results);
   if (results.incomplete()) json["incomplete"] = true;
   json["methods"] = methods_json(results.methods());
+  add_leaks(json["methods"], results);
+  if (!results.given_up.empty()) json["x_given_up"] = results.given_up;
   json["x_harness_errors"] = results.harness_errors;
   for (const std::string& family : family_order(results))
     json["x_families"][family] = family_summary(results.families.at(family));

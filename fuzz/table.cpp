@@ -85,6 +85,7 @@ std::string method_rows(const std::string& method, const Tally& tally) {
                   iterations(tally.iterations), duration(tally.nanoseconds.percentile(0.5)));
   for (std::size_t i = 1; i < lines.size(); ++i)
     text += fmt::format(" {:<26}{:>6}  {:<15}{}\n", "", "", lines[i].first, lines[i].second);
+  for (const std::string& words : tally.habits.in_words()) text += fmt::format(" {:<26}{:>6}  {}\n", "", "", words);
   return text;
 }
 
@@ -108,6 +109,11 @@ std::string notes(const Results& results) {
       "  >0.01deg: per cent of the converged answers; p50, p99, max: their angle to the certified common normal, "
       "degrees;\n  iter: p50/p99 of the iterations of all answers; time: median of one solve.\n";
   for (const auto& [message, n] : results.harness_errors) text += fmt::format("  HARNESS ERROR {}\n", message);
+  for (const auto& [method, leak] : results.leaks)
+    text += fmt::format("  LEAK {}: its memory grows by {:.6g} bytes a call, in {} calls for pairs that it knew.\n",
+                        method, leak.bytes_a_call, leak.calls);
+  for (const std::string& method : results.given_up)
+    text += fmt::format("  INCOMPLETE: {} did not come back {} times; what was done is counted.\n", method, most_hangs);
   if (results.interrupted) text += "  INCOMPLETE: interrupted; what was done is counted.\n";
   if (results.shards_missing)
     text += fmt::format("  INCOMPLETE: {} of {} shards; what they did is counted.\n", results.asked.done.size(),

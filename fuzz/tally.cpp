@@ -110,6 +110,7 @@ void Tally::merge(const Tally& other) {
   iterations.merge(other.iterations);
   evaluations.merge(other.evaluations);
   atlas.merge(other.atlas);
+  habits.merge(other.habits);
   nanoseconds.merge(other.nanoseconds);
 }
 
@@ -126,6 +127,7 @@ Json Tally::to_json() const {
           {"iterations", iterations.to_json()},
           {"evaluations", evaluations.to_json()},
           {"atlas", atlas.to_json()},
+          {"habits", habits.to_json()},
           {"nanoseconds", nanoseconds.to_json()}};
 }
 
@@ -156,6 +158,7 @@ Tally Tally::from_json(const Json& json) {
   t.iterations.read(json.at("iterations"));
   t.evaluations.read(json.at("evaluations"));
   t.atlas.read(json.at("atlas"));
+  t.habits = Habits::from_json(json.at("habits"));
   t.nanoseconds.read(json.at("nanoseconds"));
   require_sums(t);
   return t;

@@ -9,6 +9,7 @@
 
 #include "corpus/case.hpp"
 #include "fuzz/atlas.hpp"
+#include "fuzz/habits.hpp"
 #include "properties/laws.hpp"
 
 namespace plumb {
@@ -58,6 +59,7 @@ struct Tally {
   Histogram overlap_error;         ///< of the converged answers, relative to the size
   Histogram iterations{Histogram::Scale::whole}, evaluations{Histogram::Scale::whole};  ///< of all answers
   Atlas atlas;                                                                          ///< of all answers
+  Habits habits;                                                                        ///< of all answers
   Histogram nanoseconds;  ///< one solve, first call; the only field that is not reproducible
 
   void merge(const Tally& other);

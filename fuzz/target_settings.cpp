@@ -14,8 +14,10 @@ std::string environment(const char* variable, const char* otherwise) {
 
 /// The variable takes the place of --method, and is named where its value is refused.
 Solver solver_asked() {
+  const std::string method = environment("PLUMB_FUZZ_METHOD", "auto");
   try {
-    return find_solvers(environment("PLUMB_FUZZ_METHOD", "auto")).front();
+    // In this process, where the engine sees what code it takes, and its end.
+    return method.find('/') == std::string::npos ? find_solvers(method).front() : load_solver_in_process(method);
   } catch (const InputFailure& e) {
     throw InputFailure("PLUMB_FUZZ_METHOD", 0, "", e.what());
   }

@@ -91,7 +91,7 @@ std::optional<FindingKind> finding_kind(std::string_view word) {
 
 std::string_view meaning(FindingKind kind) {
   switch (kind) {
-    case FindingKind::crash: return "the solver threw an exception";
+    case FindingKind::crash: return "the solver threw an exception or ended its process";
     case FindingKind::not_finite: return "a NaN or an infinity in what claims to be an answer";
     case FindingKind::nonconverged: return "the solver says itself that it has no answer";
     case FindingKind::false_contact: return "overlapping, it says; the bodies are apart";
@@ -104,7 +104,7 @@ std::string_view meaning(FindingKind kind) {
     case FindingKind::point_error: return "not the certified points";
     case FindingKind::asymmetric: return "changes when the bodies are exchanged, moved or measured in another unit";
     case FindingKind::nondeterministic: return "changes from call to call";
-    case FindingKind::slow: return "took more than 1000 evaluations";
+    case FindingKind::slow: return "took more than 1000 evaluations, or did not come back";
     case FindingKind::none: break;
   }
   return "breaks no law";

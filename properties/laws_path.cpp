@@ -8,6 +8,7 @@
 
 #include "corpus/interrupt.hpp"
 #include "properties/allowance.hpp"
+#include "properties/judged_answer.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
@@ -245,11 +246,22 @@ PathJudge::PathJudge(const std::vector<Pair>& pairs, const ReferenceSource& sour
 
 PathEvidence PathJudge::follow(Problem problem, const WarmSolve& solve) {
   PathEvidence out{problem, {}};
+  const auto judged = [&](std::size_t i, const Contact<double>* last, Finding& broken) {
+    Contact<double> answer;
+    try {
+      answer = solve(pairs_[i], last);
+      broken = judges_[i].judge(problem, answer).finding;
+    } catch (const NoAnswer& e) {
+      broken = finding_of(e);
+    }
+    return answer;
+  };
   for (std::size_t i = 0; i < pairs_.size() && !interrupted(); ++i) {
-    PathStep step{pairs_[i], solve(pairs_[i], nullptr), {}, {}, {}, nullptr, nullptr};
-    step.warm = i == 0 ? step.cold : solve(pairs_[i], &out.steps.back().warm);
-    step.broken_cold = judges_[i].judge(problem, step.cold).finding;
-    step.broken_warm = judges_[i].judge(problem, step.warm).finding;
+    PathStep step{pairs_[i], {}, {}, {}, {}, nullptr, nullptr};
+    step.cold = judged(i, nullptr, step.broken_cold);
+    step.warm = step.cold;
+    step.broken_warm = step.broken_cold;
+    if (i > 0) step.warm = judged(i, &out.steps.back().warm, step.broken_warm);
     step.reference = &judges_[i].reference();
     step.own = &judges_[i].solution(problem);
     out.steps.push_back(std::move(step));

@@ -19,7 +19,7 @@ namespace {
 struct Options {
   std::vector<std::string> paths;
   std::string method;
-  std::string library;
+  ForeignOption library;
   std::string junit;
   std::string sarif;
   std::string cache;
@@ -30,7 +30,7 @@ struct Options {
 void declare(CLI::App& app, Options& options) {
   app.add_option("PATH", options.paths, "case files, and folders of them")->required();
   auto* method = app.add_option("--method", options.method, "instead of the method that each case names");
-  app.add_option("--solver", options.library, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
+  declare_solver(app, options.library, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");
   app.add_option("--cache", options.cache, cache_help);
@@ -39,7 +39,8 @@ void declare(CLI::App& app, Options& options) {
 }
 
 std::optional<Solver> solver_instead(const Options& options) {
-  if (!options.library.empty()) return load_solver(options.library);
+  const auto& [library, limits] = options.library;
+  if (!library.empty()) return load_solver(library, limits);
   if (options.method.empty()) return std::nullopt;
   const std::vector<Solver> solvers = find_solvers(options.method);
   if (solvers.size() != 1) throw InputFailure("--method", 0, options.method, "replay takes one method");

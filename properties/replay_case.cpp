@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "properties/judged_answer.hpp"
 #include "solver/diagnosis.hpp"
 
 namespace plumb {
@@ -96,10 +97,8 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const Solver solver = instead ? *instead : solver_named(own_method(c), file, line);
-  const auto solve = [&solver](const Pair& pair) { return solver.solve(pair, Want{}, nullptr); };
-  const Contact<double> contact = solve(c.pair);
   Judge judge(c.pair, source);
-  const Judgement judgement = judge.judge(solver.problem, contact, solve, solver.unit_keeps_bits);
+  const auto [contact, judgement, nanoseconds] = solve_and_judge(judge, c.pair, solver);
   Replayed out{file, line, c.name, solver.name, judgement.finding, {}, {}, 0};
   if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge.solution(solver.problem));
   const Answered answered{c, contact, out.finding};

@@ -197,8 +197,15 @@ int print_cases(const Options& options) {
   return exit_done;
 }
 
+/// Each call is timed from outside.
+std::vector<Solver> solvers_here(const std::string& names) {
+  std::vector<Solver> solvers = find_solvers(names);
+  for (Solver& solver : solvers) solver = in_process(solver);
+  return solvers;
+}
+
 int count(const Options& options) {
-  const std::vector<Solver> solvers = find_solvers(options.method);
+  const std::vector<Solver> solvers = solvers_here(options.method);
   if (solvers.size() != 1 || options.sets.size() + (options.pairs.empty() ? 0 : 1) != 1)
     throw InputFailure("plumb bench", 0, "--count-only", "needs one --method, and one --set or --pairs");
   each_set(options, [&](const Named& set) {
@@ -212,7 +219,7 @@ int count(const Options& options) {
 }
 
 int bench(const Options& options) {
-  const std::vector<Solver> solvers = find_solvers(options.method);
+  const std::vector<Solver> solvers = solvers_here(options.method);
   std::string lines;
   each_set(options, [&](const Named& set) {
     const std::vector<Measurement> all = measure(jobs_of(set, solvers, options.seed), options.repeat);

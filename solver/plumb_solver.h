@@ -3,12 +3,17 @@
  * Build a shared library that exports plumb_solver_version and plumb_solver_solve; then
  *     plumb solve CASE --solver ./libmine.so
  *     plumb campaign --family all --cases 1000 --seed 1 --solver ./libmine.so --out DIR
- * (without --method the library alone is judged). It is judged as a common-normal solver; the answers of one that solves
- * another problem go through `plumb check` with "method": "geometric_potential_midway" or "geometric_potential".
+ * (without --method the library alone is judged; fuzz/example/ has one of a page). It is judged as a common-normal solver;
+ * the answers of one that solves another problem go through `plumb check` with "method": "geometric_potential_midway" or
+ * "geometric_potential".
+ *
+ * The library runs in processes of its own, one for each thread of plumb's, and is called from one thread there. What ends
+ * the process is the finding `crash`, no answer after --solver-limit seconds of its processor time is `slow`, memory that
+ * grows from call to call is a leak. What it prints is not shown; the last lines before a crash are in the finding's detail.
  *
  * Lengths in the caller's unit, world frame, rotation = quaternion / |quaternion| takes body axes to world axes.
  * With PLUMB_CONVERGED fill overlap, normal and points (a NaN there counts as not_finite); contact_point may be NaN.
- * Otherwise leave NaN what you do not have. The functions may be called from several threads at once.
+ * Otherwise leave NaN what you do not have.
  */
 #ifndef PLUMB_SOLVER_H
 #define PLUMB_SOLVER_H
@@ -58,6 +63,10 @@ int plumb_solver_version(void);
 
 /* Returns 0, or non-zero when it refuses the pair (legal; it counts as nonconverged). */
 int plumb_solver_solve(const plumb_pair* pair, plumb_contact* contact);
+
+/* Optional: the same for a pair that was a little elsewhere a step before, where its contact was `last` (`plumb path`,
+ * `plumb solve --warm`). Without it every call is a cold one. */
+int plumb_solver_solve_warm(const plumb_pair* pair, const plumb_contact* last, plumb_contact* contact);
 
 #ifdef __cplusplus
 }

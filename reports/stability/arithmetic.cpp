@@ -84,7 +84,7 @@ Arithmetic stochastic(std::uint64_t samples) {
 Arithmetic compiled(const std::filesystem::path& library) {
   std::string name = library.stem().string();
   std::replace(name.begin(), name.end(), '_', ' ');
-  const Solver solver = load_solver(library.string());
+  const Solver solver = load_solver_in_process(library.string());
   return {name, epsilon<double>(), 1, false,
           [solver](std::string_view method, const Pair& pair, std::uint64_t) -> Answer {
             if (method != "auto") return std::nullopt;

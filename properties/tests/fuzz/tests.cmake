@@ -2,3 +2,13 @@
 target_link_libraries(test_fuzz PRIVATE plumb_fuzz fmt::fmt)
 add_dependencies(test_fuzz plumb plumb-campaign plumb-merge plumb-families plumb-fuzz-run plumb-methods plumb-replay
                  replay-pair replay-case foreign_sphere peers)
+
+# A foreign solver that does what it is told to by the environment, and the worked example.
+add_library(foreign_misbehaving MODULE ${folder}/foreign/misbehaving.cpp)
+add_library(foreign_example MODULE ${PROJECT_SOURCE_DIR}/fuzz/example/bounding_spheres.c)
+target_link_libraries(foreign_example PRIVATE m)
+foreach(library foreign_misbehaving foreign_example)
+  target_include_directories(${library} PRIVATE ${PROJECT_SOURCE_DIR})
+  set_target_properties(${library} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  add_dependencies(test_fuzz ${library})
+endforeach()

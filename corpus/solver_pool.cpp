@@ -1,0 +1,143 @@
+#include "corpus/solver_pool.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace plumb {
+namespace {
+
+struct Memory {
+  double heap = 0, resident = 0;
+};
+
+Memory memory_of(SolverProcess& process) {
+  wire::Request request;
+  request.kind = wire::Request::Kind::measure_memory;
+  const wire::Reply reply = process.ask(request);
+  return {static_cast<double>(reply.heap_bytes), static_cast<double>(reply.resident_bytes)};
+}
+
+/// The place of the pair without an answer; pairs.size() where there is none.
+std::size_t ask_in_turn(SolverProcess& process, const std::vector<plumb_pair>& pairs, std::size_t calls) {
+  wire::Request request;
+  for (std::size_t call = 0; call < calls; ++call) {
+    request.pair = pairs[call % pairs.size()];
+    try {
+      (void)process.ask(request);
+    } catch (const NoAnswer& e) {
+      if (e.how == NoAnswer::How::hung) throw;
+      return call % pairs.size();
+    }
+  }
+  return pairs.size();
+}
+
+constexpr std::size_t kLeastCalls = 64;  // in a pass
+constexpr int kPasses = 6;               // that are measured
+// Below this a pass's growth of resident memory is the allocator's unrest; the heap in use is exact.
+constexpr double kLeastResident = 4.0 * 4096;
+
+/// What the heap, or else the resident memory, grew by in each of the passes, least of all.
+struct Growth {
+  double heap = 1e300, resident = 1e300;
+  [[nodiscard]] double bytes() const { return std::max({0.0, heap, resident >= kLeastResident ? resident : 0.0}); }
+};
+
+/// Passes over the same pairs: what is taken once, or once for each pair, is taken in the first, which does not count.
+struct Measured {
+  std::size_t failed_at;  ///< ask_in_turn() of the pass that failed
+  Growth growth;
+};
+
+Measured measure_growth(SolverProcess& process, const std::vector<plumb_pair>& pairs, std::size_t calls) {
+  Measured out{ask_in_turn(process, pairs, calls), {}};
+  Memory before = memory_of(process);
+  for (int pass = 0; pass < kPasses && out.failed_at == pairs.size(); ++pass) {
+    out.failed_at = ask_in_turn(process, pairs, calls);
+    if (out.failed_at != pairs.size()) break;
+    const Memory after = memory_of(process);
+    out.growth.heap = std::min(out.growth.heap, after.heap - before.heap);
+    out.growth.resident = std::min(out.growth.resident, after.resident - before.resident);
+    before = after;
+  }
+  return out;
+}
+
+std::optional<Leak> leak_of(const Growth& growth, std::size_t calls) {
+  if (!(growth.bytes() > 0)) return std::nullopt;
+  return Leak{growth.bytes() / static_cast<double>(calls), kPasses * calls};
+}
+
+}  // namespace
+
+SolverPool::SolverPool(std::string name, std::string library, const SolverLimits& limits)
+    : name_(std::move(name)), library_(std::move(library)), limits_(limits) {}
+
+void SolverPool::start() {
+  give_back(std::make_unique<SolverProcess>(library_, limits_));
+}
+
+SolverPool::Process SolverPool::take() {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!idle_.empty()) {
+      Process process = std::move(idle_.back());
+      idle_.pop_back();
+      return process;
+    }
+  }
+  return std::make_unique<SolverProcess>(library_, limits_);
+}
+
+void SolverPool::give_back(Process process) {
+  const std::scoped_lock lock(mutex_);
+  idle_.push_back(std::move(process));
+}
+
+wire::Reply SolverPool::ask(const wire::Request& request) {
+  if (hangs_ >= most_hangs)
+    throw NoAnswer(NoAnswer::How::hung, fmt::format("not asked any more: {} times no answer before", most_hangs));
+  Process process = take();
+  try {
+    wire::Reply reply = process->ask(request);
+    give_back(std::move(process));
+    if (reply.kind != wire::Reply::Kind::threw) return reply;
+    throw NoAnswer(NoAnswer::How::crashed, "threw an exception through C: " + reply.what.text());
+  } catch (const NoAnswer& e) {
+    if (e.how == NoAnswer::How::hung) ++hangs_;
+    if (process == nullptr || e.how == NoAnswer::How::hung || !answers_when_first(request)) throw;
+    throw NoAnswer(e.how, std::string(e.what()) + "; but answers where this is the first pair that it is asked");
+  }
+}
+
+/// Whether a process that knows no other pair answers: whoever looks for the bug wants to know.
+bool SolverPool::answers_when_first(const wire::Request& request) {
+  auto process = std::make_unique<SolverProcess>(library_, limits_);
+  try {
+    (void)process->ask(request);
+  } catch (const NoAnswer&) {
+    return false;
+  }
+  give_back(std::move(process));
+  return true;
+}
+
+std::optional<Leak> SolverPool::find_leak(std::vector<plumb_pair> pairs) const {
+  constexpr int most_failures = 16;
+  try {
+    for (int failures = 0; failures < most_failures && !pairs.empty(); ++failures) {
+      SolverProcess process(library_, limits_);
+      const std::size_t calls = std::max(kLeastCalls, pairs.size());
+      const Measured measured = measure_growth(process, pairs, calls);
+      if (measured.failed_at == pairs.size()) return leak_of(measured.growth, calls);
+      pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(measured.failed_at));
+    }
+  } catch (const NoAnswer&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace plumb

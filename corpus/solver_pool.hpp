@@ -1,0 +1,43 @@
+// The processes of one foreign solver: as many as there are threads that ask at the same time, each started anew when it ended.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "corpus/solver_process.hpp"
+
+namespace plumb {
+
+class SolverPool {
+ public:
+  /// `name`: of the solver, for its answers to point to. Nothing is started yet.
+  SolverPool(std::string name, std::string library, const SolverLimits& limits);
+
+  /// Starts one process, for those after it to be asked at once; throws InputFailure when the library cannot be loaded.
+  void start();
+  /// What the library threw is a NoAnswer, too. Throws InputFailure when the library, once loaded, can not be loaded again.
+  [[nodiscard]] wire::Reply ask(const wire::Request& request);
+  [[nodiscard]] std::optional<Leak> find_leak(std::vector<plumb_pair> pairs) const;
+  [[nodiscard]] std::uint64_t hangs() const { return hangs_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& library() const { return library_; }
+
+ private:
+  using Process = std::unique_ptr<SolverProcess>;
+  [[nodiscard]] Process take();
+  void give_back(Process process);
+  [[nodiscard]] bool answers_when_first(const wire::Request& request);
+
+  std::string name_, library_;
+  SolverLimits limits_;
+  std::mutex mutex_;
+  std::vector<Process> idle_;
+  std::atomic<std::uint64_t> hangs_{0};
+};
+
+}  // namespace plumb

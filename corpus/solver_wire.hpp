@@ -1,0 +1,54 @@
+// What plumb and the program that answers for a foreign solver (solver_host.cpp) say to each other: one message each way a
+// call, over a socket that keeps messages whole. Both are of one build, so that a struct's bytes are the format.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "solver/plumb_solver.h"
+
+namespace plumb::wire {
+
+template <std::size_t N>
+struct Text {
+  std::array<char, N> bytes{};
+
+  /// As much of it as there is room for.
+  void set(std::string_view text) {
+    bytes.fill(0);
+    std::memcpy(bytes.data(), text.data(), std::min(text.size(), N - 1));
+  }
+  [[nodiscard]] std::string text() const { return {bytes.data(), strnlen(bytes.data(), N)}; }
+};
+
+/// The first message, from the host: whether the library could be loaded.
+struct Hello {
+  bool loaded = false;
+  Text<64> field;
+  Text<1024> reason;
+};
+
+struct Request {
+  enum class Kind : std::uint8_t { solve, solve_warm, measure_memory };
+  Kind kind = Kind::solve;
+  int processor = 0;  ///< where plumb waits for the reply (one_processor.hpp)
+  plumb_pair pair{};
+  plumb_contact last{};
+};
+
+struct Reply {
+  enum class Kind : std::uint8_t { answered, refused, threw, measured };
+  Kind kind = Kind::answered;
+  plumb_contact contact{};
+  double nanoseconds = 0;        ///< of the call alone
+  std::uint64_t heap_bytes = 0;  ///< in use, by glibc's allocator
+  std::uint64_t resident_bytes = 0;
+  Text<256> what;  ///< of what it threw
+};
+
+}  // namespace plumb::wire

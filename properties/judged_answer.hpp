@@ -1,0 +1,21 @@
+// One answer, asked for and judged: what campaign, fuzzers, replay and shrinking have in common.
+#pragma once
+
+#include "corpus/solver.hpp"
+#include "properties/laws.hpp"
+
+namespace plumb {
+
+struct JudgedAnswer {
+  Contact<double> answer;
+  Judgement judgement;
+  double nanoseconds = 0;  ///< of the one solve that is judged
+};
+
+/// Solves and judges. A solver that gives no answer has the finding `crash`, or `slow` where it does not come back: also when it
+/// is a related pair that a law asks for.
+[[nodiscard]] JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver);
+
+[[nodiscard]] Finding finding_of(const NoAnswer& none);
+
+}  // namespace plumb
