@@ -87,3 +87,14 @@ plumb_build() {
   cmake --build --preset "$preset" ${1:+--target "$@"} || exit 2
   exec {lock}>&-
 }
+
+# plumb_seeds TARGET prints the folder of the inputs from which a fuzz target starts. Without any an engine would start from
+# nothing and say nothing of it: an error.
+plumb_seeds() {
+  local seeds=fuzz/seeds/$1/
+  if [[ -z $(find -L "$seeds" -type f -print -quit 2>/dev/null) ]]; then
+    complain "$seeds: holds no seed"
+    exit 2
+  fi
+  printf '%s\n' "$seeds"
+}
