@@ -214,8 +214,9 @@ TEST(Targets, ASettingOfNoUseIsRefusedInOneLine) {
 
 TEST(Targets, CaseStandsTheCorpusAndTheSeeds) {
   const fs::path log = scratch() / "stderr";
-  EXPECT_EQ(
-      exit_of(start_program("replay-case", {PLUMB_SOURCE_DIR "/corpus/cases", PLUMB_SOURCE_DIR "/fuzz/seeds/pair"}, log)), 0)
+  EXPECT_EQ(exit_of(start_program("replay-case",
+                                  {PLUMB_SOURCE_DIR "/corpus/cases", PLUMB_SOURCE_DIR "/fuzz/seeds/pair"}, log)),
+            0)
       << text_of(log);
 }
 
