@@ -9,7 +9,8 @@ declare -A plumb_packages=(
   [page]="nodejs npm"
   [browser]="chromium"
   [fuzz]="clang-19 libclang-rt-19-dev"
-  [check]="git clang-format-19 clang-tidy-19"
+  [coverage]="clang-19 llvm-19"
+  [check]="git clang-format-19 clang-tidy-19 python3-yaml"
   [record]="git"
 )
 
