@@ -10,6 +10,7 @@ declare -A plumb_packages=(
   [browser]="chromium"
   [fuzz]="clang-19 libclang-rt-19-dev"
   [coverage]="clang-19 llvm-19"
+  [engines]="clang-19 libclang-rt-19-dev llvm-19 zip unzip afl++ libclang-rt-14-dev"
   [check]="git clang-format-19 clang-tidy-19 python3-yaml"
   [record]="git"
 )
