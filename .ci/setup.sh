@@ -9,7 +9,9 @@ declare -A plumb_packages=(
   [page]="nodejs npm"
   [browser]="chromium"
   [fuzz]="clang-19 libclang-rt-19-dev"
-  [check]="git clang-format-19 clang-tidy-19"
+  [coverage]="clang-19 llvm-19"
+  [engines]="clang-19 libclang-rt-19-dev llvm-19 zip unzip afl++ libclang-rt-14-dev"
+  [check]="git clang-format-19 clang-tidy-19 python3-yaml"
   [record]="git"
 )
 
@@ -86,4 +88,15 @@ plumb_build() {
   fi
   cmake --build --preset "$preset" ${1:+--target "$@"} || exit 2
   exec {lock}>&-
+}
+
+# plumb_seeds TARGET prints the folder of the inputs from which a fuzz target starts. Without any an engine would start from
+# nothing and say nothing of it: an error.
+plumb_seeds() {
+  local seeds=fuzz/seeds/$1/
+  if [[ -z $(find -L "$seeds" -type f -print -quit 2>/dev/null) ]]; then
+    complain "$seeds: holds no seed"
+    exit 2
+  fi
+  printf '%s\n' "$seeds"
 }

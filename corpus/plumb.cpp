@@ -22,7 +22,7 @@ struct Command {
 };
 
 // Every command of the contract; those that this build does not have are not listed.
-constexpr std::array<Command, 14> commands{{
+constexpr std::array<Command, 15> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
@@ -32,6 +32,7 @@ constexpr std::array<Command, 14> commands{{
     {"ladder", "the hard cases, step by step; freezes them with their certificates"},
     {"merge", "put campaigns that ran apart together"},
     {"replay", "run kept cases against what they expect"},
+    {"promote", "move a kept case on: open, incubating, regressions"},
     {"path", "follow a motion step by step, cold and warm, and judge how the answers change"},
     {"shrink", "the simplest case with the same finding"},
     {"scene", "a scene of bodies: which effects run, why, what each costs"},

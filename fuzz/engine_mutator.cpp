@@ -5,7 +5,9 @@
 #include "fuzz/mutate.hpp"
 #include "fuzz/target.hpp"
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+/// libFuzzer's; not every engine that calls the functions below has one.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
+                                                              std::size_t max_size);
 
 namespace {
 
@@ -20,7 +22,7 @@ std::size_t stored(const std::vector<std::uint8_t>& bytes, std::uint8_t* data, s
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
   plumb::Stream stream("mutate", seed, 0);
-  if (stream.chance(0.25)) return LLVMFuzzerMutate(data, size, max_size);
+  if (LLVMFuzzerMutate != nullptr && stream.chance(0.25)) return LLVMFuzzerMutate(data, size, max_size);
   std::vector<std::uint8_t> bytes(data, data + size);
   plumb::mutate(plumb::target_layout(), bytes, stream);
   return stored(bytes, data, max_size);

@@ -105,6 +105,11 @@ std::string fault_in(const fs::path& log) {
 
 }  // namespace
 
+void require_seeds(const fs::path& folder) {
+  const bool some = fs::is_directory(folder) && fs::directory_iterator(folder) != fs::directory_iterator();
+  if (!some) throw InputFailure(folder.string(), 0, "--seeds", "holds no seed");
+}
+
 EngineRun run_engine(const EngineOptions& options) {
   const fs::path folder = fresh_folder(options.out), log = folder / "log.txt";
   Progress progress("fuzzing", options.inputs);

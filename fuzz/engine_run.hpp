@@ -20,6 +20,9 @@ struct EngineRun {
   std::string found;  ///< what stopped it; empty when nothing did
 };
 
+/// An engine without seeds starts from nothing, and says nothing of it: throws InputFailure where the folder holds none.
+void require_seeds(const std::filesystem::path& folder);
+
 /// Throws InputFailure when the program cannot be started.
 [[nodiscard]] EngineRun run_engine(const EngineOptions& options);
 

@@ -22,7 +22,7 @@ struct Arguments {
   std::uint64_t seed = 1;
   unsigned threads = default_threads();
   std::string out = "build/fuzz-run", fuzzer;
-  std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
+  std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds/pair";
 };
 
 /// How many per minute of ./fuzz/run, from the speed of two cores. Counts and not a clock end the run, so that a second
@@ -70,6 +70,7 @@ std::string engine_text(const EngineRun& run) {
 }
 
 int fuzz_run(const Arguments& args) {
+  if (!args.fuzzer.empty()) require_seeds(args.seeds);
   const std::vector<Source> sources = sources_of(args);
   prepare_folder(args.out);
   const CampaignOptions options{all_solvers(), args.seed, args.threads, {}};

@@ -1,5 +1,5 @@
 // replay-TARGET FILE..: what the target says of stored inputs, with any compiler. Folders stand for their files.
-// Exit 1 when an input stops the engine, 2 when a file cannot be read or a setting is of no use.
+// Exit 1 when an input stops the engine, 2 when a file cannot be read, a folder holds none or a setting is of no use.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -8,6 +8,7 @@
 #include <iterator>
 #include <vector>
 
+#include "corpus/case.hpp"
 #include "fuzz/target.hpp"
 
 namespace {
@@ -19,6 +20,7 @@ std::vector<fs::path> files_at(const fs::path& path) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(path))
     if (entry.is_regular_file()) files.push_back(entry.path());
+  if (files.empty()) throw plumb::InputFailure(path.string(), 0, "", "holds no file");
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "properties/judged_answer.hpp"
+#include "properties/life.hpp"
 #include "solver/diagnosis.hpp"
 
 namespace plumb {
@@ -90,6 +91,12 @@ bool same_problem(const Case& c, const Solver& solver) {
   return (own == known.end() ? Problem::common_normal : own->problem) == solver.problem;
 }
 
+/// What the folder asks is about the case's own method.
+void compare_life(std::vector<std::string>& differences, const Replayed& replayed, std::optional<Life> life) {
+  const std::string difference = life ? out_of_place(*life, replayed) : "";
+  if (!difference.empty()) differences.push_back(difference);
+}
+
 }  // namespace
 
 Replayed replay_case(const Case& c, const std::string& file, int line, const std::optional<Solver>& instead,
@@ -100,10 +107,15 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   Judge judge(c.pair, source);
   const auto [contact, judgement, nanoseconds] = solve_and_judge(judge, c.pair, solver);
   Replayed out{file, line, c.name, solver.name, judgement.finding, {}, {}, 0};
+  out.status = name(contact.status);
+  out.is_own = !solver.published;
   if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge.solution(solver.problem));
   const Answered answered{c, contact, out.finding};
-  compare_words(out.differences, answered, own_method(c) == solver.name);
-  if (same_problem(c, solver)) compare_geometry(out.differences, answered);
+  const bool own = own_method(c) == solver.name;
+  const std::optional<Life> life = own ? life_of(file) : std::nullopt;
+  compare_words(out.differences, answered, own);
+  compare_life(out.differences, out, life);
+  if (same_problem(c, solver) && life != Life::open) compare_geometry(out.differences, answered);
   out.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return out;
 }

@@ -20,6 +20,8 @@ struct Replayed {
   std::string unjudged;                  ///< why the reference has no answer to this method's problem; empty: it has
   std::vector<std::string> differences;  ///< in words; empty: the case gave what it expects
   double seconds = 0;
+  std::string status = {};  ///< of the answer
+  bool is_own = true;       ///< the method is plumb's own and no published baseline
 };
 
 enum class Outcome { as_expected, differs, not_judged };
@@ -28,7 +30,8 @@ enum class Outcome { as_expected, differs, not_judged };
 [[nodiscard]] Outcome outcome(const Replayed& replayed);
 
 /// By the method that the case names (auto when it names none), or by the one that is asked for instead. A case without
-/// an expected finding expects none. Another method than the case's own is not held to the case's status and finding, and
+/// an expected finding expects none; what the folder asks of it (life.hpp) counts as expected, and in open/, where the answer
+/// is known to fail, the case's numbers do not. Another method than the case's own is not held to the case's status and finding, and
 /// to its numbers only when it answers the same problem. The references come from `source`. Throws InputFailure when there is
 /// no such method.
 [[nodiscard]] Replayed replay_case(const Case& c, const std::string& file, int line,

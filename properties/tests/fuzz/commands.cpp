@@ -187,13 +187,23 @@ TEST(Commands, AFullDiskLeavesTheTable) {
 
 TEST(Targets, PairStandsItsSeeds) {
   const fs::path log = scratch() / "stderr";
-  EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0) << text_of(log);
+  EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds/pair"}, log)), 0) << text_of(log);
+}
+
+TEST(Targets, AFolderWithoutSeedsIsRefused) {
+  const fs::path folder = scratch();
+  fs::create_directories(folder / "none");
+  EXPECT_EQ(exit_of_script("replay-pair none", folder), 2);
+  EXPECT_EQ(text_of(folder / "stderr"), "none: holds no file\n");
+  EXPECT_EQ(exit_of_script("plumb fuzz-run --minutes 1 --fuzzer ./any --seeds none --out out", folder), 2);
+  EXPECT_EQ(text_of(folder / "stderr"), "none: --seeds: holds no seed\n");
+  EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 TEST(Targets, ASettingOfNoUseIsRefusedInOneLine) {
   const fs::path folder = scratch();
   for (const std::string variable : {"PLUMB_FUZZ_METHOD", "PLUMB_FUZZ_ABORT"}) {
-    const std::string script = variable + "=foo replay-pair '" PLUMB_SOURCE_DIR "/fuzz/seeds'";
+    const std::string script = variable + "=foo replay-pair '" PLUMB_SOURCE_DIR "/fuzz/seeds/pair'";
     EXPECT_EQ(exit_of_script(script, folder), 2);
     const std::string text = text_of(folder / "stderr");
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
@@ -204,8 +214,9 @@ TEST(Targets, ASettingOfNoUseIsRefusedInOneLine) {
 
 TEST(Targets, CaseStandsTheCorpusAndTheSeeds) {
   const fs::path log = scratch() / "stderr";
-  EXPECT_EQ(
-      exit_of(start_program("replay-case", {PLUMB_SOURCE_DIR "/corpus/cases", PLUMB_SOURCE_DIR "/fuzz/seeds"}, log)), 0)
+  EXPECT_EQ(exit_of(start_program("replay-case",
+                                  {PLUMB_SOURCE_DIR "/corpus/cases", PLUMB_SOURCE_DIR "/fuzz/seeds/pair"}, log)),
+            0)
       << text_of(log);
 }
 

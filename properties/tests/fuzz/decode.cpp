@@ -96,7 +96,7 @@ TEST(Decode, RoundAnglesAreExact) {
 }
 
 TEST(Decode, SeedsReachTheClassesTheyAreNamedFor) {
-  const std::filesystem::path seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
+  const std::filesystem::path seeds = PLUMB_SOURCE_DIR "/fuzz/seeds/pair";
   const auto class_of = [&](const char* seed) { return shape_class(decode(read(seeds / seed)).pair); };
   EXPECT_EQ(class_of("two_spheres_touching"), "spheres");
   EXPECT_EQ(class_of("prolate_spheroids_tilted_45"), "spheroids");
