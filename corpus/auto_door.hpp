@@ -47,5 +47,21 @@ inline int solve(const plumb_pair& pair, plumb_contact& contact) {
   return 0;
 }
 
+/// The chart's direction (body axes) of a point that was a body's contact before it moved.
+[[nodiscard]] inline Vec3<double> chart_at(const Body& body, const double (&point)[3]) {
+  const Vec3<double> x = rotation<double>(body.quaternion).transpose() * (Vec3<double>::Map(point) - body.position);
+  return chart_of_point<double>(body.shape, x).w;
+}
+
+/// plumb_solver_solve_warm: the door hands over no charts, so that a warm start is from where the last points are now.
+inline int solve_warm(const plumb_pair& pair, const plumb_contact& last, plumb_contact& contact) {
+  const Pair bodies{body_of(pair.bodies[0]), body_of(pair.bodies[1])};
+  Contact<double> before;
+  before.chart1 = chart_at(bodies.body1, last.points[0]);
+  before.chart2 = chart_at(bodies.body2, last.points[1]);
+  write(automatic<double>(bodies, {}, &before), contact);
+  return 0;
+}
+
 }  // namespace door
 }  // namespace plumb

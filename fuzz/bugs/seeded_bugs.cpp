@@ -48,6 +48,10 @@ PLUMB_EXPORT int plumb_solver_solve(const plumb_pair* pair, plumb_contact* conta
   return plumb::door::solve(*pair, *contact);
 }
 
+PLUMB_EXPORT int plumb_solver_solve_warm(const plumb_pair* pair, const plumb_contact* last, plumb_contact* contact) {
+  return plumb::door::solve_warm(*pair, *last, *contact);
+}
+
 PLUMB_EXPORT const char* plumb_seeded_bug_table() {
   return kTable;
 }

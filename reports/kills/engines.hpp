@@ -58,4 +58,12 @@ struct WorkSet {
 };
 [[nodiscard]] Hunt hunt_work(const Quarry& quarry, const std::vector<WorkSet>& sets);
 
+/// A libFuzzer program, a process for each bug, with the library as its solver. A run is an input. What stops it must not stop it
+/// without a bug.
+struct Fuzzer {
+  std::filesystem::path program, library, seeds, out;
+  std::uint64_t inputs = 0, seed = 1;
+};
+[[nodiscard]] Hunt hunt_with(const Fuzzer& fuzzer, const Quarry& quarry);
+
 }  // namespace plumb::reports

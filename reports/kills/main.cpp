@@ -22,6 +22,9 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::string cache, out;
+  std::string fuzzers = PLUMB_SOURCE_DIR "/build/fuzz-fast/bin";
+  std::string fuzzed_library = PLUMB_SOURCE_DIR "/build/bugs-fuzz/bin/seeded_bugs.so";
+  std::uint64_t inputs = 2000;
   bool list = false;
 };
 
@@ -37,6 +40,12 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(refuse_count);
   app.add_option("--seed", options.seed, "the first of them")->capture_default_str();
+  app.add_option("--inputs", options.inputs, "of each seed, by each fuzz-TARGET among the engines")
+      ->capture_default_str()
+      ->check(refuse_count);
+  app.add_option("--fuzzers", options.fuzzers, "folder of the programs fuzz-TARGET")->capture_default_str();
+  app.add_option("--fuzzed-library", options.fuzzed_library, "what `cmake --build --preset bugs-fuzz` built")
+      ->capture_default_str();
   app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
   app.add_option("--cache", options.cache, cache_help);
   app.add_option("--out", options.out, "file for JSON lines: the engines, the bugs");
@@ -64,17 +73,19 @@ EngineHunts hunt_corpus(const Quarry& quarry, const Options& /*options*/) {
   return {"corpus", "cases", {hunt_cases(quarry, cases.size(), [&](std::size_t i) { return cases[i]; })}};
 }
 
-std::vector<Track> tracks() {
-  std::vector<Track> out;
+std::vector<WorkSet> motions() {
+  std::vector<WorkSet> out;
   for (const auto& file : find_case_files({(kCases / "hard/paths").string()})) {
-    Track& track = out.emplace_back();
-    for (const Case& step : read_cases(file)) track.push_back(step.pair);
+    WorkSet& motion = out.emplace_back(WorkSet{file.stem().string(), {}, true});
+    for (const Case& step : read_cases(file)) motion.pairs.push_back(step.pair);
   }
   return out;
 }
 
 EngineHunts hunt_along_motions(const Quarry& quarry, const Options& /*options*/) {
-  return {"motions", "steps", {hunt_motions(quarry, tracks())}};
+  std::vector<Track> tracks;
+  for (WorkSet& motion : motions()) tracks.push_back(std::move(motion.pairs));
+  return {"motions", "steps", {hunt_motions(quarry, tracks)}};
 }
 
 EngineHunts hunt_by_work(const Quarry& quarry, const Options& options) {
@@ -84,7 +95,7 @@ EngineHunts hunt_by_work(const Quarry& quarry, const Options& options) {
     WorkSet& set = sets.emplace_back(WorkSet{std::string(family.name), {}});
     for (std::size_t i = 0; i < pairs_of_each; ++i) set.pairs.push_back(generate(family.name, options.seed, i).pair);
   }
-  for (Track& track : tracks()) sets.push_back({"a motion", std::move(track), true});
+  std::ranges::move(motions(), std::back_inserter(sets));
   return {"work", "solves", {hunt_work(quarry, sets)}};
 }
 
@@ -107,15 +118,33 @@ EngineHunts hunt_hard(const Quarry& quarry, const Options& options) {
   return hunt_drawn(quarry, options, "hard", {"hard"});
 }
 
+EngineHunts hunt_with_fuzzer(const std::string& name, const Quarry& quarry, const Options& options) {
+  const std::filesystem::path source = PLUMB_SOURCE_DIR;
+  EngineHunts out{name, "inputs", {}};
+  for (std::uint64_t seed = options.seed; seed < options.seed + options.seeds && !interrupted(); ++seed)
+    out.hunts.push_back(hunt_with({std::filesystem::path(options.fuzzers) / name, options.fuzzed_library,
+                                   source / "fuzz/seeds", source / "build/kills", options.inputs, seed},
+                                  quarry));
+  return out;
+}
+
 struct Engine {
-  std::string_view name;
-  EngineHunts (*hunt)(const Quarry&, const Options&);
+  std::string name;
+  std::function<EngineHunts(const Quarry&, const Options&)> hunt;
 };
-constexpr std::array<Engine, 5> kEngines{{{"corpus", hunt_corpus},
-                                          {"motions", hunt_along_motions},
-                                          {"work", hunt_by_work},
-                                          {"families", hunt_families},
-                                          {"hard", hunt_hard}}};
+
+/// nullopt where there is none of that name; any fuzz-TARGET is one.
+std::optional<Engine> find_engine(const std::string& name) {
+  if (name.starts_with("fuzz-"))
+    return Engine{name, [name](const Quarry& q, const Options& o) { return hunt_with_fuzzer(name, q, o); }};
+  const std::array<Engine, 5> engines{{{"corpus", hunt_corpus},
+                                       {"motions", hunt_along_motions},
+                                       {"work", hunt_by_work},
+                                       {"families", hunt_families},
+                                       {"hard", hunt_hard}}};
+  const auto found = std::ranges::find(engines, name, &Engine::name);
+  return found == engines.end() ? std::nullopt : std::optional(*found);
+}
 
 /// Of a list with commas, in its order; throws InputFailure for a name that `find` does not know.
 template <class Find>
@@ -141,9 +170,9 @@ std::vector<std::size_t> bugs_asked(const SeededSolver& seeded, const std::strin
 std::vector<Engine> engines_asked(const std::string& names) {
   std::vector<Engine> out;
   each_name("--engines", names, [&](const std::string& name) {
-    const auto found = std::ranges::find(kEngines, name, &Engine::name);
-    if (found != kEngines.end()) out.push_back(*found);
-    return found != kEngines.end();
+    const std::optional<Engine> found = find_engine(name);
+    if (found) out.push_back(*found);
+    return found.has_value();
   });
   if (out.empty()) throw InputFailure("--engines", 0, "", "names none");
   return out;

@@ -110,9 +110,8 @@ std::string kill_table(const Bugs& bugs, const std::vector<EngineHunts>& engines
   out += fmt::format("\nkilled: {}\n", share_text(count_killed(engines, bugs.size()), bugs.size()));
   for (const EngineHunts& engine : engines) out += of_engine(engine, bugs.size());
   for (std::size_t i = 0; i < bugs.size(); ++i)
-    if (!is_killed(engines, i))
-      out += fmt::format("survivor {} ({}): {}\n", bugs[i].name, bugs[i].kind,
-                         bugs[i].survives.empty() ? "NOT EXPLAINED" : bugs[i].survives);
+    if (!is_killed(engines, i) && !bugs[i].survives.empty())
+      out += fmt::format("{} survives: {}\n", bugs[i].name, bugs[i].survives);
   return out;
 }
 
