@@ -108,8 +108,8 @@ std::string fault_in(const fs::path& log) {
 EngineRun run_engine(const EngineOptions& options) {
   const fs::path folder = fresh_folder(options.out), log = folder / "log.txt";
   Progress progress("fuzzing", options.inputs);
-  const pid_t child =
-      start(command_line(options, folder), environment_with(fs::absolute(options.out) / "failures", options.environment), log);
+  const pid_t child = start(command_line(options, folder),
+                            environment_with(fs::absolute(options.out) / "failures", options.environment), log);
   const int status = wait_for(child, log, progress);
   EngineRun run{true, inputs_so_far(log), progress.seconds(), ""};
   progress.finish(run.inputs);

@@ -92,9 +92,8 @@ void require_control(const SeededSolver& seeded, const Pair& pair, const std::st
 }
 
 WarmSolve with_bug(const SeededSolver& seeded, std::size_t bug) {
-  return [&seeded, bug](const Pair& pair, const Contact<double>* last) {
-    return seeded.solve(bug, pair, Want{}, last);
-  };
+  return
+      [&seeded, bug](const Pair& pair, const Contact<double>* last) { return seeded.solve(bug, pair, Want{}, last); };
 }
 
 std::vector<PathFinding> follow(const SeededSolver& seeded, std::size_t bug, PathJudge& judge) {

@@ -41,8 +41,8 @@ Hunt hunt_with(const Fuzzer& fuzzer, const Quarry& quarry) {
   in_parallel(quarry.bugs.size(), quarry.threads, [&](std::size_t i) {
     const std::string& bug = quarry.seeded.bugs[quarry.bugs[i] - 1].name;
     const fs::path out = fuzzer.out / fmt::format("{}-{}", bug, fuzzer.seed);
-    const EngineRun run = run_engine(
-        {fuzzer.program, fuzzer.seeds, out, fuzzer.inputs, fuzzer.seed, environment_of(fuzzer, bug)});
+    const EngineRun run =
+        run_engine({fuzzer.program, fuzzer.seeds, out, fuzzer.inputs, fuzzer.seed, environment_of(fuzzer, bug)});
     if (run.found.empty()) return;
     const fs::path input = stopping_input(out);
     if (input.empty() || stops_control(fuzzer, input))

@@ -179,8 +179,7 @@ std::vector<Engine> engines_asked(const std::string& names) {
 }
 
 int list_bugs(const SeededSolver& seeded) {
-  for (const SeededBug& bug : seeded.bugs)
-    print_line(fmt::format("{:<36}{:<20}{}", bug.name, bug.kind, bug.seen));
+  for (const SeededBug& bug : seeded.bugs) print_line(fmt::format("{:<36}{:<20}{}", bug.name, bug.kind, bug.seen));
   return exit_done;
 }
 

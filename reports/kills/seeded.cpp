@@ -40,8 +40,7 @@ SeededSolver load_seeded(const std::string& path) {
   SeededSolver out{read_table(table()), {}};
   std::vector<std::string> names{"none"};
   for (const SeededBug& bug : out.bugs) names.push_back(bug.name);
-  out.solve = [names, select, solve](std::size_t bug, const Pair& pair, const Want& want,
-                                     const Contact<double>* last) {
+  out.solve = [names, select, solve](std::size_t bug, const Pair& pair, const Want& want, const Contact<double>* last) {
     if (select(names[bug].c_str()) != 0) throw std::logic_error("the library does not know its bug " + names[bug]);
     Contact<double> answer;
     solve(pair, want, last, answer);

@@ -60,7 +60,8 @@ std::string of_engine(const EngineHunts& engine, std::size_t bugs) {
 }
 
 Json engine_line(const EngineHunts& engine) {
-  Json out = {{"kind", "engine"}, {"engine", engine.name}, {"runs_are", engine.runs_are}, {"seeds", engine.hunts.size()}};
+  Json out = {
+      {"kind", "engine"}, {"engine", engine.name}, {"runs_are", engine.runs_are}, {"seeds", engine.hunts.size()}};
   out["runs"] = engine.hunts.front().runs;
   return out;
 }
@@ -73,9 +74,9 @@ Json bug_line(const SeededBug& bug, const std::vector<EngineHunts>& engines, std
       runs.push_back(hunt.kills[index].run == 0 ? Json(nullptr) : Json(hunt.kills[index].run));
     kills[engine.name] = runs;
   }
-  return {{"kind", "bug"},   {"bug", bug.name},
-          {"is", bug.kind},  {"file", bug.file},
-          {"seen", bug.seen}, {"survives", bug.survives},
+  return {{"kind", "bug"},         {"bug", bug.name},
+          {"is", bug.kind},        {"file", bug.file},
+          {"seen", bug.seen},      {"survives", bug.survives},
           {"runs_to_kill", kills}, {"finding", first_finding(engines, index)}};
 }
 
@@ -127,7 +128,8 @@ std::vector<std::string> complaints(const Bugs& bugs, const std::vector<EngineHu
   for (std::size_t i = 0; i < bugs.size(); ++i) {
     const bool is_dead = is_killed(engines, i);
     if (!is_dead && bugs[i].survives.empty()) out.push_back(bugs[i].name + " survives, and nobody says why");
-    if (is_dead && !bugs[i].survives.empty()) out.push_back(bugs[i].name + " is killed, and its row says why it cannot be");
+    if (is_dead && !bugs[i].survives.empty())
+      out.push_back(bugs[i].name + " is killed, and its row says why it cannot be");
   }
   return out;
 }

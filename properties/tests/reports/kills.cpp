@@ -19,8 +19,8 @@ class SeededBugs : public Commands {
  protected:
   [[nodiscard]] Ran seed(const std::string& tables) const {
     const std::string source = PLUMB_SOURCE_DIR;
-    return run(fmt::format("cmake -D SOURCE={} -D 'TABLES={}' -D OUT={} -P {}/fuzz/bugs/seed.cmake 2>&1", source, tables,
-                           (path_ / "seeded").string(), source));
+    return run(fmt::format("cmake -D SOURCE={} -D 'TABLES={}' -D OUT={} -P {}/fuzz/bugs/seed.cmake 2>&1", source,
+                           tables, (path_ / "seeded").string(), source));
   }
   [[nodiscard]] static std::string tables() {
     std::string out;
