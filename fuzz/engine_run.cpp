@@ -43,8 +43,8 @@ fs::path fresh_folder(const fs::path& out) {
   return folder;
 }
 
-std::vector<std::string> environment_with(const fs::path& failures) {
-  std::vector<std::string> all{"PLUMB_FUZZ_OUT=" + failures.string()};
+std::vector<std::string> environment_with(const fs::path& failures, std::vector<std::string> all) {
+  all.push_back("PLUMB_FUZZ_OUT=" + failures.string());
   for (char** entry = environ; *entry != nullptr; ++entry)
     if (std::strncmp(*entry, "PLUMB_FUZZ_", 11) != 0) all.emplace_back(*entry);
   return all;
@@ -113,8 +113,8 @@ void require_seeds(const fs::path& folder) {
 EngineRun run_engine(const EngineOptions& options) {
   const fs::path folder = fresh_folder(options.out), log = folder / "log.txt";
   Progress progress("fuzzing", options.inputs);
-  const pid_t child =
-      start(command_line(options, folder), environment_with(fs::absolute(options.out) / "failures"), log);
+  const pid_t child = start(command_line(options, folder),
+                            environment_with(fs::absolute(options.out) / "failures", options.environment), log);
   const int status = wait_for(child, log, progress);
   EngineRun run{true, inputs_so_far(log), progress.seconds(), ""};
   progress.finish(run.inputs);

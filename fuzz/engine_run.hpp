@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace plumb {
 
@@ -11,6 +12,7 @@ struct EngineOptions {
   std::filesystem::path program, seeds, out;  ///< out/fuzzer/ gets its log, its corpus and what stopped it
   std::uint64_t inputs = 0;
   std::uint64_t seed = 1;
+  std::vector<std::string> environment = {};  ///< NAME=VALUE, beside this process's own without its PLUMB_FUZZ_*
 };
 
 struct EngineRun {

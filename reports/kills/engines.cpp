@@ -1,0 +1,197 @@
+#include "reports/kills/engines.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <set>
+
+#include "corpus/in_parallel.hpp"
+#include "properties/laws_path.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb::reports {
+namespace {
+
+bool same_bits(double a, double b) {
+  return a == b || (a != a && b != b);
+}
+
+template <class Vector>
+bool same_components(const Vector& a, const Vector& b) {
+  return same_bits(a[0], b[0]) && same_bits(a[1], b[1]) && same_bits(a[2], b[2]);
+}
+
+/// What both have of a converged answer; what has not converged is withheld from `own`.
+bool same_answer(const Contact<double>& control, const Contact<double>& own) {
+  if (control.status != own.status || control.evaluations != own.evaluations || control.iterations != own.iterations)
+    return false;
+  return own.status != Status::converged ||
+         (control.verdict == own.verdict && same_bits(control.overlap, own.overlap) &&
+          same_components(control.normal, own.normal) && same_components(control.point1, own.point1) &&
+          same_components(control.point2, own.point2) && same_components(control.contact_point, own.contact_point));
+}
+
+/// The first failure of several threads.
+class FirstFailure {
+ public:
+  template <class Work>
+  void guard(const Work& work) {
+    if (has_failed_) return;
+    try {
+      work();
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      has_failed_ = true;
+    }
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::atomic<bool> has_failed_{false};
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+};
+
+/// The earliest kill of each bug, whatever the order in which threads report them.
+class FirstKills {
+ public:
+  explicit FirstKills(std::size_t bugs) : kills_(bugs) {}
+
+  /// Whether a kill at that run would be the earliest. What is skipped for that is later than a kill, so that the earliest is
+  /// the same for any number of threads.
+  [[nodiscard]] bool is_open(std::size_t i, std::uint64_t run) {
+    const std::scoped_lock lock(mutex_);
+    return kills_[i].run == 0 || run < kills_[i].run;
+  }
+  void add(std::size_t i, std::uint64_t run, const Finding& finding) {
+    const std::scoped_lock lock(mutex_);
+    if (kills_[i].run != 0 && kills_[i].run <= run) return;
+    kills_[i] = {run, fmt::format("{} ({})", name(finding.kind), finding.law)};
+  }
+  [[nodiscard]] std::vector<Kill> take() { return std::move(kills_); }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Kill> kills_;
+};
+
+Finding finding_of(const SeededSolver& seeded, std::size_t bug, const Pair& pair, Judge& judge) {
+  const auto solve = [&](const Pair& related) { return seeded.solve(bug, related, Want{}, nullptr); };
+  return judge.judge(Problem::common_normal, solve(pair), solve, true).finding;
+}
+
+void require_control(const SeededSolver& seeded, const Pair& pair, const std::string& where) {
+  const Contact<double> own = find_method("auto")->solve(pair, Want{}, nullptr);
+  if (!same_answer(seeded.solve(0, pair, Want{}, nullptr), own))
+    throw ControlDiffers(where + ": without a bug the library does not give the bits of auto");
+}
+
+WarmSolve with_bug(const SeededSolver& seeded, std::size_t bug) {
+  return
+      [&seeded, bug](const Pair& pair, const Contact<double>* last) { return seeded.solve(bug, pair, Want{}, last); };
+}
+
+std::vector<PathFinding> follow(const SeededSolver& seeded, std::size_t bug, PathJudge& judge) {
+  return judge_path(judge.follow(Problem::common_normal, with_bug(seeded, bug)));
+}
+
+/// Sums of iterations and evaluations.
+struct Work {
+  std::uint64_t iterations = 0, evaluations = 0;
+};
+
+Work work_of(const SeededSolver& seeded, std::size_t bug, const WorkSet& set) {
+  Work out;
+  std::optional<Contact<double>> last;
+  for (const Pair& pair : set.pairs) {
+    last = seeded.solve(bug, pair, Want{}, set.is_motion && last ? &*last : nullptr);
+    out.iterations += static_cast<std::uint64_t>(last->iterations);
+    out.evaluations += static_cast<std::uint64_t>(last->evaluations);
+  }
+  return out;
+}
+
+/// In words, where the work is not the control's.
+std::optional<std::string> deviation(const Work& work, const Work& control) {
+  const auto ratio = [](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a) / static_cast<double>(b); };
+  const double evaluations = ratio(work.evaluations, control.evaluations),
+               iterations = ratio(work.iterations, control.iterations);
+  const auto deviates = [](double x) { return !(x >= least_work && x <= most_work); };
+  if (!deviates(evaluations) && !deviates(iterations)) return std::nullopt;
+  return fmt::format("evaluations x {:.3g}, iterations x {:.3g}", evaluations, iterations);
+}
+
+}  // namespace
+
+Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Case(std::size_t)>& draw) {
+  FirstKills kills(quarry.bugs.size());
+  FirstFailure failure;
+  std::atomic<std::uint64_t> control_findings{0};
+  in_parallel(cases, quarry.threads, [&](std::size_t index) {
+    failure.guard([&] {
+      const Case c = draw(index);
+      require_control(quarry.seeded, c.pair, c.name);
+      Judge judge(c.pair, quarry.source);
+      if (finding_of(quarry.seeded, 0, c.pair, judge).kind != FindingKind::none) {
+        ++control_findings;
+        return;
+      }
+      for (std::size_t i = 0; i < quarry.bugs.size(); ++i) {
+        if (!kills.is_open(i, index + 1)) continue;
+        const Finding finding = finding_of(quarry.seeded, quarry.bugs[i], c.pair, judge);
+        if (finding.kind != FindingKind::none) kills.add(i, index + 1, finding);
+      }
+    });
+  });
+  failure.rethrow();
+  return {cases, kills.take(), control_findings};
+}
+
+Hunt hunt_motions(const Quarry& quarry, const std::vector<Track>& tracks) {
+  FirstKills kills(quarry.bugs.size());
+  FirstFailure failure;
+  std::atomic<std::uint64_t> control_findings{0};
+  std::vector<std::uint64_t> before(tracks.size() + 1, 0);
+  for (std::size_t t = 0; t < tracks.size(); ++t) before[t + 1] = before[t] + tracks[t].size();
+  in_parallel(tracks.size(), quarry.threads, [&](std::size_t t) {
+    failure.guard([&] {
+      PathJudge judge(tracks[t], quarry.source);
+      std::set<std::size_t> of_control;
+      for (const PathFinding& found : follow(quarry.seeded, 0, judge)) of_control.insert(found.step);
+      control_findings += of_control.size();
+      for (std::size_t i = 0; i < quarry.bugs.size(); ++i) {
+        if (!kills.is_open(i, before[t] + 1)) continue;
+        for (const PathFinding& found : follow(quarry.seeded, quarry.bugs[i], judge))
+          if (!of_control.contains(found.step)) kills.add(i, before[t] + found.step + 1, found.finding);
+      }
+    });
+  });
+  failure.rethrow();
+  return {before.back(), kills.take(), control_findings};
+}
+
+Hunt hunt_work(const Quarry& quarry, const std::vector<WorkSet>& sets) {
+  std::vector<Work> control;
+  Hunt out;
+  out.kills.resize(quarry.bugs.size());
+  for (const WorkSet& set : sets) {
+    control.push_back(work_of(quarry.seeded, 0, set));
+    out.runs += set.pairs.size();
+  }
+  in_parallel(quarry.bugs.size(), quarry.threads, [&](std::size_t i) {
+    std::uint64_t runs = 0;
+    for (std::size_t s = 0; s < sets.size() && out.kills[i].run == 0; ++s) {
+      runs += sets[s].pairs.size();
+      const auto found = deviation(work_of(quarry.seeded, quarry.bugs[i], sets[s]), control[s]);
+      if (found) out.kills[i] = {runs, sets[s].name + ": " + *found};
+    }
+  });
+  return out;
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,31 @@
+// The solver with seeded bugs (fuzz/bugs), loaded, and what its table says of each.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solver/contact.hpp"
+
+namespace plumb::reports {
+
+/// A row of fuzz/bugs/*.json.
+struct SeededBug {
+  std::string name, kind, file;
+  std::string seen;      ///< what a user would see of it
+  std::string survives;  ///< why no engine can kill it; empty where one should
+};
+
+/// `auto` with bug `bug`, from an earlier contact or from none. Bug 0 is none: the control.
+using SeededSolve =
+    std::function<Contact<double>(std::size_t bug, const Pair& pair, const Want& want, const Contact<double>* last)>;
+
+struct SeededSolver {
+  std::vector<SeededBug> bugs;  ///< bug k of `solve` is bugs[k - 1]
+  SeededSolve solve;            ///< from any thread
+};
+
+/// Throws InputFailure for a library that is none of seeded bugs. It stays loaded.
+[[nodiscard]] SeededSolver load_seeded(const std::string& path);
+
+}  // namespace plumb::reports
