@@ -1,0 +1,28 @@
+// What the environment says to the targets that ask a solver.
+//
+//   PLUMB_FUZZ_METHOD   the method that answers; default auto
+//   PLUMB_FUZZ_ABORT    the findings that stop the engine (abort_rule.hpp); by default every one does
+//   PLUMB_FUZZ_OUT      a folder: what reproduces a finding that stops is written there
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "corpus/solver.hpp"
+#include "fuzz/abort_rule.hpp"
+
+namespace plumb {
+
+struct TargetSettings {
+  Solver solver;
+  AbortRule rule;
+  std::filesystem::path out;  ///< empty: nothing is written
+};
+
+/// Read once: an engine calls examine() some thousand times a second. Throws InputFailure.
+[[nodiscard]] const TargetSettings& target_settings();
+
+/// Into the folder, if there is one; throws InputFailure.
+void keep_fuzzed(const std::string& file, const std::string& text);
+
+}  // namespace plumb
