@@ -1,7 +1,5 @@
 #include "fuzz/decode.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,13 +69,6 @@ long double touching_distance(const PairRecipe& recipe) {
   return reach(recipe.pair.body1, recipe.line) + reach(recipe.pair.body2, recipe.line);
 }
 
-std::string hex(Bytes bytes) {
-  std::string text;
-  for (const std::uint8_t byte : bytes.first(std::min(bytes.size(), kPairLayoutSize)))
-    text += fmt::format("{:02x}", byte);
-  return text;
-}
-
 }  // namespace
 
 PairRecipe decode_recipe(Bytes bytes) {
@@ -106,7 +97,8 @@ Case decode(Bytes bytes) {
   c.pair = recipe.pair;
   c.pair.body1.position = recipe.origin;
   c.pair.body2.position = centre.cast<double>();
-  c.provenance = Json{{"layout", "pair-1"}, {"bytes", hex(bytes)}};
+  c.provenance =
+      Json{{"layout", "pair-1"}, {"bytes", layout::hex(bytes.first(std::min(bytes.size(), kPairLayoutSize)))}};
   return c;
 }
 

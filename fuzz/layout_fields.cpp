@@ -1,5 +1,7 @@
 #include "fuzz/layout_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,6 +38,12 @@ std::uint32_t read(Bytes bytes, std::size_t offset, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     if (offset + i < bytes.size()) value |= static_cast<std::uint32_t>(bytes[offset + i]) << (8 * i);
   return value;
+}
+
+std::string hex(Bytes bytes) {
+  std::string text;
+  for (const std::uint8_t byte : bytes) text += fmt::format("{:02x}", byte);
+  return text;
 }
 
 long double log_magnitude(std::uint32_t v) {

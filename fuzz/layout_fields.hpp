@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "solver/contact.hpp"
 
@@ -24,6 +25,9 @@ double pick(std::uint32_t v, const std::array<double, N>& special, double low, d
   const long double t = static_cast<long double>(v - 256) / (65535 - 256);
   return static_cast<double>(low * std::pow(static_cast<long double>(high) / low, t));
 }
+
+/// Two digits a byte: how a case says what it was decoded from.
+[[nodiscard]] std::string hex(Bytes bytes);
 
 /// 10^(-16 .. 0), log scale, of v in 0..65535.
 [[nodiscard]] long double log_magnitude(std::uint32_t v);
