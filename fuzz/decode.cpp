@@ -55,20 +55,6 @@ Vec3<double> read_origin(Bytes bytes, double size) {
   }
 }
 
-/// Half the body's extent along a line.
-long double reach(const Body& body, const Vec3<long double>& line) {
-  const Superellipsoid<long double> shape{body.shape.semi_axes.cast<long double>(), body.shape.n1, body.shape.n2};
-  return support<long double>(shape, rotation<long double>(body.quaternion).transpose() * line);
-}
-
-/// Centre distance at first touch; where that search fails, the sum of the reaches, an upper bound of it, so that every
-/// input stays a case.
-long double touching_distance(const PairRecipe& recipe) {
-  const auto touch = first_touch<long double>(recipe.pair, recipe.line);
-  if (touch.solved && std::isfinite(touch.distance)) return touch.distance;
-  return reach(recipe.pair.body1, recipe.line) + reach(recipe.pair.body2, recipe.line);
-}
-
 }  // namespace
 
 PairRecipe decode_recipe(Bytes bytes) {
@@ -88,9 +74,20 @@ PairRecipe decode_recipe(Bytes bytes) {
   return recipe;
 }
 
+long double reach(const Body& body, const Vec3<long double>& line) {
+  const Superellipsoid<long double> shape{body.shape.semi_axes.cast<long double>(), body.shape.n1, body.shape.n2};
+  return support<long double>(shape, rotation<long double>(body.quaternion).transpose() * line);
+}
+
+long double touching_distance(const Pair& pair, const Vec3<long double>& line) {
+  const auto touch = first_touch<long double>(pair, line);
+  if (touch.solved && std::isfinite(touch.distance)) return touch.distance;
+  return reach(pair.body1, line) + reach(pair.body2, line);
+}
+
 Case decode(Bytes bytes) {
   const PairRecipe recipe = decode_recipe(bytes);
-  const long double distance = touching_distance(recipe) * (1 - recipe.overlap_ratio);
+  const long double distance = touching_distance(recipe.pair, recipe.line) * (1 - recipe.overlap_ratio);
   const Vec3<long double> centre = recipe.origin.cast<long double>() + recipe.line * distance;
   Case c;
   c.name = "decoded bytes";

@@ -8,7 +8,6 @@
 #include "fuzz/layout_fields.hpp"
 #include "properties/paths.hpp"
 #include "solver/pose.hpp"
-#include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
 namespace {
@@ -59,11 +58,6 @@ long double smaller_size(const Pair& pair) {
   return std::min(pair.body1.shape.semi_axes.maxCoeff(), pair.body2.shape.semi_axes.maxCoeff());
 }
 
-long double reach_of(const Body& body, const Vec& direction) {
-  const Superellipsoid<long double> shape{body.shape.semi_axes.cast<long double>(), body.shape.n1, body.shape.n2};
-  return support<long double>(shape, rotation<long double>(body.quaternion).transpose() * direction);
-}
-
 Motion read_motion(layout::Bytes bytes, const Pair& start) {
   Motion motion;
   motion.kind = read(bytes, 72, 1) % 8;
@@ -76,7 +70,7 @@ Motion read_motion(layout::Bytes bytes, const Pair& start) {
   motion.axis1 = axis_of(read(bytes, 78, 1), start.body1, motion);
   motion.axis2 = axis_of(read(bytes, 78, 1), start.body2, motion);
   motion.along = rotation<long double>(start.body1.quaternion).col(read(bytes, 79, 1) % 3);
-  motion.radius = reach_of(start.body2, -motion.u);
+  motion.radius = reach(start.body2, -motion.u);
   return motion;
 }
 
