@@ -3,53 +3,24 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <vector>
 
 #include "corpus/shape_class.hpp"
+#include "properties/tests/fuzz/noise.hpp"
 
 namespace plumb {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A fixed pseudo-random input.
-Bytes noise(std::uint64_t seed, std::size_t size) {
-  Bytes bytes;
-  for (std::size_t i = 0; i < size; ++i) {
-    seed = seed * 6364136223846793005u + 1442695040888963407u;
-    bytes.push_back(static_cast<std::uint8_t>(seed >> 56));
-  }
-  return bytes;
-}
-
-/// FNV-1a over the doubles of a recipe.
-class Hash {
- public:
-  void add(double value) {
-    for (int i = 0; i < 8; ++i) h_ = (h_ ^ (std::bit_cast<std::uint64_t>(value) >> (8 * i) & 255)) * 0x100000001b3u;
-  }
-  void add(const Vec3<double>& v) {
-    for (int i = 0; i < 3; ++i) add(v[i]);
-  }
-  [[nodiscard]] std::uint64_t value() const { return h_; }
-
- private:
-  std::uint64_t h_ = 0xcbf29ce484222325u;
-};
-
 std::uint64_t hash(const Bytes& bytes) {
   const PairRecipe recipe = decode_recipe(bytes);
   Hash h;
-  for (const Body* body : {&recipe.pair.body1, &recipe.pair.body2}) {
-    h.add(body->shape.semi_axes);
-    h.add(body->shape.n1);
-    h.add(body->shape.n2);
-    for (const double q : body->quaternion) h.add(q);
-  }
+  h.add(recipe.pair.body1);
+  h.add(recipe.pair.body2);
   h.add(recipe.line.cast<double>());
   h.add(static_cast<double>(recipe.overlap_ratio));
   h.add(recipe.origin);

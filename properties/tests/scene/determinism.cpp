@@ -102,5 +102,25 @@ TEST(Snapshot, OfAnotherSceneIsRefusedAndChangesNothing) {
   EXPECT_EQ(run->hash(), before);
 }
 
+// The file of a checkpoint may say anything.
+TEST(Snapshot, OfNoRunIsRefusedAndChangesNothing) {
+  const auto run = started(crowd());
+  step_to(*run, 10);
+  const std::uint64_t before = run->hash();
+  const Snapshot fine = run->snapshot();
+  const auto refuses = [&](auto&& spoil) {
+    Snapshot spoiled = fine;
+    spoil(spoiled);
+    return !run->restore(spoiled);
+  };
+  EXPECT_TRUE(refuses([](Snapshot& s) { s.pairs.back()[1] = 1000; }));
+  EXPECT_TRUE(refuses([](Snapshot& s) { std::swap(s.pairs.back()[0], s.pairs.back()[1]); }));
+  EXPECT_TRUE(refuses([](Snapshot& s) { std::swap(s.pairs.front(), s.pairs.back()); }));
+  EXPECT_TRUE(refuses([](Snapshot& s) { s.columns.back() = s.columns.front(); }));
+  EXPECT_TRUE(refuses([](Snapshot& s) { s.step = -1; }));
+  EXPECT_TRUE(refuses([](Snapshot& s) { s.step = 1'000'000'000'000; }));
+  EXPECT_EQ(run->hash(), before);
+}
+
 }  // namespace
 }  // namespace plumb::scene
