@@ -34,7 +34,7 @@ Outcome examine(std::span<const std::uint8_t> bytes) {
   if (broken.empty())
     return {false, fmt::format("none with {} bodies, {} forced on", recipe.scene.bodies.size(),
                                recipe.forced.empty() ? "nothing" : recipe.forced)};
-  keep_fuzzed(broken.substr(0, broken.find(':')) + "--fuzzed.json", format_scene({recipe.scene, {}, {}}) + "\n");
+  keep_fuzzed(broken.substr(0, broken.find(':')) + "--fuzzed.json", scene::format_scene({recipe.scene, {}, {}}) + "\n");
   return {true, broken};
 }
 

@@ -45,6 +45,13 @@ TEST(NeutralEffect, HasOtherParametersThatChangeNothing) {
   expect_same_state(without(crowd(), Drag::name), neutral, Drag::name);
 }
 
+TEST(NeutralEffect, IsNotOneThatChangesABit) {
+  Scene scene = without(crowd(), Friction::name), other = scene;
+  scene.run.time_step = other.run.time_step = 2e-3;
+  other.bodies[0].velocity.x() *= 1 + 0x1p-52;
+  EXPECT_NE(find_neutral_change(scene, other, Friction::name), "");
+}
+
 // Spheres without friction do not turn, and with it they do: the rest may not notice.
 TEST(NeutralEffect, OfFrictionTurnsSpheresAndNothingElse) {
   Scene spheres = crowd();
