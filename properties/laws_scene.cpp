@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "corpus/checkpoint.hpp"
-
 namespace plumb::scene {
 namespace {
 
@@ -29,13 +25,6 @@ std::string find_difference(const Hashes& a, const Hashes& b) {
     ++common;
   }
   return common < 2 ? "all, as it were: they have nothing in common" : "";
-}
-
-/// As a file would keep it.
-Snapshot through_bytes(const Snapshot& snapshot) {
-  Checkpoint kept;
-  kept.snapshot = snapshot;
-  return parse_checkpoint(format_checkpoint(kept), "snapshot").snapshot;
 }
 
 bool is_left_alone(const Scene& scene) {
@@ -62,7 +51,7 @@ std::string find_snapshot_change(const Scene& scene, std::int64_t step) {
   go_to(whole, step);
   const Snapshot snapshot = whole.snapshot();
   go_to_end(whole);
-  if (!resumed.restore(through_bytes(snapshot))) return "its own snapshot does not fit";
+  if (!resumed.restore(snapshot)) return "its own snapshot does not fit";
   resumed.observe([](std::span<const SolveNote>) {});
   go_to_end(resumed);
   const std::string column = find_difference(whole.hashes(), resumed.hashes());

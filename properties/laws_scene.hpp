@@ -14,7 +14,7 @@ namespace plumb::scene {
 /// no bit of what both carry.
 [[nodiscard]] std::string find_neutral_change(const Scene& absent, const Scene& present, std::string_view effect);
 
-/// A run that goes on from a snapshot, by way of a checkpoint's bytes and looked on at, ends as the one that it was taken of.
+/// A run that goes on from a snapshot, and is looked on at, ends as the one that it was taken of.
 [[nodiscard]] std::string find_snapshot_change(const Scene& scene, std::int64_t step);
 
 /// Of two bodies that nothing but their contact acts on, each feels the opposite of the other's force at every step.

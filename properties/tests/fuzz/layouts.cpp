@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+#include <set>
+
 #include "fuzz/decode_path.hpp"
 #include "fuzz/decode_scene.hpp"
 #include "properties/laws_path.hpp"
