@@ -70,10 +70,10 @@ RC_GTEST_PROP(DecodePath, AnyBytesAreALegalMotion, ()) {
 
 // Layout path-1 is for ever.
 TEST(DecodePath, LayoutIsStable) {
-  EXPECT_EQ(hash_of_path({}), 0u);
-  EXPECT_EQ(hash_of_path(noise(1, kPathLayoutSize)), 0u);
-  EXPECT_EQ(hash_of_path(noise(2, kPathLayoutSize)), 0u);
-  EXPECT_EQ(hash_of_path(noise(3, 60)), 0u);
+  EXPECT_EQ(hash_of_path({}), 0x23f2464ef3983a5u);
+  EXPECT_EQ(hash_of_path(noise(1, kPathLayoutSize)), 0x917ff70def15d349u);
+  EXPECT_EQ(hash_of_path(noise(2, kPathLayoutSize)), 0xdcce5adb054466cbu);
+  EXPECT_EQ(hash_of_path(noise(3, 60)), 0x91438217d5c69785u);
 }
 
 TEST(DecodePath, GoesAlongTheLineOfCentres) {
@@ -112,10 +112,10 @@ RC_GTEST_PROP(DecodeScene, AnyBytesAreAScenesThatItsPlanAccepts, ()) {
 
 // Layout scene-bytes-1 is for ever.
 TEST(DecodeScene, LayoutIsStable) {
-  EXPECT_EQ(hash_of_scene({}), 0u);
-  EXPECT_EQ(hash_of_scene(noise(1, scene::kSceneLayoutSize)), 0u);
-  EXPECT_EQ(hash_of_scene(noise(2, scene::kSceneLayoutSize)), 0u);
-  EXPECT_EQ(hash_of_scene(noise(3, 200)), 0u);
+  EXPECT_EQ(hash_of_scene({}), 0xca1203c27ef999b9u);
+  EXPECT_EQ(hash_of_scene(noise(1, scene::kSceneLayoutSize)), 0x8aa4cf5290904aadu);
+  EXPECT_EQ(hash_of_scene(noise(2, scene::kSceneLayoutSize)), 0x12b5ed34c0cd56beu);
+  EXPECT_EQ(hash_of_scene(noise(3, 200)), 0x1659882683422284u);
 }
 
 // Every effect can be asked for, and every one forced on.
