@@ -59,7 +59,7 @@ std::string rewrite_reference(const std::string& text) {
 }
 
 /// What checkpoints of other files are restored to.
-scene::Scene two_bodies_that_meet() {
+scene::Scene three_bodies_that_meet() {
   scene::Scene out;
   out.bodies.resize(3);
   for (std::size_t k = 0; k < out.bodies.size(); ++k) out.bodies[k].body.position.x() = 1.9 * static_cast<double>(k);
@@ -73,7 +73,7 @@ scene::Scene two_bodies_that_meet() {
 
 std::string rewrite_checkpoint(const std::string& bytes) {
   const scene::Checkpoint checkpoint = scene::parse_checkpoint(bytes, "input");
-  const scene::Scene scene = two_bodies_that_meet();
+  const scene::Scene scene = three_bodies_that_meet();
   scene::Simulation run(scene, make_plan(scene));
   if (run.restore(checkpoint.snapshot) && !run.is_done()) run.step();
   return format_checkpoint(checkpoint);
