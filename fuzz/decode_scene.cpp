@@ -97,6 +97,8 @@ Effects read_scene_effects(Bytes bytes, std::size_t walls) {
   });
   if (effects.linear) effects.hertz.reset();
   if (!effects.linear && !effects.hertz) drop_what_needs_elastic_force(effects);
+  const double elastic = effects.linear ? effects.linear->stiffness : effects.hertz.value_or(Hertz{}).youngs_modulus;
+  if (elastic == 0) effects.cohesion.reset();
   return effects;
 }
 

@@ -11,7 +11,7 @@
 //    5   1  time step: % 3 = 0 the longest that the effects allow, 1 a quarter, 2 a 32nd of it
 //    6   2  the duration, unless the steps are shorter           number, 1e-4 .. 1e2
 //    8   2  effects asked for, a bit each in the order of each_effect; hertz is not where linear is, and what needs an elastic
-//           force is not where there is none
+//           force is not where there is none, cohesion not where it is 0
 //   10   1  accuracy: 10^-(1 + v % 8)
 //   11   1  unused
 //   12  90  their fields in that order and that of each_field, asked for or not (moving_walls: 3 motions, without their wall):
