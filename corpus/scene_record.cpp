@@ -129,14 +129,14 @@ void Recorder::restore(const std::string& state) {
   const auto buckets_in = [](const Json& object) {
     Buckets out;
     for (const auto& [name, kept] : object.items())
-      out[name] = {kept["measure"].get<double>(), parse_case(write_json(kept["case"]), name)};
+      out[name] = {kept.at("measure").get<double>(), parse_case(write_json(kept.at("case")), name)};
     return out;
   };
-  failures_ = buckets_in(tree["failures"]);
-  cases_ = buckets_in(tree["cases"]);
+  failures_ = buckets_in(tree.at("failures"));
+  cases_ = buckets_in(tree.at("cases"));
   changes_.clear();
-  for (const Json& change : tree["changes"])
-    changes_[{change[0].get<std::uint32_t>(), change[1].get<std::uint32_t>()}] = change[2].get<int>();
+  for (const Json& change : tree.at("changes"))
+    changes_[{change.at(0).get<std::uint32_t>(), change.at(1).get<std::uint32_t>()}] = change.at(2).get<int>();
 }
 
 void Recorder::write(const std::filesystem::path& folder) const {

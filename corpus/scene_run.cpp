@@ -64,9 +64,13 @@ void SceneRun::begin_in_folder() {
 }
 
 void SceneRun::go_on_from(const Checkpoint& checkpoint) {
-  if (!run_.restore(checkpoint.snapshot))
-    throw InputFailure((options_.out / "checkpoint.bin").string(), 0, "", "does not fit the scene");
-  written_->recorder.restore(checkpoint.record);
+  const std::string file = (options_.out / "checkpoint.bin").string();
+  if (!run_.restore(checkpoint.snapshot)) throw InputFailure(file, 0, "", "does not fit the scene");
+  try {
+    written_->recorder.restore(checkpoint.record);
+  } catch (const std::exception& error) {
+    throw InputFailure(file, 0, "record", error.what());
+  }
   seconds_before_ = checkpoint.seconds;
   begun_at_ = run_.steps();
 }

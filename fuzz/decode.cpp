@@ -1,7 +1,6 @@
 #include "fuzz/decode.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fuzz/layout_fields.hpp"
@@ -10,27 +9,9 @@
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
-namespace {
 
-using namespace layout;
-
-/// Half the body's extent along a line.
-long double reach(const Body& body, const Vec3<long double>& line) {
-  const Superellipsoid<long double> shape{body.shape.semi_axes.cast<long double>(), body.shape.n1, body.shape.n2};
-  return support<long double>(shape, rotation<long double>(body.quaternion).transpose() * line);
-}
-
-/// Centre distance at first touch; where that search fails, the sum of the reaches, an upper bound of it, so that every
-/// input stays a case.
-long double touching_distance(const PairRecipe& recipe) {
-  const auto touch = first_touch<long double>(recipe.pair, recipe.line);
-  if (touch.solved && std::isfinite(touch.distance)) return touch.distance;
-  return reach(recipe.pair.body1, recipe.line) + reach(recipe.pair.body2, recipe.line);
-}
-
-}  // namespace
-
-PairRecipe decode_recipe(Bytes bytes) {
+PairRecipe decode_recipe(layout::Bytes bytes) {
+  using namespace layout;
   PairRecipe recipe;
   const double unit = read_unit(bytes, 68);
   const auto shape1 = read_shape(bytes, 0, nullptr);
@@ -47,16 +28,28 @@ PairRecipe decode_recipe(Bytes bytes) {
   return recipe;
 }
 
-Case decode(Bytes bytes) {
+long double reach(const Body& body, const Vec3<long double>& line) {
+  const Superellipsoid<long double> shape{body.shape.semi_axes.cast<long double>(), body.shape.n1, body.shape.n2};
+  return support<long double>(shape, rotation<long double>(body.quaternion).transpose() * line);
+}
+
+long double touching_distance(const Pair& pair, const Vec3<long double>& line) {
+  const auto touch = first_touch<long double>(pair, line);
+  if (touch.solved && std::isfinite(touch.distance)) return touch.distance;
+  return reach(pair.body1, line) + reach(pair.body2, line);
+}
+
+Case decode(layout::Bytes bytes) {
   const PairRecipe recipe = decode_recipe(bytes);
-  const long double distance = touching_distance(recipe) * (1 - recipe.overlap_ratio);
+  const long double distance = touching_distance(recipe.pair, recipe.line) * (1 - recipe.overlap_ratio);
   const Vec3<long double> centre = recipe.origin.cast<long double>() + recipe.line * distance;
   Case c;
   c.name = "decoded bytes";
   c.pair = recipe.pair;
   c.pair.body1.position = recipe.origin;
   c.pair.body2.position = centre.cast<double>();
-  c.provenance = Json{{"layout", "pair-1"}, {"bytes", hex(bytes.first(std::min(bytes.size(), kPairLayoutSize)))}};
+  c.provenance =
+      Json{{"layout", "pair-1"}, {"bytes", layout::hex(bytes.first(std::min(bytes.size(), kPairLayoutSize)))}};
   return c;
 }
 

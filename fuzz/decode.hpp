@@ -54,6 +54,12 @@ struct PairRecipe {
 
 [[nodiscard]] PairRecipe decode_recipe(std::span<const std::uint8_t> bytes);
 
+/// Half the body's extent along a line.
+[[nodiscard]] long double reach(const Body& body, const Vec3<long double>& line);
+/// Centre distance at first touch along a line; where that search fails, the sum of the reaches, an upper bound of it, so that
+/// every input stays a case.
+[[nodiscard]] long double touching_distance(const Pair& pair, const Vec3<long double>& line);
+
 /// The case, with the bytes as hex in its provenance.
 [[nodiscard]] Case decode(std::span<const std::uint8_t> bytes);
 

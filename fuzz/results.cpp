@@ -110,7 +110,7 @@ void require_host(const std::string& text) {
       throw FieldError("hosts", "one does not say its " + std::string(field));
 }
 
-Results parse_bins(const Json& json) {
+Results read_bins(const Json& json) {
   Results results;
   const Json& format = json.at("format");
   if (format != kFormat) throw FieldError("format", "is " + format.dump() + ", must be \"" + kFormat + "\"");
@@ -211,6 +211,20 @@ std::vector<std::string> ladder_order(const Ladders& ladders) {
   return ordered(ladders, {known.begin(), known.end()});
 }
 
+std::string format_bins(const Results& results) {
+  return bins_json(results).dump() + "\n";
+}
+
+Results parse_bins(const std::string& text, const std::string& file) {
+  try {
+    return read_bins(read_json(text));
+  } catch (const FieldError& e) {
+    throw InputFailure(file, 0, e.field, e.what());
+  } catch (const Json::exception& e) {
+    throw InputFailure(file, 0, "", e.what());
+  }
+}
+
 void prepare_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder / "failures", error);
@@ -224,7 +238,7 @@ void prepare_folder(const fs::path& folder) {
 void write_results(const Results& results, const fs::path& folder) {
   // The counts first: they are small, and what a disk that fills up during the many failures leaves is then still a result.
   write_file(folder / "summary.json", summary_json(results).dump(2) + "\n");
-  write_file(folder / "campaign.bins", bins_json(results).dump() + "\n");
+  write_file(folder / "campaign.bins", format_bins(results));
   results.kept.write(folder / "failures");
 }
 
@@ -234,15 +248,9 @@ Results read_results(const fs::path& folder) {
   if (!in) throw InputFailure(path.string(), 0, "campaign.bins", "cannot be read: is this the folder of a campaign?");
   std::stringstream text;
   text << in.rdbuf();
-  try {
-    Results results = parse_bins(read_json(text.str()));
-    results.kept.read(folder / "failures");
-    return results;
-  } catch (const FieldError& e) {
-    throw InputFailure(path.string(), 0, e.field, e.what());
-  } catch (const Json::exception& e) {
-    throw InputFailure(path.string(), 0, "", e.what());
-  }
+  Results results = parse_bins(text.str(), path.string());
+  results.kept.read(folder / "failures");
+  return results;
 }
 
 }  // namespace plumb

@@ -75,6 +75,10 @@ struct Results {
 [[nodiscard]] Json leak_json(const Leak& leak);
 [[nodiscard]] Json summary_json(const Results& results);
 
+/// The text of campaign.bins and back; `file` names it in errors. Without the failures that are kept. Throws InputFailure.
+[[nodiscard]] std::string format_bins(const Results& results);
+[[nodiscard]] Results parse_bins(const std::string& text, const std::string& file);
+
 /// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. What an earlier run
 /// left there is removed, so that a folder never shows one run's counts beside another's failures, or those of a run that died.
 void prepare_folder(const std::filesystem::path& folder);

@@ -183,7 +183,8 @@ int list_paths() {
 }
 
 int write_paths(const std::filesystem::path& folder) {
-  for (const Path& path : paths()) write_file(folder / (std::string(path.name) + ".jsonl"), format_path(path));
+  for (const Path& path : paths())
+    write_file(folder / (std::string(path.name) + ".jsonl"), format_steps(steps_of(path)));
   return exit_done;
 }
 

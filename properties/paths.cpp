@@ -45,19 +45,22 @@ std::span<const Path> paths() {
 }
 
 std::vector<Case> steps_of(const Path& path) {
+  return steps_of(path.name, path.draw());
+}
+
+std::vector<Case> steps_of(std::string_view name, const std::vector<Draft>& drafts) {
   std::vector<Case> out;
-  const std::vector<Draft> drafts = path.draw();
   for (const Draft& draft : drafts) {
-    Json provenance{{"path", path.name}, {"step", out.size()}, {"steps", drafts.size()}};
+    Json provenance{{"path", name}, {"step", out.size()}, {"steps", drafts.size()}};
     provenance.update(draft.facts);
-    out.push_back({fmt::format("{}-{:02}", path.name, out.size()), draft.pair, {}, {}, std::move(provenance), {}});
+    out.push_back({fmt::format("{}-{:02}", name, out.size()), draft.pair, {}, {}, std::move(provenance), {}});
   }
   return out;
 }
 
-std::string format_path(const Path& path) {
+std::string format_steps(const std::vector<Case>& steps) {
   std::string out;
-  for (const Case& c : steps_of(path)) out += format_case(c) + '\n';
+  for (const Case& c : steps) out += format_case(c) + '\n';
   return out;
 }
 

@@ -20,9 +20,11 @@ struct Path {
 /// The steps of a path, in their order; the same on any machine with the same math library. Provenance: path, step (from 0),
 /// steps, and what is steered.
 [[nodiscard]] std::vector<Case> steps_of(const Path& path);
+/// Of any motion.
+[[nodiscard]] std::vector<Case> steps_of(std::string_view name, const std::vector<Draft>& drafts);
 
 /// As the file that holds them: one case a line.
-[[nodiscard]] std::string format_path(const Path& path);
+[[nodiscard]] std::string format_steps(const std::vector<Case>& steps);
 
 /// paths_motions.cpp. `exponent`: n1 and n2 of the blocks.
 namespace motion {

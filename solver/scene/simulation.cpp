@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <functional>
+#include <set>
 
 #include "solver/scene/narrow_phase.hpp"
 #include "solver/scene/neighbours.hpp"
@@ -77,6 +79,15 @@ void take_over(Columns& columns, const Pairs& before, const Pairs& now) {
     }
     column = std::move(next);
   }
+}
+
+/// A list of contacts as it is made: of bodies that are there, the second of higher index, sorted, no pair twice.
+bool are_pairs(const Pairs& pairs, const Bodies& bodies) {
+  const auto is_pair = [&](const auto& pair) {
+    return pair[0] < pair[1] && pair[0] < bodies.count && pair[1] < bodies.all();
+  };
+  return std::ranges::all_of(pairs, is_pair) &&
+         std::ranges::adjacent_find(pairs, std::ranges::greater_equal{}) == pairs.end();
 }
 
 }  // namespace
@@ -165,17 +176,21 @@ Snapshot Simulation::snapshot() const {
   return out;
 }
 
-bool Simulation::restore(const Snapshot& snapshot) {
-  std::size_t kept = 0;
+bool Simulation::fits(const Snapshot& snapshot) const {
+  if (snapshot.step < 0 || snapshot.step > plan_.steps || !are_pairs(snapshot.pairs, world_->bodies)) return false;
+  std::set<std::string_view> kept;
   for (const auto& [name, values] : snapshot.columns) {
     const Column* column = world_->columns.find(name);
-    if (column == nullptr || !column->kind().is_kept) return false;
+    if (column == nullptr || !column->kind().is_kept || !kept.insert(name).second) return false;
     const std::size_t entries = column->kind().of == ColumnKind::body ? world_->bodies.all() : snapshot.pairs.size();
     if (values.size() != entries * column->width()) return false;
-    ++kept;
   }
   const auto is_kept = [](const Column& column) { return column.kind().is_kept; };
-  if (std::ranges::count_if(world_->columns, is_kept) != static_cast<std::ptrdiff_t>(kept)) return false;
+  return std::ranges::count_if(world_->columns, is_kept) == static_cast<std::ptrdiff_t>(kept.size());
+}
+
+bool Simulation::restore(const Snapshot& snapshot) {
+  if (!fits(snapshot)) return false;
   world_->contacts.pairs = snapshot.pairs;
   world_->columns.renew(ColumnKind::pair, snapshot.pairs.size());
   for (const auto& [name, values] : snapshot.columns) world_->columns.find(name)->values() = values;

@@ -94,6 +94,7 @@ class Simulation {
   [[nodiscard]] std::map<std::string, double> seconds() const;
 
  private:
+  [[nodiscard]] bool fits(const Snapshot& snapshot) const;
   void list_passes();
   void use_pairs(std::vector<std::array<std::uint32_t, 2>> pairs);
   void update_list();

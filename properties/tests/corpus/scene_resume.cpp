@@ -171,6 +171,16 @@ TEST_F(SceneResume, ADamagedCheckpointIsOneLineAndTwo) {
                  "whole/checkpoint.bin: is damaged: its checksum does not fit, or its end is missing");
 }
 
+// Whole, and of this scene, but not as plumb writes one.
+TEST_F(SceneResume, ACheckpointWithoutItsRecordIsRefused) {
+  Checkpoint checkpoint = read_checkpoint(path_ / "whole/checkpoint.bin").value_or(Checkpoint{});
+  for (const char* record : {"", "{}", R"({"failures": {}, "cases": {}, "changes": [[1]]})"}) {
+    checkpoint.record = record;
+    (void)file("whole/checkpoint.bin", format_checkpoint(checkpoint));
+    EXPECT_EQ(plumb("scene s.json --out whole --resume 2>/dev/null >/dev/null").code, 2) << record;
+  }
+}
+
 TEST_F(SceneResume, AnOutputShorterThanItsCheckpointIsRefused) {
   (void)file("whole/contacts.jsonl", "{}\n");
   expect_refusal("scene s.json --out whole --resume", "whole/contacts.jsonl: is shorter than its checkpoint says");

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,30 +16,11 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// FNV-1a over the doubles of a recipe.
-class Hash {
- public:
-  void add(double value) {
-    for (int i = 0; i < 8; ++i) h_ = (h_ ^ (std::bit_cast<std::uint64_t>(value) >> (8 * i) & 255)) * 0x100000001b3u;
-  }
-  void add(const Vec3<double>& v) {
-    for (int i = 0; i < 3; ++i) add(v[i]);
-  }
-  [[nodiscard]] std::uint64_t value() const { return h_; }
-
- private:
-  std::uint64_t h_ = 0xcbf29ce484222325u;
-};
-
 std::uint64_t hash(const Bytes& bytes) {
   const PairRecipe recipe = decode_recipe(bytes);
   Hash h;
-  for (const Body* body : {&recipe.pair.body1, &recipe.pair.body2}) {
-    h.add(body->shape.semi_axes);
-    h.add(body->shape.n1);
-    h.add(body->shape.n2);
-    for (const double q : body->quaternion) h.add(q);
-  }
+  h.add(recipe.pair.body1);
+  h.add(recipe.pair.body2);
   h.add(recipe.line.cast<double>());
   h.add(static_cast<double>(recipe.overlap_ratio));
   h.add(recipe.origin);

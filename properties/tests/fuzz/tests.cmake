@@ -1,7 +1,8 @@
 # The campaign as a library, and the programs that the tests of the command line start.
 target_link_libraries(test_fuzz PRIVATE plumb_fuzz fmt::fmt)
 add_dependencies(test_fuzz plumb plumb-campaign plumb-merge plumb-families plumb-fuzz-run plumb-methods plumb-replay
-                 replay-pair replay-case foreign_sphere peers)
+                 replay-pair replay-case replay-path replay-scene replay-files plumb-path
+                 foreign_sphere peers)
 
 # A foreign solver that does what it is told to by the environment, and the worked example.
 add_library(foreign_misbehaving MODULE ${folder}/foreign/misbehaving.cpp)

@@ -192,7 +192,7 @@ TEST(Paths, AreTheFrozenOnes) {
     std::ifstream in(folder / (std::string(path.name) + ".jsonl"));
     std::ostringstream frozen;
     frozen << in.rdbuf();
-    EXPECT_EQ(frozen.str(), format_path(path)) << path.name << ": plumb path --write " << folder;
+    EXPECT_EQ(frozen.str(), format_steps(steps_of(path))) << path.name << ": plumb path --write " << folder;
   }
 }
 

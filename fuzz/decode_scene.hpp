@@ -1,0 +1,63 @@
+// Bytes -> small scene, for engines that mutate bytes. Total, stable and steered as layout pair-1 (decode.hpp): any bytes give a scene
+// that its plan accepts, a few steps long.
+//
+// Layout scene-bytes-1 (plumb/scene-1 is a file format), little-endian, 456 bytes. A number is 2 bytes v: of a table where
+// v < 256, else of a log scale; a vector is three.
+//    0   1  bodies: 2 + v % 5
+//    1   1  walls: v % 4
+//    2   1  steps: 2 + v % 31
+//    3   1  which effect is forced on: v % as many as the plan has off
+//    4   1  the step of the snapshot: v % steps
+//    5   1  time step: % 3 = 0 the longest that the effects allow, 1 a quarter, 2 a 32nd of it
+//    6   2  the duration, unless the steps are shorter           number, 1e-4 .. 1e2
+//    8   2  effects asked for, a bit each in the order of each_effect; hertz is not where linear is, and what needs an elastic
+//           force is not where there is none, cohesion not where it is 0
+//   10   1  accuracy: 10^-(1 + v % 8)
+//   11   1  unused
+//   12  90  their fields in that order and that of each_field, asked for or not (moving_walls: 3 motions, without their wall):
+//           numbers 1e-6 .. 1e6, what has an upper bound 1e-6 .. 1, Poisson's ratio half of that; a component of a vector
+//           is negative where v is odd
+//  102  18  unused
+//  120  48  body 1, and so on to body 6
+//  408  16  wall 1, and so on to wall 3
+// A body
+//    0  28  shape and rotation, as a body of layout pair-1; class 7 is the shape of the scene's body 1
+//   28   4  zenith of the line from its neighbour                angle
+//   32   4  azimuth                                              angle
+//   36   1  its neighbour: % as many as there are before it
+//   37   1  bit 0: fixed (never body 1); bits 1, 2: overlap ratio: 0 v, 1 -v, 2 0, 3 0.05 (below); bit 3: goes away from
+//           its neighbour, not to it; bits 4, 5: spins about its own axis 0..2, 3 the line
+//   38   2  v, of the centre distance at first touch             10^(-16 .. 0), log scale
+//   40   2  speed along the line                                 number, 1e-4 .. 1e2
+//   42   2  spin                                                 number, 1e-4 .. 1e2
+//   44   2  density                                              number, 1e-3 .. 1e3
+//   46   1  temperature: 250 + v
+//   47   1  unused
+// A wall
+//    0   4  zenith of its normal                                 angle
+//    4   4  azimuth                                              angle
+//    8   2  how deep the body is in it, in the body's reach      10^(-16 .. 0), log scale
+//   10   1  which body: % as many as there are
+//   11   1  bit 0: the body is so far from it, not in it; bit 1: it touches it
+//   12   1  temperature: 250 + v
+//   13   3  unused
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "solver/scene/scene.hpp"
+
+namespace plumb::scene {
+
+inline constexpr std::size_t kSceneLayoutSize = 456;
+
+struct SceneRecipe {
+  Scene scene;
+  std::string forced;          ///< an effect that the scene's plan has off
+  std::int64_t snapshot_step;  ///< 0 .. steps - 1
+};
+[[nodiscard]] SceneRecipe decode_scene(std::span<const std::uint8_t> bytes);
+
+}  // namespace plumb::scene
