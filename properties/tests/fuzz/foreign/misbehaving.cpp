@@ -98,10 +98,10 @@ int shut_the_door() {
 }
 
 int misbehave(std::string_view how, const plumb_pair& pair, plumb_contact* contact) {
-  const bool larger_first = pair.bodies[0].semi_axes[0] > pair.bodies[1].semi_axes[0];
+  const bool to_the_right = pair.bodies[1].position[0] > pair.bodies[0].position[0];
   const std::pair<std::string_view, std::function<int()>> ways[] = {
       {"crash", crash},
-      {"crash_some", [&] { return larger_first ? crash() : 1; }},
+      {"crash_some", [&] { return to_the_right ? crash() : 1; }},
       {"crash_later", [] { return calls % 50 == 0 ? crash() : 1; }},
       {"abort", say_and_abort},
       {"exit", leave},
@@ -109,7 +109,7 @@ int misbehave(std::string_view how, const plumb_pair& pair, plumb_contact* conta
       {"throw", []() -> int { throw std::runtime_error("through C"); }},
       {"throw_number", []() -> int { throw 7; }},
       {"hang", hang},
-      {"hang_some", [&] { return larger_first ? hang() : 1; }},
+      {"hang_some", [&] { return to_the_right ? hang() : 1; }},
       {"sleep", fall_asleep},
       {"close", shut_the_door},
       {"lie", [&] { return say_apart(contact); }},
