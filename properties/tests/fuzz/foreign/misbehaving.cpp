@@ -12,10 +12,10 @@
 #include <string_view>
 #include <utility>
 
-// A solver that is right, for unit spheres.
-#define plumb_solver_version unit_spheres_version
-#define plumb_solver_solve solve_unit_spheres
-#include "properties/tests/corpus/foreign/sphere.c"
+// A solver that is right, for spheres.
+#define plumb_solver_version spheres_version
+#define plumb_solver_solve solve_spheres
+#include "fuzz/example/bounding_spheres.c"
 #undef plumb_solver_version
 #undef plumb_solver_solve
 
@@ -44,7 +44,7 @@ int crash() {
 }
 
 int waver(const plumb_pair& pair, plumb_contact* contact) {
-  const int refused = solve_unit_spheres(&pair, contact);
+  const int refused = solve_spheres(&pair, contact);
   contact->evaluations = calls;
   return refused;
 }
