@@ -241,7 +241,7 @@ TEST_F(Foreign, ItsProcessEndsWithPlumbHoweverThatEnds) {
                                     .out;
     const std::string program = started.substr(0, started.find('\n'));
     const auto host = host_of(program);
-    ASSERT_TRUE(host) << how;
+    if (!host) FAIL() << how;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     ASSERT_EQ(::kill(std::stoi(program), SIGKILL), 0);
     EXPECT_TRUE(ends(*host)) << how;
