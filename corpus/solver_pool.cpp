@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace plumb {
@@ -19,8 +20,9 @@ Memory memory_of(SolverProcess& process) {
   return {static_cast<double>(reply.heap_bytes), static_cast<double>(reply.resident_bytes)};
 }
 
-/// The place of the pair without an answer; pairs.size() where there is none.
-std::size_t ask_in_turn(SolverProcess& process, const std::vector<plumb_pair>& pairs, std::size_t calls) {
+/// The place of the pair without an answer.
+std::optional<std::size_t> ask_in_turn(SolverProcess& process, const std::vector<plumb_pair>& pairs,
+                                       std::size_t calls) {
   wire::Request request;
   for (std::size_t call = 0; call < calls; ++call) {
     request.pair = pairs[call % pairs.size()];
@@ -31,7 +33,7 @@ std::size_t ask_in_turn(SolverProcess& process, const std::vector<plumb_pair>& p
       return call % pairs.size();
     }
   }
-  return pairs.size();
+  return std::nullopt;
 }
 
 constexpr std::size_t kLeastCalls = 64;  // in a pass
@@ -41,26 +43,29 @@ constexpr double kLeastResident = 4.0 * 4096;
 
 /// What the heap, or else the resident memory, grew by in each of the passes, least of all.
 struct Growth {
-  double heap = 1e300, resident = 1e300;
+  double heap = std::numeric_limits<double>::infinity(), resident = heap;
+  void add(double heap_grew, double resident_grew) {
+    heap = std::min(heap, heap_grew);
+    resident = std::min(resident, resident_grew);
+  }
   [[nodiscard]] double bytes() const { return std::max({0.0, heap, resident >= kLeastResident ? resident : 0.0}); }
 };
 
-/// Passes over the same pairs: what is taken once, or once for each pair, is taken in the first, which does not count.
+/// Passes over the same pairs: what is taken once, or once for each pair, is taken in the first, which does not count. Or else the
+/// place of the pair without an answer.
 struct Measured {
-  std::size_t failed_at;  ///< ask_in_turn() of the pass that failed
+  std::optional<std::size_t> failed_at;
   Growth growth;
 };
 
 Measured measure_growth(SolverProcess& process, const std::vector<plumb_pair>& pairs, std::size_t calls) {
   Measured out{ask_in_turn(process, pairs, calls), {}};
-  Memory before = memory_of(process);
-  for (int pass = 0; pass < kPasses && out.failed_at == pairs.size(); ++pass) {
-    out.failed_at = ask_in_turn(process, pairs, calls);
-    if (out.failed_at != pairs.size()) break;
+  Memory before;
+  for (int pass = 0; pass <= kPasses && !out.failed_at; ++pass) {
     const Memory after = memory_of(process);
-    out.growth.heap = std::min(out.growth.heap, after.heap - before.heap);
-    out.growth.resident = std::min(out.growth.resident, after.resident - before.resident);
+    if (pass > 0) out.growth.add(after.heap - before.heap, after.resident - before.resident);
     before = after;
+    if (pass < kPasses) out.failed_at = ask_in_turn(process, pairs, calls);
   }
   return out;
 }
@@ -131,8 +136,8 @@ std::optional<Leak> SolverPool::find_leak(std::vector<plumb_pair> pairs) const {
       SolverProcess process(library_, limits_);
       const std::size_t calls = std::max(kLeastCalls, pairs.size());
       const Measured measured = measure_growth(process, pairs, calls);
-      if (measured.failed_at == pairs.size()) return leak_of(measured.growth, calls);
-      pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(measured.failed_at));
+      if (!measured.failed_at) return leak_of(measured.growth, calls);
+      pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(*measured.failed_at));
     }
   } catch (const NoAnswer&) {
     return std::nullopt;

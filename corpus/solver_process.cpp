@@ -126,7 +126,8 @@ std::string last_lines(const std::string& text) {
 
 }  // namespace
 
-SolverProcess::SolverProcess(const std::string& library, const SolverLimits& limits) : limits_(limits) {
+// By way of the other constructor, so that what throws here finds an object that is there to be destroyed.
+SolverProcess::SolverProcess(const std::string& library, const SolverLimits& limits) : SolverProcess(limits) {
   start(library);
   try {
     const auto hello = receive<wire::Hello>();
@@ -165,7 +166,8 @@ template <class Message>
 Message SolverProcess::receive() {
   wait_for_message();
   Message message;
-  if (recv(socket_.number(), &message, sizeof message, 0) != sizeof message) throw_death();
+  // A process that the library left behind may hold the socket open: there may be neither a message nor an end of them.
+  if (recv(socket_.number(), &message, sizeof message, MSG_DONTWAIT) != sizeof message) throw_death();
   return message;
 }
 

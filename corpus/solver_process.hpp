@@ -45,6 +45,7 @@ class SolverProcess {
   [[nodiscard]] wire::Reply ask(wire::Request request);
 
  private:
+  explicit SolverProcess(const SolverLimits& limits) : limits_(limits) {}
   void start(const std::string& library);
   template <class Message>
   [[nodiscard]] Message receive();

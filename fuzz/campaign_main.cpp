@@ -44,7 +44,8 @@ CampaignOptions options_of(const Arguments& args) {
   if (!methods.empty()) options.solvers = find_solvers(methods);
   if (args.solver.library.empty()) return options;
   options.solvers.push_back(load_solver(args.solver.library, args.solver.limits));
-  options.libraries[options.solvers.back().name] = std::filesystem::absolute(args.solver.library).string();
+  options.libraries[options.solvers.back().name] =
+      std::filesystem::absolute(args.solver.library).lexically_normal().string();
   return options;
 }
 

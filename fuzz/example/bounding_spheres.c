@@ -2,7 +2,7 @@
  * for spheres alone; the campaign says how wrong it is elsewhere, and shows the simplest pair.
  *
  *     cc -shared -fPIC -I PLUMB bounding_spheres.c -o libspheres.so -lm          (PLUMB: the folder that holds solver/)
- *     plumb campaign --solver ./libspheres.so --family spheroid --cases 1000 --seed 1 --out DIR
+ *     plumb campaign --solver ./libspheres.so --family ellipsoid --cases 1000 --seed 1 --out DIR
  */
 #include <math.h>
 

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <utility>
 
-// A solver that is right, for unit spheres.
-#define plumb_solver_version unit_spheres_version
-#define plumb_solver_solve solve_unit_spheres
-#include "properties/tests/corpus/foreign/sphere.c"
+// A solver that is right, for spheres.
+#define plumb_solver_version spheres_version
+#define plumb_solver_solve solve_spheres
+#include "fuzz/example/bounding_spheres.c"
 #undef plumb_solver_version
 #undef plumb_solver_solve
 
@@ -44,7 +44,7 @@ int crash() {
 }
 
 int waver(const plumb_pair& pair, plumb_contact* contact) {
-  const int refused = solve_unit_spheres(&pair, contact);
+  const int refused = solve_spheres(&pair, contact);
   contact->evaluations = calls;
   return refused;
 }
@@ -98,10 +98,10 @@ int shut_the_door() {
 }
 
 int misbehave(std::string_view how, const plumb_pair& pair, plumb_contact* contact) {
-  const bool larger_first = pair.bodies[0].semi_axes[0] > pair.bodies[1].semi_axes[0];
+  const bool to_the_right = pair.bodies[1].position[0] > pair.bodies[0].position[0];
   const std::pair<std::string_view, std::function<int()>> ways[] = {
       {"crash", crash},
-      {"crash_some", [&] { return larger_first ? crash() : 1; }},
+      {"crash_some", [&] { return to_the_right ? crash() : 1; }},
       {"crash_later", [] { return calls % 50 == 0 ? crash() : 1; }},
       {"abort", say_and_abort},
       {"exit", leave},
@@ -109,7 +109,7 @@ int misbehave(std::string_view how, const plumb_pair& pair, plumb_contact* conta
       {"throw", []() -> int { throw std::runtime_error("through C"); }},
       {"throw_number", []() -> int { throw 7; }},
       {"hang", hang},
-      {"hang_some", [&] { return larger_first ? hang() : 1; }},
+      {"hang_some", [&] { return to_the_right ? hang() : 1; }},
       {"sleep", fall_asleep},
       {"close", shut_the_door},
       {"lie", [&] { return say_apart(contact); }},
