@@ -10,6 +10,7 @@ namespace {
 struct Search {
   Trials trials;
   double least_severity;
+  bool stays_inside;  ///< the declared domain
   Shrunk& best;
 
   [[nodiscard]] bool is_over() const { return trials.counts().judged >= most_judged; }
@@ -17,7 +18,7 @@ struct Search {
   /// Takes the description where it keeps the finding.
   bool take(const Described& described) {
     const std::optional<Pair> pair = pair_of(described);
-    if (!pair) return false;
+    if (!pair || (stays_inside && !in_domain(*pair))) return false;
     JudgedAnswer found = trials.of(*pair);
     const Finding& finding = found.judgement.finding;
     if (finding.kind == FindingKind::none || !(finding.severity >= least_severity)) return false;
@@ -28,15 +29,23 @@ struct Search {
   }
 };
 
-/// How the case may be spelled, the most telling first; the last is the case as it is.
+/// How a pair may be spelled, the most telling first.
 std::vector<Described> spellings(const Pair& pair) {
-  const Described whole = describe(pair);
+  const Pair own_axes = in_axes_of_body1(pair);
+  const Described own = describe(own_axes), world = describe(pair);
   std::vector<Described> out;
-  if (whole.place) out.push_back(whole);
-  out.push_back({whole.pair, whole.euler_deg, {}});
-  out.push_back({whole.pair, {}, {}});
-  out.push_back({pair, {}, {}});
+  for (const Described& whole : {own, world})
+    if (whole.place) out.push_back(whole);
+  for (const Described& whole : {own, world}) out.push_back({whole.pair, whole.euler_deg, {}});
+  out.push_back({own_axes, {}, {}});
   return out;
+}
+
+/// Where it is not yet spelled so; it may be the simpler case that can be.
+void spell(Search& search) {
+  if (search.best.described.place) return;
+  for (const Described& spelling : spellings(search.best.pair))
+    if ((spelling.place || !search.best.described.euler_deg) && search.take(spelling)) return;
 }
 
 /// One round through the list, each step from where the last one led; true when something became simpler.
@@ -61,10 +70,9 @@ Shrunk shrink(const Pair& pair, const Solver& solver) {
   out.described = {pair, {}, {}};
   const Finding& finding = out.from.judgement.finding;
   if (finding.kind == FindingKind::none) return out;
-  Search search{{solver, finding.kind, in_domain(pair)}, finding.severity / 2, out};
-  for (const Described& spelling : spellings(pair))
-    if (search.take(spelling)) break;
-  while (simplify_once(search)) continue;
+  Search search{{solver, finding.kind, true}, finding.severity / 2, in_domain(pair), out};
+  spell(search);
+  while (simplify_once(search)) spell(search);
   out.stopped = search.is_over();
   out.counts = search.trials.counts();
   return out;

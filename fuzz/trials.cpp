@@ -1,9 +1,9 @@
 #include "fuzz/trials.hpp"
 
+#include <cmath>
 #include <exception>
 #include <optional>
 
-#include "properties/described.hpp"
 #include "properties/laws.hpp"
 
 namespace plumb {
@@ -25,7 +25,7 @@ bool is_whole(const Contact<double>& a) {
 Judgement judge_by_status(const Solver& solver, const Pair& pair, const Contact<double>& answer) {
   Reference nothing;
   nothing.effort = Effort::digits;  // no more is to come
-  return judge({pair, solver.problem, answer, nothing, nothing.common_normal});
+  return judge({pair, solver.problem, answer, nothing, nothing.common_normal, {}});
 }
 
 /// To within what no law can object to.
@@ -44,8 +44,8 @@ bool is_about_one_answer(FindingKind kind) {
 
 }  // namespace
 
-Trials::Trials(const Solver& solver, FindingKind kind, bool inside)
-    : solver_(solver), second_(find_solvers("auto").front()), kind_(kind), inside_(inside) {}
+Trials::Trials(const Solver& solver, FindingKind kind, bool hasty)
+    : solver_(solver), second_(find_solvers("auto").front()), kind_(kind), hasty_(hasty) {}
 
 /// Necessary, and cheap.
 bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
@@ -56,13 +56,12 @@ bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
     case FindingKind::missed_contact: return answer.verdict != Verdict::overlapping;
     default: break;
   }
-  if (solver_.problem != Problem::common_normal || !is_about_one_answer(kind_)) return true;
+  if (!hasty_ || solver_.problem != Problem::common_normal || !is_about_one_answer(kind_)) return true;
   const auto second = answer_of(second_, pair);
   return !second || second->status != Status::converged || !agree(pair, answer, *second);
 }
 
 JudgedAnswer Trials::of(const Pair& pair) {
-  if (inside_ && !in_domain(pair)) return {};
   ++counts_.solved;
   JudgedAnswer out;
   if (const auto answer = answer_of(solver_, pair)) {

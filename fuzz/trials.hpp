@@ -15,8 +15,9 @@ struct TrialCounts {
 
 class Trials {
  public:
-  /// Looks for findings of this kind; pairs outside the declared domain have none where `inside` is asked for.
-  Trials(const Solver& solver, FindingKind kind, bool inside);
+  /// `hasty`: where the answer is that of `auto` no reference is asked. Good enough to pass over a pair, not to say that it
+  /// has no finding.
+  Trials(const Solver& solver, FindingKind kind, bool hasty);
 
   /// The method's answer with its finding where that is of the kind; FindingKind::none where it is not.
   [[nodiscard]] JudgedAnswer of(const Pair& pair);
@@ -28,7 +29,7 @@ class Trials {
   const Solver& solver_;
   Solver second_;  ///< whose agreement ends a trial early
   FindingKind kind_;
-  bool inside_;
+  bool hasty_;
   TrialCounts counts_;
 };
 

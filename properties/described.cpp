@@ -40,14 +40,21 @@ std::optional<Vec3<double>> place_of(const Pair& pair) {
 
 }  // namespace
 
+Pair in_axes_of_body1(const Pair& pair) {
+  Pair out = pair;
+  const Quaternion back = inverse(pair.body1.quaternion);
+  out.body1.position.setZero();
+  out.body1.quaternion = {1, 0, 0, 0};
+  out.body2.position = rotation<double>(back) * (pair.body2.position - pair.body1.position);
+  out.body2.quaternion = product(back, pair.body2.quaternion);
+  return out;
+}
+
 Described describe(const Pair& pair) {
   Described out{pair, {}, {}};
-  const Quaternion back = inverse(pair.body1.quaternion);
   out.pair.body1.position.setZero();
-  out.pair.body1.quaternion = {1, 0, 0, 0};
-  out.pair.body2.position = rotation<double>(back) * (pair.body2.position - pair.body1.position);
-  out.pair.body2.quaternion = product(back, pair.body2.quaternion);
-  out.euler_deg = {Vec3<double>::Zero(), euler_deg_of(out.pair.body2.quaternion)};
+  out.pair.body2.position -= pair.body1.position;
+  out.euler_deg = {euler_deg_of(pair.body1.quaternion), euler_deg_of(pair.body2.quaternion)};
   if (is_valid(out.pair)) out.place = place_of(out.pair);
   return out;
 }

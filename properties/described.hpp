@@ -18,9 +18,11 @@ struct Described {
       place;  ///< zenith and azimuth (degrees) and overlap ratio; else the pair's position of body 2
 };
 
-/// With body 1 at the origin in its own axes: nothing but the relative pose is left. The same pair up to rounding; without a
-/// place where first touch is not solved.
+/// With body 1 at the origin, in angles and with a place: the same pair up to rounding. Without a place where first touch is
+/// not solved.
 [[nodiscard]] Described describe(const Pair& pair);
+/// The same pair, up to rounding, in the axes of body 1.
+[[nodiscard]] Pair in_axes_of_body1(const Pair& pair);
 
 /// The fields "bodies" and, where there is a place, "placement" of a case file.
 [[nodiscard]] Json described_json(const Described& described);
@@ -52,6 +54,9 @@ using Simplification = std::function<void(Described&)>;
 /// All of them, in order of preference: equal bodies, spheres before spheroids before triaxial, whole exponents, round angles,
 /// short decimals.
 [[nodiscard]] const std::vector<Simplification>& simplifications();
+
+/// To so many decimal digits.
+[[nodiscard]] double rounded(double x, int digits);
 
 /// Falls with each simplification that is one: a whole number, so that shrinking ends.
 [[nodiscard]] int cost(const Described& described);

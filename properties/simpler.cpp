@@ -59,15 +59,6 @@ int cost_of_rotations(const Described& d) {
   return sum;
 }
 
-double rounded(double x, int digits) {
-  std::array<char, 40> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::scientific, digits - 1);
-  double out = x;
-  (void)std::from_chars(text.data(), end, out);
-  return out;
-}
-
 /// Angles of a quaternion in X-convention, rounded to a number of degrees, as a quaternion again.
 std::array<double, 4> with_round_angles(const std::array<double, 4>& q, double step_degrees) {
   const double step = step_degrees * std::acos(-1.0) / 180;
@@ -230,6 +221,15 @@ std::vector<Simplification> all_simplifications() {
 }
 
 }  // namespace
+
+double rounded(double x, int digits) {
+  std::array<char, 40> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::scientific, digits - 1);
+  double out = x;
+  (void)std::from_chars(text.data(), end, out);
+  return out;
+}
 
 int cost(const Described& d) {
   int sum = cost(d.pair.body1.shape) + cost_of_rotations(d);
