@@ -13,7 +13,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kShrinkSeed = 1;
 
 struct Failing {
   Case c;
@@ -34,7 +34,7 @@ const std::vector<Failing>& failing() {
       std::set<FindingKind> seen{FindingKind::none};
       for (const char* family : {"spheroid", "ellipsoid"})
         for (std::uint64_t i = 0; i < 40; ++i) {
-          Case c = generate(family, kSeed, i);
+          Case c = generate(family, kShrinkSeed, i);
           if (seen.insert(kind_of(c.pair, solver)).second) out.push_back({std::move(c), solver});
         }
     }
@@ -102,7 +102,7 @@ TEST(Shrink, NoSimplificationIsLeft) {
 }
 
 TEST(Shrink, WhatIsRightIsLeftAlone) {
-  const Case c = generate("spheroid", kSeed, 0);
+  const Case c = generate("spheroid", kShrinkSeed, 0);
   const Shrunk shrunk = shrink(c.pair, find_solvers("auto").front());
   EXPECT_EQ(shrunk.from.judgement.finding.kind, FindingKind::none);
   EXPECT_EQ(bodies_json(shrunk.pair), bodies_json(c.pair));
@@ -125,7 +125,7 @@ TEST(Explain, ARuleIsFoundOut) {
     return pair.body1.shape.semi_axes.maxCoeff() > 3 * pair.body1.shape.semi_axes.minCoeff();
   });
   for (std::uint64_t i = 0; i < 40; ++i) {
-    const Case c = generate("ellipsoid", kSeed, i);
+    const Case c = generate("ellipsoid", kShrinkSeed, i);
     const Explained explained = shrink_and_explain(c.pair, solver);
     if (explained.sentence.empty()) continue;
     std::size_t mattering = 0;
