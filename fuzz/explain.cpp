@@ -94,8 +94,10 @@ std::string what_happens(const JudgedAnswer& found) {
 std::string range_text(const Range& range) {
   const std::string& words = range.number.words;
   if (range.low == range.high) return fmt::format("{} exactly {}", words, range.low);
-  return fmt::format("{} from {}{} to {}{}", words, range.low, range.gone_below ? "" : " (or less)",
-                     range.gone_above ? "" : "at least ", range.high);
+  // A tilt or zenith ends by itself, at 0 and 180.
+  const bool ends = range.number.quantity == Quantity::zenith;
+  return fmt::format("{} from {}{} to {}{}", words, range.low, range.gone_below || ends ? "" : " (or less)",
+                     range.gone_above || ends ? "" : "at least ", range.high);
 }
 
 std::string matters_text(const std::vector<Range>& ranges) {
@@ -131,6 +133,7 @@ Json range_json(const Range& range) {
   if (range.gone_below) out["gone_below"] = *range.gone_below;
   if (range.gone_above) out["gone_above"] = *range.gone_above;
   out["tried"] = range.tried;
+  out["finished"] = range.finished;
   return out;
 }
 
