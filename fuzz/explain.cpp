@@ -201,6 +201,7 @@ Json explained_json(const Case& from, const Explained& explained, const std::str
   out["stopped"] = shrunk.stopped;
   out["judged"] = explained.counts.judged;
   out["solved"] = explained.counts.solved;
+  out["work"] = explained.counts.work;
   return out;
 }
 

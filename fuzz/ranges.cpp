@@ -77,7 +77,7 @@ class Line {
  private:
   using Tried = std::map<double, bool>;
 
-  [[nodiscard]] bool is_over() const { return trials_.counts().judged >= most_explained; }
+  [[nodiscard]] bool is_over() const { return trials_.counts().work >= most_work; }
 
   /// False also where there is no such case in the domain: that is the end of what can be probed, and is not kept.
   bool persists(double x) {
@@ -150,6 +150,7 @@ std::vector<Range> find_ranges(const Shrunk& shrunk, const Solver& solver, Trial
     out.push_back(Line(shrunk.described, std::move(number), trials).range());
   counts.solved += trials.counts().solved;
   counts.judged += trials.counts().judged;
+  counts.work += trials.counts().work;
   return out;
 }
 

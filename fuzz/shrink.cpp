@@ -13,7 +13,7 @@ struct Search {
   bool stays_inside;  ///< the declared domain
   Shrunk& best;
 
-  [[nodiscard]] bool is_over() const { return trials.counts().judged >= most_judged; }
+  [[nodiscard]] bool is_over() const { return trials.counts().work >= most_work; }
 
   /// Takes the description where it keeps the finding.
   bool take(const Described& described) {

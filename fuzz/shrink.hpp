@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// Certified references that shrinking one case may take, and explaining it: a count, so that every machine ends alike.
-inline constexpr std::size_t most_judged = 400, most_explained = 400;
+/// TrialCounts::work that shrinking one case may take, and explaining it as much: a count, so that every machine ends alike.
+inline constexpr std::size_t most_work = 600;
 
 struct Shrunk {
   JudgedAnswer from;    ///< the case's own; FindingKind::none where there is nothing to shrink
@@ -16,7 +16,7 @@ struct Shrunk {
   Pair pair;            ///< the same, as a case file with those fields is read
   JudgedAnswer found;   ///< its answer and finding
   TrialCounts counts;
-  bool stopped = false;  ///< at most_judged: there may be simpler ones
+  bool stopped = false;  ///< at most_work: there may be simpler ones
 };
 
 /// Deterministic. A case outside the declared domain is let out of it; no other is.

@@ -1,9 +1,12 @@
 #include "fuzz/trials.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <optional>
 
+#include "corpus/shape_class.hpp"
 #include "properties/laws.hpp"
 
 namespace plumb {
@@ -34,6 +37,14 @@ bool agree(const Pair& pair, const Contact<double>& a, const Contact<double>& b)
   return is_whole(a) && is_whole(b) && std::abs(a.overlap - b.overlap) <= few * size &&
          (a.normal - b.normal).norm() <= few && (a.point1 - b.point1).norm() <= few * size &&
          (a.point2 - b.point2).norm() <= few * size;
+}
+
+/// Bounds, a proof, digits cost more and more; more on other bodies than ellipsoids; a geometric potential has a reference of its own.
+std::size_t work_of(const Pair& pair, const Reference& reference, const Solver& solver) {
+  constexpr std::array<std::size_t, efforts.size()> by_effort{1, 4, 10};
+  const bool superquadric = std::max(shape_kind(pair.body1.shape), shape_kind(pair.body2.shape)) > ShapeKind::ellipsoid;
+  const std::size_t potential = solver.problem == Problem::common_normal ? 0 : by_effort.back();
+  return (by_effort[static_cast<std::size_t>(reference.effort)] + potential) * (superquadric ? 5 : 1);
 }
 
 /// What the method's answer must share with the best there is to be right; other kinds are about several answers.
@@ -75,6 +86,7 @@ JudgedAnswer Trials::of(const Pair& pair) {
   ++counts_.judged;
   Judge judge(pair);
   out = solve_and_judge(judge, pair, solver_);
+  counts_.work += work_of(pair, judge.reference(), solver_);
   return out.judgement.finding.kind == kind_ ? out : JudgedAnswer{};
 }
 

@@ -182,10 +182,11 @@ void add_angles(List& out) {
   }
 }
 
-/// Offsets carry the overlap: zeros in each component, then along the whole line.
+/// Offsets carry the overlap: zeros in each component, then along the whole line. An overlap ratio is never made 0: bodies that
+/// just touch are a special case, not a simple one.
 void add_positions(List& out) {
   for (int i = 0; i < 3; ++i) out.add_for_bodies([i](Body& b) { b.position[i] = 0; });
-  for (int i = 0; i < 3; ++i) out.add_for_place([i](Vec3<double>& place) { place[i] = 0; });
+  for (int i = 0; i < 2; ++i) out.add_for_place([i](Vec3<double>& place) { place[i] = 0; });
   for (const double ratio : {0.1, 0.01, 0.001})
     out.add_for_place([ratio](Vec3<double>& place) { place[2] = std::copysign(ratio, place[2]); });
 }
