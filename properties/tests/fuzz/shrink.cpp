@@ -152,8 +152,12 @@ TEST(Explain, TheRangesAreTrueWhenTriedByHand) {
     for (const Range& range : explained.ranges) {
       const std::string where = c.name + " " + explained.sentence + " | " + range.number.field;
       for (const double x : {range.low, range.number.value, range.high}) EXPECT_EQ(try_at(range, x), kind) << where;
-      if (range.gone_below) EXPECT_NE(try_at(range, *range.gone_below), kind) << where;
-      if (range.gone_above) EXPECT_NE(try_at(range, *range.gone_above), kind) << where;
+      if (range.gone_below) {
+        EXPECT_NE(try_at(range, *range.gone_below), kind) << where;
+      }
+      if (range.gone_above) {
+        EXPECT_NE(try_at(range, *range.gone_above), kind) << where;
+      }
       EXPECT_LE(range.low, range.number.value);
       EXPECT_LE(range.number.value, range.high);
     }
@@ -174,7 +178,7 @@ class ShrinkCommand : public Commands {};
 
 TEST_F(ShrinkCommand, ShrinksAndTheResultReplays) {
   const auto& [c, solver] = failing().front();
-  file("case.json", format_case(c) + "\n");
+  (void)file("case.json", format_case(c) + "\n");
   const Ran ran = plumb("shrink case.json --json --out shrunk.json --method " + solver.name);
   EXPECT_EQ(ran.code, 1);
   const Json out = Json::parse(ran.out);
@@ -187,7 +191,7 @@ TEST_F(ShrinkCommand, ShrinksAndTheResultReplays) {
 }
 
 TEST_F(ShrinkCommand, Refuses) {
-  file("case.json", format_case(failing().front().c) + "\n");
+  (void)file("case.json", format_case(failing().front().c) + "\n");
   expect_refusal("shrink none.json", "none.json: No such file or directory");
   expect_refusal("shrink case.json --method new_cn,auto", "--method: new_cn,auto: shrink takes one method");
   EXPECT_EQ(plumb("shrink case.json --method magic 2>/dev/null").code, 2);
