@@ -104,7 +104,8 @@ std::string matters_text(const std::vector<Range>& ranges) {
   std::string out;
   for (const Range& range : ranges)
     if (range.matters())
-      out += (out.empty() ? "; it persists, one number changed at a time, for " : ", ") + range_text(range);
+      out += (out.empty() ? "; one number changed at a time, it persists at every value tried of " : ", ") +
+             range_text(range);
   return out;
 }
 
@@ -115,8 +116,8 @@ std::string indifference_text(const std::vector<Range>& ranges) {
   const bool any_matters = std::any_of(ranges.begin(), ranges.end(), [](const Range& r) { return r.matters(); });
   std::string out;
   if (many > 0)
-    out = any_matters ? "; the other numbers do not matter (changed one at a time: still there)"
-                      : "; no number matters (changed one at a time: still there)";
+    out = any_matters ? "; the other numbers do not matter (still there at every value tried)"
+                      : "; no number matters (changed one at a time: still there at every value tried)";
   if (std::any_of(ranges.begin(), ranges.end(), open)) out += "; some numbers were not tried to the end";
   return out;
 }
