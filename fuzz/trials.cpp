@@ -44,7 +44,7 @@ std::size_t work_of(const Pair& pair, const Reference& reference, const Solver& 
   constexpr std::array<std::size_t, efforts.size()> by_effort{1, 4, 10};
   const bool superquadric = std::max(shape_kind(pair.body1.shape), shape_kind(pair.body2.shape)) > ShapeKind::ellipsoid;
   const std::size_t potential = solver.problem == Problem::common_normal ? 0 : by_effort.back();
-  return (by_effort[static_cast<std::size_t>(reference.effort)] + potential) * (superquadric ? 5 : 1);
+  return (by_effort[static_cast<std::size_t>(reference.effort)] + potential) * (superquadric ? 10 : 1);
 }
 
 /// What the method's answer must share with the best there is to be right; other kinds are about several answers.
