@@ -7,6 +7,7 @@
 #include "corpus/reference_store.hpp"
 #include "fuzz/arguments.hpp"
 #include "fuzz/shell_word.hpp"
+#include "fuzz/shrink_kept.hpp"
 #include "fuzz/table.hpp"
 
 namespace plumb {
@@ -18,6 +19,7 @@ struct Arguments {
   std::int64_t cases = 0;
   std::uint64_t seed = 1;
   unsigned threads = default_threads();
+  bool shrink = false;
 };
 
 void declare(CLI::App& app, Arguments& args) {
@@ -31,6 +33,8 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
   app.add_option("--out", args.out, "folder for summary.json, campaign.bins and failures/");
   app.add_option("--cache", args.cache, cache_help);
+  app.add_flag("--shrink", args.shrink, "then shrink each bucket's simplest case, into failures/ as well")
+      ->needs("--out");
 }
 
 /// Without either option: all. A foreign solver is asked alone unless methods are named beside it.
@@ -65,7 +69,9 @@ int campaign(const Arguments& args) {
   if (!args.out.empty()) prepare_folder(args.out);
   const Results results = run_campaign(sources, options);
   if (store) fmt::print(stderr, "{}\n", in_words(store->counts()));
-  return report(results, args.out);
+  const int code = report(results, args.out);
+  if (args.shrink) shrink_kept(results.kept, options, args.out);
+  return code;
 }
 
 }  // namespace

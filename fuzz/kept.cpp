@@ -17,12 +17,6 @@ bool worse_than(const Failure& a, const Failure& b) {
   return std::tie(b.severity, a.origin, a.index) < std::tie(a.severity, b.origin, b.index);
 }
 
-/// JSON has no infinity, and a severity that is not a number is no smaller than any.
-Json severity_json(double severity) {
-  if (std::isfinite(severity)) return severity;
-  return "infinite";
-}
-
 double read_severity(const Json& json) {
   if (json.is_number()) return json.get<double>();
   if (json != "infinite")
@@ -45,6 +39,11 @@ Failure read_failure(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+Json severity_json(double severity) {
+  if (std::isfinite(severity)) return severity;
+  return "infinite";
+}
 
 Case failing_case(const Case& c, const std::string& method, const Finding& finding, const std::string& command) {
   Case kept = c;

@@ -25,8 +25,11 @@ struct Failure {
 
 [[nodiscard]] Failure failure_of(Case kept);
 
-/// How the names of a bucket's two files end.
-inline constexpr std::string_view kSimplest = "--simplest.json", kWorst = "--worst.json";
+/// How the names of a bucket's two files end; and of the simplest's when it was shrunk, which no merge reads.
+inline constexpr std::string_view kSimplest = "--simplest.json", kWorst = "--worst.json", kShrunk = "--shrunk.json";
+
+/// JSON has no infinity, and a severity that is not a number is no smaller than any.
+[[nodiscard]] Json severity_json(double severity);
 
 struct KeptBucket {
   Failure simplest, worst;

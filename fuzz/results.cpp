@@ -135,7 +135,7 @@ void remove_old_results(const fs::path& folder) {
   for (const char* file : {"summary.json", "campaign.bins"}) fs::remove(folder / file);
   for (const auto& entry : fs::directory_iterator(folder / "failures")) {
     const std::string file = entry.path().filename().string();
-    if (file.ends_with(kSimplest) || file.ends_with(kWorst)) fs::remove(entry.path());
+    if (file.ends_with(kSimplest) || file.ends_with(kWorst) || file.ends_with(kShrunk)) fs::remove(entry.path());
   }
 }
 

@@ -1,0 +1,25 @@
+// The simplest case with the same finding and at least half its severity.
+#pragma once
+
+#include "corpus/case.hpp"
+#include "fuzz/trials.hpp"
+#include "properties/described.hpp"
+
+namespace plumb {
+
+/// TrialCounts::work that shrinking one case may take, and explaining it as much: a count, so that every machine ends alike.
+inline constexpr std::size_t most_work = 600;
+
+struct Shrunk {
+  JudgedAnswer from;    ///< the case's own; FindingKind::none where there is nothing to shrink
+  Described described;  ///< what is left
+  Pair pair;            ///< the same, as a case file with those fields is read
+  JudgedAnswer found;   ///< its answer and finding
+  TrialCounts counts;
+  bool stopped = false;  ///< at most_work: there may be simpler ones
+};
+
+/// Deterministic. A case outside the declared domain is let out of it; no other is.
+[[nodiscard]] Shrunk shrink(const Pair& pair, const Solver& solver);
+
+}  // namespace plumb

@@ -1,0 +1,31 @@
+#include "fuzz/shrink_kept.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "corpus/in_parallel.hpp"
+#include "corpus/interrupt.hpp"
+#include "fuzz/explain.hpp"
+
+namespace plumb {
+
+void shrink_kept(const KeptFailures& kept, const CampaignOptions& options, const std::filesystem::path& folder) {
+  std::vector<const std::pair<const std::string, KeptBucket>*> buckets;
+  for (const auto& bucket : kept.buckets()) buckets.push_back(&bucket);
+  std::vector<std::string> shrunk_cases(buckets.size());  // written by one thread, which may throw
+  in_parallel(buckets.size(), options.threads, [&](std::size_t i) {
+    const auto& [bucket, of] = *buckets[i];
+    const Case& simplest = of.simplest.kept;
+    const auto by = std::find_if(options.solvers.begin(), options.solvers.end(),
+                                 [&](const Solver& solver) { return simplest.expect.method == solver.name; });
+    if (by == options.solvers.end() || interrupted()) return;  // of the reference
+    Case shrunk = kept_shrunk(simplest, shrink_and_explain(simplest.pair, *by), by->name);
+    shrunk.provenance["file"] = bucket + std::string(kSimplest);
+    shrunk_cases[i] = format_case(shrunk) + "\n";
+  });
+  for (std::size_t i = 0; i < buckets.size(); ++i)
+    if (!shrunk_cases[i].empty())
+      write_file(folder / "failures" / (buckets[i]->first + std::string(kShrunk)), shrunk_cases[i]);
+}
+
+}  // namespace plumb

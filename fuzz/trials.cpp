@@ -1,0 +1,93 @@
+#include "fuzz/trials.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <optional>
+
+#include "corpus/shape_class.hpp"
+#include "properties/laws.hpp"
+
+namespace plumb {
+namespace {
+
+std::optional<Contact<double>> answer_of(const Solver& solver, const Pair& pair) {
+  try {
+    return solver.solve(pair, Want{}, nullptr);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+bool is_whole(const Contact<double>& a) {
+  return std::isfinite(a.overlap) && a.normal.allFinite() && a.point1.allFinite() && a.point2.allFinite();
+}
+
+/// The laws before any that looks at the reference: an answer that is flagged by its status has its finding from them.
+Judgement judge_by_status(const Solver& solver, const Pair& pair, const Contact<double>& answer) {
+  Reference nothing;
+  nothing.effort = Effort::digits;  // no more is to come
+  return judge({pair, solver.problem, answer, nothing, nothing.common_normal, {}});
+}
+
+/// To within what no law can object to.
+bool agree(const Pair& pair, const Contact<double>& a, const Contact<double>& b) {
+  const double few = 4 * std::numeric_limits<double>::epsilon(), size = size_of(pair);
+  return is_whole(a) && is_whole(b) && std::abs(a.overlap - b.overlap) <= few * size &&
+         (a.normal - b.normal).norm() <= few && (a.point1 - b.point1).norm() <= few * size &&
+         (a.point2 - b.point2).norm() <= few * size;
+}
+
+/// Bounds, a proof, digits cost more and more; more on other bodies than ellipsoids; a geometric potential has a reference of its own.
+std::size_t work_of(const Pair& pair, const Reference& reference, const Solver& solver) {
+  constexpr std::array<std::size_t, efforts.size()> by_effort{1, 4, 10};
+  const bool superquadric = std::max(shape_kind(pair.body1.shape), shape_kind(pair.body2.shape)) > ShapeKind::ellipsoid;
+  const std::size_t potential = solver.problem == Problem::common_normal ? 0 : by_effort.back();
+  return (by_effort[static_cast<std::size_t>(reference.effort)] + potential) * (superquadric ? 10 : 1);
+}
+
+/// What the method's answer must share with the best there is to be right; other kinds are about several answers.
+bool is_about_one_answer(FindingKind kind) {
+  return kind == FindingKind::wrong_branch || kind == FindingKind::misaligned || kind == FindingKind::off_surface ||
+         kind == FindingKind::overlap_error || kind == FindingKind::point_error;
+}
+
+}  // namespace
+
+Trials::Trials(const Solver& solver, FindingKind kind, bool hasty)
+    : solver_(solver), second_(find_solvers("auto").front()), kind_(kind), hasty_(hasty) {}
+
+/// Necessary, and cheap.
+bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
+  switch (kind_) {
+    case FindingKind::nonconverged: return false;  // it converged
+    case FindingKind::not_finite: return !is_whole(answer) || !answer.contact_point.allFinite();
+    case FindingKind::false_contact: return answer.verdict == Verdict::overlapping;
+    case FindingKind::missed_contact: return answer.verdict != Verdict::overlapping;
+    default: break;
+  }
+  if (!hasty_ || solver_.problem != Problem::common_normal || !is_about_one_answer(kind_)) return true;
+  const auto second = answer_of(second_, pair);
+  return !second || second->status != Status::converged || !agree(pair, answer, *second);
+}
+
+JudgedAnswer Trials::of(const Pair& pair) {
+  ++counts_.solved;
+  JudgedAnswer out;
+  if (const auto answer = answer_of(solver_, pair)) {
+    out.answer = *answer;
+    if (answer->status != Status::converged) {
+      out.judgement = judge_by_status(solver_, pair, *answer);
+      return out.judgement.finding.kind == kind_ ? out : JudgedAnswer{};
+    }
+    if (!may_show(pair, *answer)) return {};
+  }
+  ++counts_.judged;
+  Judge judge(pair);
+  out = solve_and_judge(judge, pair, solver_);
+  counts_.work += work_of(pair, judge.reference(), solver_);
+  return out.judgement.finding.kind == kind_ ? out : JudgedAnswer{};
+}
+
+}  // namespace plumb

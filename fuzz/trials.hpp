@@ -1,0 +1,37 @@
+// One method tried on pair after pair: has it still the finding? The dear work, the certified reference, comes last.
+#pragma once
+
+#include <cstddef>
+
+#include "corpus/solver.hpp"
+#include "fuzz/judging.hpp"
+
+namespace plumb {
+
+struct TrialCounts {
+  std::size_t solved = 0;  ///< pairs that the method was asked about
+  std::size_t judged = 0;  ///< of those, how many took a certified reference
+  std::size_t work = 0;    ///< what those took, counted and not timed: about a millisecond each
+};
+
+class Trials {
+ public:
+  /// `hasty`: where the answer is that of `auto` no reference is asked. Good enough to pass over a pair, not to say that it
+  /// has no finding.
+  Trials(const Solver& solver, FindingKind kind, bool hasty);
+
+  /// The method's answer with its finding where that is of the kind; FindingKind::none where it is not.
+  [[nodiscard]] JudgedAnswer of(const Pair& pair);
+  [[nodiscard]] const TrialCounts& counts() const { return counts_; }
+
+ private:
+  [[nodiscard]] bool may_show(const Pair& pair, const Contact<double>& answer) const;
+
+  const Solver& solver_;
+  Solver second_;  ///< whose agreement ends a trial early
+  FindingKind kind_;
+  bool hasty_;
+  TrialCounts counts_;
+};
+
+}  // namespace plumb

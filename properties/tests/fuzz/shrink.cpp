@@ -1,0 +1,215 @@
+// A shrunk case keeps its finding, nothing simpler does, and what is said of it is true when it is tried by hand.
+#include "fuzz/shrink.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "fuzz/explain.hpp"
+#include "fuzz/kept.hpp"
+#include "properties/families.hpp"
+#include "properties/tests/corpus/programs.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::uint64_t kShrinkSeed = 1;
+
+struct Failing {
+  Case c;
+  Solver solver;
+};
+
+FindingKind kind_of(const Pair& pair, const Solver& solver) {
+  Judge judge(pair);
+  return solve_and_judge(judge, pair, solver).judgement.finding.kind;
+}
+
+/// Of each published method the first failure of each kind among some spheroids and ellipsoids.
+const std::vector<Failing>& failing() {
+  static const std::vector<Failing> all = [] {
+    std::vector<Failing> out;
+    for (const Solver& solver :
+         find_solvers("original_cn,corrected_cn,new_cn,geometric_potential,geometric_potential_midway")) {
+      std::set<FindingKind> seen{FindingKind::none};
+      for (const char* family : {"spheroid", "ellipsoid"})
+        for (std::uint64_t i = 0; i < 40; ++i) {
+          Case c = generate(family, kShrinkSeed, i);
+          if (seen.insert(kind_of(c.pair, solver)).second) out.push_back({std::move(c), solver});
+        }
+    }
+    return out;
+  }();
+  return all;
+}
+
+Case in_file(const Described& described) {
+  Json text{{"format", "plumb/case-1"}, {"name", "by hand"}};
+  text.update(described_json(described));
+  return parse_case(write_json(text), "by hand");
+}
+
+TEST(Shrink, ThereIsSomethingToShrink) {
+  std::set<FindingKind> kinds;
+  for (const auto& [c, solver] : failing()) kinds.insert(kind_of(c.pair, solver));
+  EXPECT_GE(kinds.size(), 3u);
+}
+
+TEST(Shrink, KeepsTheFindingAndHalfOfItsSeverity) {
+  for (const auto& [c, solver] : failing()) {
+    const Shrunk shrunk = shrink(c.pair, solver);
+    Judge judge(shrunk.pair);
+    const Finding again = solve_and_judge(judge, shrunk.pair, solver).judgement.finding;
+    EXPECT_EQ(again.kind, shrunk.from.judgement.finding.kind) << c.name << ' ' << solver.name;
+    EXPECT_GE(again.severity, shrunk.from.judgement.finding.severity / 2) << c.name << ' ' << solver.name;
+    EXPECT_TRUE(in_domain(shrunk.pair)) << c.name;
+    EXPECT_LE(simplicity(shrunk.pair)[0], simplicity(c.pair)[0]) << c.name;
+    EXPECT_EQ(shrunk.stopped, shrunk.counts.work >= most_work) << c.name;
+  }
+}
+
+TEST(Shrink, IsReadFromItsFileBitForBit) {
+  for (const auto& [c, solver] : failing()) {
+    const Shrunk shrunk = shrink(c.pair, solver);
+    EXPECT_EQ(bodies_json(in_file(shrunk.described).pair), bodies_json(shrunk.pair)) << c.name;
+  }
+}
+
+TEST(Shrink, IsTheSameEachTime) {
+  for (const auto& [c, solver] : failing()) {
+    const Shrunk one = shrink(c.pair, solver), two = shrink(c.pair, solver);
+    EXPECT_EQ(described_json(one.described), described_json(two.described));
+    EXPECT_EQ(one.counts.judged, two.counts.judged);
+  }
+}
+
+TEST(Shrink, NoSimplificationIsLeft) {
+  for (const auto& [c, solver] : failing()) {
+    const Shrunk shrunk = shrink(c.pair, solver);
+    if (shrunk.stopped) continue;
+    const Finding& from = shrunk.from.judgement.finding;
+    Trials trials(solver, from.kind, true);
+    for (const Simplification& simplify : simplifications()) {
+      Described next = shrunk.described;
+      simplify(next);
+      const auto pair = pair_of(next);
+      if (cost(next) >= cost(shrunk.described) || !pair || !in_domain(*pair)) continue;
+      const Finding found = trials.of(*pair).judgement.finding;
+      EXPECT_TRUE(found.kind == FindingKind::none || found.severity < from.severity / 2)
+          << c.name << ' ' << solver.name << ' ' << described_json(next);
+    }
+  }
+}
+
+TEST(Shrink, WhatIsRightIsLeftAlone) {
+  const Case c = generate("spheroid", kShrinkSeed, 0);
+  const Shrunk shrunk = shrink(c.pair, find_solvers("auto").front());
+  EXPECT_EQ(shrunk.from.judgement.finding.kind, FindingKind::none);
+  EXPECT_EQ(bodies_json(shrunk.pair), bodies_json(c.pair));
+}
+
+/// A solver that fails by rule: where the failure begins and ends is known.
+Solver failing_when(const std::function<bool(const Pair&)>& fails) {
+  Solver solver = find_solvers("auto").front();
+  solver.name = "by_rule";
+  solver.solve = [fails, right = solver.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
+    Contact<double> answer = right(pair, want, last);
+    if (fails(pair)) answer.status = Status::stalled;
+    return answer;
+  };
+  return solver;
+}
+
+TEST(Explain, ARuleIsFoundOut) {
+  const Solver solver = failing_when([](const Pair& pair) {
+    return pair.body1.shape.semi_axes.maxCoeff() > 3 * pair.body1.shape.semi_axes.minCoeff();
+  });
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const Case c = generate("ellipsoid", kShrinkSeed, i);
+    const Explained explained = shrink_and_explain(c.pair, solver);
+    if (explained.sentence.empty()) continue;
+    std::size_t mattering = 0;
+    for (const Range& range : explained.ranges) {
+      const bool of_body1 = range.number.field.starts_with("bodies[0");
+      EXPECT_TRUE(of_body1 || !range.matters()) << explained.sentence;
+      mattering += range.matters() ? 1 : 0;
+    }
+    EXPECT_GE(mattering, 1u) << explained.sentence;
+    return;
+  }
+  FAIL() << "no ellipsoid is longer than three times its width";
+}
+
+TEST(Explain, TheRangesAreTrueWhenTriedByHand) {
+  for (const auto& [c, solver] : failing()) {
+    const Explained explained = shrink_and_explain(c.pair, solver);
+    const FindingKind kind = explained.shrunk.from.judgement.finding.kind;
+    const auto try_at = [&, &by = solver](const Range& range, double x) {
+      Described changed = explained.shrunk.described;
+      range.number.set(changed, x);
+      return kind_of(in_file(changed).pair, by);
+    };
+    for (const Range& range : explained.ranges) {
+      const std::string where = c.name + " " + explained.sentence + " | " + range.number.field;
+      for (const double x : {range.low, range.number.value, range.high}) EXPECT_EQ(try_at(range, x), kind) << where;
+      if (range.gone_below) {
+        EXPECT_NE(try_at(range, *range.gone_below), kind) << where;
+      }
+      if (range.gone_above) {
+        EXPECT_NE(try_at(range, *range.gone_above), kind) << where;
+      }
+      EXPECT_LE(range.low, range.number.value);
+      EXPECT_LE(range.number.value, range.high);
+    }
+  }
+}
+
+TEST(Explain, TheKeptCaseExpectsItsFindingAndSaysWhy) {
+  const auto& [c, solver] = failing().front();
+  const Explained explained = shrink_and_explain(c.pair, solver);
+  const Case kept = parse_case(format_case(kept_shrunk(c, explained, solver.name)), "kept");
+  EXPECT_EQ(kept.expect.method, solver.name);
+  EXPECT_EQ(kept.expect.finding, name(kind_of(kept.pair, solver)));
+  EXPECT_EQ(kept.provenance.at("explanation"), explained.sentence);
+  EXPECT_TRUE(explained.sentence.starts_with(solver.name + " ")) << explained.sentence;
+}
+
+class ShrinkCommand : public Commands {};
+
+TEST_F(ShrinkCommand, ShrinksAndTheResultReplays) {
+  const auto& [c, solver] = failing().front();
+  (void)file("case.json", format_case(c) + "\n");
+  const Ran ran = plumb("shrink case.json --json --out shrunk.json --method " + solver.name);
+  EXPECT_EQ(ran.code, 1);
+  const Json out = Json::parse(ran.out);
+  for (const char* field : {"name", "method", "finding", "severity", "from_severity", "case", "explanation", "matters",
+                            "indifferent", "judged", "solved"})
+    EXPECT_TRUE(out.contains(field)) << field;
+  EXPECT_EQ(plumb("replay shrunk.json").code, 0);
+  EXPECT_EQ(plumb("shrink shrunk.json").code, 1);
+  EXPECT_EQ(plumb("shrink case.json").code, 0);  // by auto, which has no finding there
+}
+
+TEST_F(ShrinkCommand, Refuses) {
+  (void)file("case.json", format_case(failing().front().c) + "\n");
+  expect_refusal("shrink none.json", "none.json: No such file or directory");
+  expect_refusal("shrink case.json --method new_cn,auto", "--method: new_cn,auto: shrink takes one method");
+  EXPECT_EQ(plumb("shrink case.json --method magic 2>/dev/null").code, 2);
+  EXPECT_EQ(plumb("shrink case.json --solver /nowhere.so 2>/dev/null").code, 2);
+}
+
+TEST_F(ShrinkCommand, ACampaignShrinksWhatItKeeps) {
+  ASSERT_EQ(plumb("campaign --family spheroid --cases 20 --method original_cn --shrink --out out 2>&1").code, 0);
+  std::size_t simplest = 0, shrunk = 0;
+  for (const auto& entry : fs::directory_iterator(path_ / "out" / "failures")) {
+    simplest += entry.path().string().ends_with(kSimplest) ? 1 : 0;
+    shrunk += entry.path().string().ends_with(kShrunk) ? 1 : 0;
+  }
+  EXPECT_GT(shrunk, 0u);
+  EXPECT_EQ(shrunk, simplest);
+  EXPECT_EQ(plumb("replay out/failures").code, 0);
+  EXPECT_EQ(plumb("merge out --out merged").code, 0);
+}
+
+}  // namespace
+}  // namespace plumb
