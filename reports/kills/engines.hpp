@@ -16,6 +16,7 @@ namespace plumb::reports {
 struct Kill {
   std::uint64_t run = 0;  ///< the first that killed it, from 1; 0: none did
   std::string finding;    ///< in the contract's word, with the law
+  bool changed = false;   ///< whether any cold answer had other bits than without the bug, or cost other work
 };
 
 /// One sequence of runs: kills[i] is of the i-th bug asked for.

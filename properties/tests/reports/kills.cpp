@@ -102,7 +102,9 @@ TEST(KillEngines, AWrongAnswerDiesAtItsFirstCaseWhateverTheThreads) {
     const Hunt hunt = hunt_cases({seeded, {1, 2, 3}, threads}, 6, drawn);
     EXPECT_EQ(hunt.control_findings, 0u);
     EXPECT_EQ(hunt.kills[0].run, 0u);
+    EXPECT_FALSE(hunt.kills[0].changed);
     EXPECT_EQ(hunt.kills[1].run, 1u);
+    EXPECT_TRUE(hunt.kills[1].changed);
     EXPECT_EQ(hunt.kills[1].finding.substr(0, 10), "misaligned");
     EXPECT_EQ(hunt.kills[2].run, 3u);
     EXPECT_EQ(hunt.kills[2].finding, "nonconverged (converges)");
@@ -152,7 +154,7 @@ TEST(KillEngines, WorkDiesBeyondItsBoundsAlone) {
 }
 
 TEST(KillTable, MediansOverSeedsCountWhatSurvivedAsLater) {
-  const EngineHunts engine{"e", "cases", {{9, {{3, "f"}}, 0}, {9, {{0, ""}}, 0}, {9, {{1, "f"}}, 0}}};
+  const EngineHunts engine{"e", "cases", {{9, {{3, "f", true}}, 0}, {9, {{0, "", true}}, 0}, {9, {{1, "f", true}}, 0}}};
   const Killed found = killed(engine, 0);
   EXPECT_EQ(found.kills, 2u);
   EXPECT_EQ(found.least, 1u);
@@ -166,7 +168,7 @@ TEST(KillTable, ComplainsOfSurvivorsWithoutAReasonAndOfReasonsThatAreRefuted) {
                   {"alive", "k", "f", "s", ""},
                   {"explained", "k", "f", "s", "changes nothing"},
                   {"refuted", "k", "f", "s", "changes nothing"}};
-  const std::vector<EngineHunts> engines{{"e", "cases", {{1, {{1, "f"}, {0, ""}, {0, ""}, {1, "f"}}, 0}}}};
+  const std::vector<EngineHunts> engines{{"e", "cases", {{1, {{1, "f", true}, {}, {}, {1, "f", true}}, 0}}}};
   const std::vector<std::string> found = complaints(bugs, engines);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_TRUE(found[0].starts_with("alive "));
