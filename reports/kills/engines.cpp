@@ -90,6 +90,14 @@ Finding finding_of(const SeededSolver& seeded, std::size_t bug, const Contact<do
   return judge.judge(Problem::common_normal, answer, solve, true).finding;
 }
 
+/// Whether the bug has a finding where the solver without one has none, or a wrong answer where that says it has none.
+bool is_news(const Finding& finding, const Finding& of_control) {
+  if (finding.kind == FindingKind::none || of_control.kind == FindingKind::none)
+    return finding.kind != FindingKind::none;
+  const bool is_flagged = finding.kind == FindingKind::nonconverged || finding.kind == FindingKind::asymmetric;
+  return of_control.kind == FindingKind::nonconverged && !is_flagged;
+}
+
 /// The answer without a bug: that of `auto`.
 Contact<double> control_answer(const SeededSolver& seeded, const Pair& pair, const std::string& where) {
   Contact<double> out = seeded.solve(0, pair, Want{}, nullptr);
@@ -144,16 +152,14 @@ Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Cas
       const Case c = draw(index);
       const Contact<double> control = control_answer(quarry.seeded, c.pair, c.name);
       Judge judge(c.pair, quarry.source);
-      if (finding_of(quarry.seeded, 0, control, judge).kind != FindingKind::none) {
-        ++control_findings;
-        return;
-      }
+      const Finding of_control = finding_of(quarry.seeded, 0, control, judge);
+      if (of_control.kind != FindingKind::none) ++control_findings;
       for (std::size_t i = 0; i < quarry.bugs.size(); ++i) {
         if (!kills.is_open(i, index + 1)) continue;
         const Contact<double> answer = quarry.seeded.solve(quarry.bugs[i], c.pair, Want{}, nullptr);
         if (!same_answer(answer, control)) kills.note_change(i);
         const Finding finding = finding_of(quarry.seeded, quarry.bugs[i], answer, judge);
-        if (finding.kind != FindingKind::none) kills.add(i, index + 1, finding);
+        if (is_news(finding, of_control)) kills.add(i, index + 1, finding);
       }
     });
   });

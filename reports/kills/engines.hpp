@@ -23,7 +23,7 @@ struct Kill {
 struct Hunt {
   std::uint64_t runs = 0;  ///< that there were to survive
   std::vector<Kill> kills;
-  std::uint64_t control_findings = 0;  ///< runs whose answer without a bug has a finding: they kill nothing
+  std::uint64_t control_findings = 0;  ///< runs whose answer without a bug has a finding
 };
 
 /// Whom the engines hunt.
