@@ -131,14 +131,16 @@ Work work_of(const SeededSolver& seeded, std::size_t bug, const WorkSet& set) {
   return out;
 }
 
-/// In words, where the work is not the control's.
+/// In words, where the work is not the control's; of spheres there may be none.
 std::optional<std::string> deviation(const Work& work, const Work& control) {
-  const auto ratio = [](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a) / static_cast<double>(b); };
-  const double evaluations = ratio(work.evaluations, control.evaluations),
-               iterations = ratio(work.iterations, control.iterations);
-  const auto deviates = [](double x) { return !(x >= least_work && x <= most_work); };
-  if (!deviates(evaluations) && !deviates(iterations)) return std::nullopt;
-  return fmt::format("evaluations x {:.3g}, iterations x {:.3g}", evaluations, iterations);
+  const auto deviates = [](std::uint64_t a, std::uint64_t b) {
+    const auto x = static_cast<double>(a), of = static_cast<double>(b);
+    return x < least_work * of || x > most_work * of;
+  };
+  if (!deviates(work.evaluations, control.evaluations) && !deviates(work.iterations, control.iterations))
+    return std::nullopt;
+  return fmt::format("{} evaluations for {}, {} iterations for {}", work.evaluations, control.evaluations,
+                     work.iterations, control.iterations);
 }
 
 }  // namespace

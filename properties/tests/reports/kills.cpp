@@ -147,10 +147,25 @@ TEST(KillEngines, WorkDiesBeyondItsBoundsAlone) {
       [](Contact<double>& answer, const Pair&, bool) { answer.iterations = 0; },
       [](Contact<double>& answer, const Pair&, bool) { answer.overlap = 0; },
   });
+  int evaluations = 0, iterations = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Contact<double> answer = find_method("auto")->solve(drawn(i).pair, {}, nullptr);
+    evaluations += answer.evaluations;
+    iterations += answer.iterations;
+  }
   const Hunt hunt = hunt_work({seeded, {1, 2, 3}, 2}, {{"a", {drawn(0).pair, drawn(1).pair}, false}});
-  EXPECT_EQ(hunt.kills[0].finding, "a: evaluations x 2, iterations x 1");
+  EXPECT_EQ(hunt.kills[0].finding, fmt::format("a: {} evaluations for {}, {} iterations for {}", 2 * evaluations,
+                                               evaluations, iterations, iterations));
   EXPECT_EQ(hunt.kills[1].run, 2u);
   EXPECT_EQ(hunt.kills[2].run, 0u);
+}
+
+TEST(KillEngines, NoIterationsAreAsManyAsNone) {
+  Pair spheres;
+  spheres.body2.position << 0, 0, 1.5;
+  ASSERT_EQ(find_method("auto")->solve(spheres, {}, nullptr).iterations, 0);
+  const SeededSolver seeded = solver_with({[](Contact<double>&, const Pair&, bool) {}});
+  EXPECT_EQ(hunt_work({seeded, {1}, 1}, {{"spheres", {spheres}, false}}).kills[0].run, 0u);
 }
 
 TEST(KillTable, MediansOverSeedsCountWhatSurvivedAsLater) {
