@@ -37,6 +37,11 @@ std::string share_text(std::size_t k, std::size_t n) {
   return fmt::format("{} of {}, {:.1f} % [{:.1f}, {:.1f}]", k, n, 100 * share.share, 100 * share.low, 100 * share.high);
 }
 
+/// Its row says that it cannot change an answer. One that is killed all the same is a complaint.
+bool is_equivalent(const SeededBug& bug) {
+  return bug.survives.starts_with("equivalent: ");
+}
+
 std::size_t count_killed(const std::vector<EngineHunts>& engines, std::size_t bugs) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < bugs; ++i) count += is_killed(engines, i) ? 1 : 0;
@@ -119,7 +124,11 @@ std::string kill_table(const Bugs& bugs, const std::vector<EngineHunts>& engines
     for (const EngineHunts& engine : engines) out += fmt::format("{:>{}}", cell(engine, i), kColumn);
     out += "   " + first_finding(engines, i) + "\n";
   }
-  out += fmt::format("\nkilled: {}\n", share_text(count_killed(engines, bugs.size()), bugs.size()));
+  const std::size_t dead = count_killed(engines, bugs.size());
+  const auto equivalent =
+      static_cast<std::size_t>(std::ranges::count_if(bugs, [](const auto& b) { return is_equivalent(b); }));
+  out += fmt::format("\nkilled: {}; of those that can change an answer: {}\n", share_text(dead, bugs.size()),
+                     share_text(dead, bugs.size() - equivalent));
   for (const EngineHunts& engine : engines) out += of_engine(engine, bugs.size());
   for (std::size_t i = 0; i < bugs.size(); ++i)
     if (!is_killed(engines, i) && !bugs[i].survives.empty())
