@@ -55,9 +55,9 @@ TEST_F(SeededBugs, ARowThatNoLongerFitsIsNamed) {
 
 /// Whether the file has the mark of the library of seeded bugs.
 bool is_marked(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return bytes.find(std::string(PLUMB_SEEDED_BUGS_MARK)) != std::string::npos;
+  std::string bytes(fs::file_size(path), '\0');
+  std::ifstream(path, std::ios::binary).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return bytes.find(PLUMB_SEEDED_BUGS_MARK) != std::string::npos;
 }
 
 TEST_F(SeededBugs, NoProgramHoldsOne) {
@@ -105,7 +105,7 @@ TEST(KillEngines, AWrongAnswerDiesAtItsFirstCaseWhateverTheThreads) {
     EXPECT_FALSE(hunt.kills[0].changed);
     EXPECT_EQ(hunt.kills[1].run, 1u);
     EXPECT_TRUE(hunt.kills[1].changed);
-    EXPECT_EQ(hunt.kills[1].finding.substr(0, 10), "misaligned");
+    EXPECT_TRUE(hunt.kills[1].finding.starts_with("overlap_error")) << hunt.kills[1].finding;
     EXPECT_EQ(hunt.kills[2].run, 3u);
     EXPECT_EQ(hunt.kills[2].finding, "nonconverged (converges)");
   }
