@@ -6,12 +6,13 @@
 #   find               text that is there exactly once; without it, that is `right`
 #   right, wrong       the part of it that is replaced: an expression by (seeded_bug() == K ? (wrong) : (right)), what ends with
 #                      ";" by if (seeded_bug() == K) { wrong } else { right }
-#   survives           why no engine can kill it; absent where one should
+#   survives           why no engine kills it; absent where one should
 # A row that no longer fits the sources ends this with its name: rows do not rot.
 cmake_minimum_required(VERSION 3.25)
 
 function(refuse reason)
-  message(FATAL_ERROR "${table}: ${name}: ${reason}")
+  message(NOTICE "${table}: ${name}: ${reason}")  # on one line, which FATAL_ERROR breaks
+  message(FATAL_ERROR "no bugs were seeded")
 endfunction()
 
 function(require_once text part what)

@@ -27,7 +27,7 @@ bool same_components(const Vector& a, const Vector& b) {
 bool same_answer(const Contact<double>& control, const Contact<double>& own) {
   if (control.status != own.status || control.evaluations != own.evaluations || control.iterations != own.iterations)
     return false;
-  return own.status != Status::converged ||
+  return own.status != Status::converged ||  // withheld then
          (control.verdict == own.verdict && same_bits(control.overlap, own.overlap) &&
           same_components(control.normal, own.normal) && same_components(control.point1, own.point1) &&
           same_components(control.point2, own.point2) && same_components(control.contact_point, own.contact_point));
@@ -71,7 +71,12 @@ class FirstKills {
   void add(std::size_t i, std::uint64_t run, const Finding& finding) {
     const std::scoped_lock lock(mutex_);
     if (kills_[i].run != 0 && kills_[i].run <= run) return;
-    kills_[i] = {run, fmt::format("{} ({})", name(finding.kind), finding.law)};
+    kills_[i].run = run;
+    kills_[i].finding = fmt::format("{} ({})", name(finding.kind), finding.law);
+  }
+  void note_change(std::size_t i) {
+    const std::scoped_lock lock(mutex_);
+    kills_[i].changed = true;
   }
   [[nodiscard]] std::vector<Kill> take() { return std::move(kills_); }
 
@@ -80,15 +85,25 @@ class FirstKills {
   std::vector<Kill> kills_;
 };
 
-Finding finding_of(const SeededSolver& seeded, std::size_t bug, const Pair& pair, Judge& judge) {
+Finding finding_of(const SeededSolver& seeded, std::size_t bug, const Contact<double>& answer, Judge& judge) {
   const auto solve = [&](const Pair& related) { return seeded.solve(bug, related, Want{}, nullptr); };
-  return judge.judge(Problem::common_normal, solve(pair), solve, true).finding;
+  return judge.judge(Problem::common_normal, answer, solve, true).finding;
 }
 
-void require_control(const SeededSolver& seeded, const Pair& pair, const std::string& where) {
-  const Contact<double> own = find_method("auto")->solve(pair, Want{}, nullptr);
-  if (!same_answer(seeded.solve(0, pair, Want{}, nullptr), own))
+/// Whether the bug has a finding where the solver without one has none, or a wrong answer where that says it has none.
+bool is_news(const Finding& finding, const Finding& of_control) {
+  if (finding.kind == FindingKind::none || of_control.kind == FindingKind::none)
+    return finding.kind != FindingKind::none;
+  const bool is_flagged = finding.kind == FindingKind::nonconverged || finding.kind == FindingKind::asymmetric;
+  return of_control.kind == FindingKind::nonconverged && !is_flagged;
+}
+
+/// The answer without a bug: that of `auto`.
+Contact<double> control_answer(const SeededSolver& seeded, const Pair& pair, const std::string& where) {
+  Contact<double> out = seeded.solve(0, pair, Want{}, nullptr);
+  if (!same_answer(out, find_method("auto")->solve(pair, Want{}, nullptr)))
     throw ControlDiffers(where + ": without a bug the library does not give the bits of auto");
+  return out;
 }
 
 WarmSolve with_bug(const SeededSolver& seeded, std::size_t bug) {
@@ -116,14 +131,16 @@ Work work_of(const SeededSolver& seeded, std::size_t bug, const WorkSet& set) {
   return out;
 }
 
-/// In words, where the work is not the control's.
+/// In words, where the work is not the control's; of spheres there may be none.
 std::optional<std::string> deviation(const Work& work, const Work& control) {
-  const auto ratio = [](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a) / static_cast<double>(b); };
-  const double evaluations = ratio(work.evaluations, control.evaluations),
-               iterations = ratio(work.iterations, control.iterations);
-  const auto deviates = [](double x) { return !(x >= least_work && x <= most_work); };
-  if (!deviates(evaluations) && !deviates(iterations)) return std::nullopt;
-  return fmt::format("evaluations x {:.3g}, iterations x {:.3g}", evaluations, iterations);
+  const auto deviates = [](std::uint64_t a, std::uint64_t b) {
+    const auto x = static_cast<double>(a), of = static_cast<double>(b);
+    return x < least_work * of || x > most_work * of;
+  };
+  if (!deviates(work.evaluations, control.evaluations) && !deviates(work.iterations, control.iterations))
+    return std::nullopt;
+  return fmt::format("{} evaluations for {}, {} iterations for {}", work.evaluations, control.evaluations,
+                     work.iterations, control.iterations);
 }
 
 }  // namespace
@@ -135,16 +152,16 @@ Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Cas
   in_parallel(cases, quarry.threads, [&](std::size_t index) {
     failure.guard([&] {
       const Case c = draw(index);
-      require_control(quarry.seeded, c.pair, c.name);
+      const Contact<double> control = control_answer(quarry.seeded, c.pair, c.name);
       Judge judge(c.pair, quarry.source);
-      if (finding_of(quarry.seeded, 0, c.pair, judge).kind != FindingKind::none) {
-        ++control_findings;
-        return;
-      }
+      const Finding of_control = finding_of(quarry.seeded, 0, control, judge);
+      if (of_control.kind != FindingKind::none) ++control_findings;
       for (std::size_t i = 0; i < quarry.bugs.size(); ++i) {
         if (!kills.is_open(i, index + 1)) continue;
-        const Finding finding = finding_of(quarry.seeded, quarry.bugs[i], c.pair, judge);
-        if (finding.kind != FindingKind::none) kills.add(i, index + 1, finding);
+        const Contact<double> answer = quarry.seeded.solve(quarry.bugs[i], c.pair, Want{}, nullptr);
+        if (!same_answer(answer, control)) kills.note_change(i);
+        const Finding finding = finding_of(quarry.seeded, quarry.bugs[i], answer, judge);
+        if (is_news(finding, of_control)) kills.add(i, index + 1, finding);
       }
     });
   });
@@ -188,7 +205,7 @@ Hunt hunt_work(const Quarry& quarry, const std::vector<WorkSet>& sets) {
     for (std::size_t s = 0; s < sets.size() && out.kills[i].run == 0; ++s) {
       runs += sets[s].pairs.size();
       const auto found = deviation(work_of(quarry.seeded, quarry.bugs[i], sets[s]), control[s]);
-      if (found) out.kills[i] = {runs, sets[s].name + ": " + *found};
+      if (found) out.kills[i] = {runs, sets[s].name + ": " + *found, true};
     }
   });
   return out;

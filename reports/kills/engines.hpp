@@ -16,13 +16,14 @@ namespace plumb::reports {
 struct Kill {
   std::uint64_t run = 0;  ///< the first that killed it, from 1; 0: none did
   std::string finding;    ///< in the contract's word, with the law
+  bool changed = false;   ///< whether any cold answer had other bits than without the bug, or cost other work
 };
 
 /// One sequence of runs: kills[i] is of the i-th bug asked for.
 struct Hunt {
   std::uint64_t runs = 0;  ///< that there were to survive
   std::vector<Kill> kills;
-  std::uint64_t control_findings = 0;  ///< runs whose answer without a bug has a finding: they kill nothing
+  std::uint64_t control_findings = 0;  ///< runs whose answer without a bug has a finding
 };
 
 /// Whom the engines hunt.

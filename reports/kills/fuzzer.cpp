@@ -48,7 +48,7 @@ Hunt hunt_with(const Fuzzer& fuzzer, const Quarry& quarry) {
     if (input.empty() || stops_control(fuzzer, input))
       ++of_control;
     else
-      hunt.kills[i] = {run.inputs, run.found.substr(0, run.found.find(" by "))};
+      hunt.kills[i] = {run.inputs, run.found.substr(0, run.found.find(" by ")), true};
   });
   hunt.control_findings = of_control;
   return hunt;

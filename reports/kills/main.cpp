@@ -65,11 +65,21 @@ bool is_motion(const std::filesystem::path& file) {
   return file.parent_path().filename() == "paths";
 }
 
-/// Motions are another engine's.
+/// Each file's; motions are another engine's.
+std::vector<WorkSet> kept_cases() {
+  std::vector<WorkSet> out;
+  for (const auto& file : find_case_files({kCases.string()})) {
+    if (is_motion(file)) continue;
+    WorkSet& set = out.emplace_back(WorkSet{file.stem().string(), {}});
+    for (const Case& c : read_cases(file)) set.pairs.push_back(c.pair);
+  }
+  return out;
+}
+
 EngineHunts hunt_corpus(const Quarry& quarry, const Options& /*options*/) {
   std::vector<Case> cases;
-  for (const auto& file : find_case_files({kCases.string()}))
-    if (!is_motion(file)) std::ranges::move(read_cases(file), std::back_inserter(cases));
+  for (const WorkSet& set : kept_cases())
+    for (const Pair& pair : set.pairs) cases.push_back({set.name, pair, {}, {}, {}, {}});
   return {"corpus", "cases", {hunt_cases(quarry, cases.size(), [&](std::size_t i) { return cases[i]; })}};
 }
 
@@ -95,6 +105,7 @@ EngineHunts hunt_by_work(const Quarry& quarry, const Options& options) {
     WorkSet& set = sets.emplace_back(WorkSet{std::string(family.name), {}});
     for (std::size_t i = 0; i < pairs_of_each; ++i) set.pairs.push_back(generate(family.name, options.seed, i).pair);
   }
+  std::ranges::move(kept_cases(), std::back_inserter(sets));
   std::ranges::move(motions(), std::back_inserter(sets));
   return {"work", "solves", {hunt_work(quarry, sets)}};
 }

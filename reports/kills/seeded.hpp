@@ -13,7 +13,7 @@ namespace plumb::reports {
 struct SeededBug {
   std::string name, kind, file;
   std::string seen;      ///< what a user would see of it
-  std::string survives;  ///< why no engine can kill it; empty where one should
+  std::string survives;  ///< why no engine kills it; empty where one should
 };
 
 /// `auto` with bug `bug`, from an earlier contact or from none. Bug 0 is none: the control.

@@ -26,9 +26,20 @@ std::string cell(const EngineHunts& engine, std::size_t bug) {
   return fmt::format("{} [{}, {}]", run_text(k.median, runs), k.least, run_text(k.greatest, runs));
 }
 
+bool changes_answers(const std::vector<EngineHunts>& engines, std::size_t bug) {
+  return std::ranges::any_of(engines, [&](const EngineHunts& engine) {
+    return std::ranges::any_of(engine.hunts, [&](const Hunt& hunt) { return hunt.kills[bug].changed; });
+  });
+}
+
 std::string share_text(std::size_t k, std::size_t n) {
   const Share share = share_of(k, n);
   return fmt::format("{} of {}, {:.1f} % [{:.1f}, {:.1f}]", k, n, 100 * share.share, 100 * share.low, 100 * share.high);
+}
+
+/// Its row says that it cannot change an answer. One that is killed all the same is a complaint.
+bool is_equivalent(const SeededBug& bug) {
+  return bug.survives.starts_with("equivalent: ");
 }
 
 std::size_t count_killed(const std::vector<EngineHunts>& engines, std::size_t bugs) {
@@ -74,10 +85,15 @@ Json bug_line(const SeededBug& bug, const std::vector<EngineHunts>& engines, std
       runs.push_back(hunt.kills[index].run == 0 ? Json(nullptr) : Json(hunt.kills[index].run));
     kills[engine.name] = runs;
   }
-  return {{"kind", "bug"},         {"bug", bug.name},
-          {"is", bug.kind},        {"file", bug.file},
-          {"seen", bug.seen},      {"survives", bug.survives},
-          {"runs_to_kill", kills}, {"finding", first_finding(engines, index)}};
+  return {{"kind", "bug"},
+          {"bug", bug.name},
+          {"is", bug.kind},
+          {"file", bug.file},
+          {"seen", bug.seen},
+          {"survives", bug.survives},
+          {"changes_answers", changes_answers(engines, index)},
+          {"runs_to_kill", kills},
+          {"finding", first_finding(engines, index)}};
 }
 
 }  // namespace
@@ -108,11 +124,17 @@ std::string kill_table(const Bugs& bugs, const std::vector<EngineHunts>& engines
     for (const EngineHunts& engine : engines) out += fmt::format("{:>{}}", cell(engine, i), kColumn);
     out += "   " + first_finding(engines, i) + "\n";
   }
-  out += fmt::format("\nkilled: {}\n", share_text(count_killed(engines, bugs.size()), bugs.size()));
+  const std::size_t dead = count_killed(engines, bugs.size());
+  const auto equivalent =
+      static_cast<std::size_t>(std::ranges::count_if(bugs, [](const auto& b) { return is_equivalent(b); }));
+  out += fmt::format("\nkilled: {}; of those that can change an answer: {}\n", share_text(dead, bugs.size()),
+                     share_text(dead, bugs.size() - equivalent));
   for (const EngineHunts& engine : engines) out += of_engine(engine, bugs.size());
   for (std::size_t i = 0; i < bugs.size(); ++i)
     if (!is_killed(engines, i) && !bugs[i].survives.empty())
-      out += fmt::format("{} survives: {}\n", bugs[i].name, bugs[i].survives);
+      out +=
+          fmt::format("{} survives, {}: {}\n", bugs[i].name,
+                      changes_answers(engines, i) ? "its answers differ" : "no cold answer differs", bugs[i].survives);
   return out;
 }
 
