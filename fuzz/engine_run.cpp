@@ -26,7 +26,7 @@ std::vector<std::string> command_line(const EngineOptions& options, const fs::pa
   return {options.program.string(),
           fmt::format("-runs={}", options.inputs),
           fmt::format("-seed={}", options.seed),
-          "-max_len=72",
+          "-max_len=80",
           "-len_control=0",
           "-timeout=60",
           "-print_final_stats=1",
@@ -36,8 +36,8 @@ std::vector<std::string> command_line(const EngineOptions& options, const fs::pa
 }
 
 /// An engine that starts from what an earlier run left finds something else: the folder starts empty.
-fs::path fresh_folder(const fs::path& out) {
-  const fs::path folder = fs::absolute(out) / "fuzzer";
+fs::path fresh_folder(const fs::path& asked) {
+  const fs::path folder = fs::absolute(asked);
   fs::remove_all(folder);
   fs::create_directories(folder / "corpus");
   return folder;
@@ -111,24 +111,29 @@ void require_seeds(const fs::path& folder) {
 }
 
 EngineRun run_engine(const EngineOptions& options) {
-  const fs::path folder = fresh_folder(options.out), log = folder / "log.txt";
-  Progress progress("fuzzing", options.inputs);
-  const pid_t child = start(command_line(options, folder),
-                            environment_with(fs::absolute(options.out) / "failures", options.environment), log);
+  const fs::path folder = fresh_folder(options.folder), log = folder / "log.txt";
+  const std::string program = options.program.filename().string();
+  Progress progress(program, options.inputs);
+  const pid_t child =
+      start(command_line(options, folder), environment_with(fs::absolute(options.failures), options.environment), log);
   const int status = wait_for(child, log, progress);
-  EngineRun run{true, inputs_so_far(log), progress.seconds(), ""};
+  EngineRun run{program, inputs_so_far(log), progress.seconds(), ""};
   progress.finish(run.inputs);
   const bool success = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (!success && !interrupted()) run.found = fault_in(log);
   return run;
 }
 
-void add_to_summary(const EngineRun& run, const fs::path& out) {
+void add_to_summary(const std::vector<EngineRun>& runs, const fs::path& out) {
   const fs::path path = out / "summary.json";
   std::ifstream in(path);
   Json summary = Json::parse(in);
-  summary["x_fuzzer"] = {{"ran", run.ran}, {"inputs", run.inputs}, {"found", run.found}};
-  summary["timing"]["fuzzer_seconds"] = run.seconds;
+  double seconds = 0;
+  for (const EngineRun& run : runs) {
+    summary["x_fuzzers"][run.target] = {{"inputs", run.inputs}, {"found", run.found}};
+    seconds += run.seconds;
+  }
+  summary["timing"]["fuzzer_seconds"] = seconds;
   if (interrupted()) summary["incomplete"] = true;
   write_file(path, summary.dump(2) + "\n");
 }

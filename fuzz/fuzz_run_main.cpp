@@ -1,4 +1,4 @@
-// plumb fuzz-run: the second half of ./fuzz/run - real pairs, the families, then the coverage-guided target; one table.
+// plumb fuzz-run: the second half of ./fuzz/run - real pairs, the families, then the coverage-guided targets; one table.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct Arguments {
   double minutes = 5;
   std::uint64_t seed = 1;
   unsigned threads = default_threads();
-  std::string out = "build/fuzz-run", fuzzer;
-  std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds/pair";
+  std::string out = "build/fuzz-run", fuzzers;
+  std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
 };
 
 /// How many per minute of ./fuzz/run, from the speed of two cores. Counts and not a clock end the run, so that a second
@@ -32,7 +32,7 @@ struct Rate {
   double per_minute;
 };
 constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 2000}, {"superquadric", 500}, {"hard", 350}};
-constexpr Rate kEngine{"runs of fuzz-pair", 300};
+constexpr Rate kTargets[] = {{"pair", 150}, {"contact", 10000}, {"methods", 1000}, {"scalars", 1000}};
 
 std::uint64_t scaled(const Rate& rate, double minutes) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(rate.per_minute * minutes)));
@@ -62,27 +62,47 @@ std::vector<Source> sources_of(const Arguments& args) {
   return sources;
 }
 
-std::string engine_text(const EngineRun& run) {
-  if (!run.ran) return "\ncoverage-guided: not run (no fuzz-pair; it needs clang: ./fuzz/run builds it)\n";
-  const std::string result = run.found.empty() ? "nothing that stops it" : "STOPPED: " + run.found;
-  return fmt::format("\ncoverage-guided (fuzz-pair, address and undefined sanitizers): {} inputs in {:.0f} s: {}\n",
-                     run.inputs, run.seconds, result);
+fs::path seeds_of(const Arguments& args, const Rate& target) {
+  return fs::path(args.seeds) / target.what;
+}
+
+std::string engine_text(const std::vector<EngineRun>& runs) {
+  if (runs.empty()) return "\ncoverage-guided: not run (it needs clang: ./fuzz/run builds it)\n";
+  std::string out = "\ncoverage-guided, address and undefined sanitizers:\n";
+  for (const EngineRun& run : runs)
+    out += fmt::format("  {:<14}{:>8} inputs in {:.0f} s: {}\n", run.target, run.inputs, run.seconds,
+                       run.found.empty() ? "nothing that stops it" : "STOPPED: " + run.found);
+  return out;
+}
+
+/// Target after target; a finding of one does not keep the others from being asked.
+std::vector<EngineRun> run_targets(const Arguments& args) {
+  std::vector<EngineRun> runs;
+  if (args.fuzzers.empty()) return runs;
+  const fs::path out = args.out;
+  for (const Rate& target : kTargets) {
+    if (interrupted()) break;
+    runs.push_back(
+        run_engine({fs::path(args.fuzzers) / (std::string("fuzz-") + target.what), seeds_of(args, target),
+                    out / "fuzzers" / target.what, out / "failures", scaled(target, args.minutes), args.seed}));
+  }
+  return runs;
 }
 
 int fuzz_run(const Arguments& args) {
-  if (!args.fuzzer.empty()) require_seeds(args.seeds);
+  if (!args.fuzzers.empty())
+    for (const Rate& target : kTargets) require_seeds(seeds_of(args, target));
   const std::vector<Source> sources = sources_of(args);
   prepare_folder(args.out);
   const CampaignOptions options{all_solvers(), args.seed, args.threads, {}};
   const int found = report(run_campaign(sources, options), args.out);
   // The engine shows its progress on stderr: below the table, also where both go to one file.
   (void)std::fflush(stdout);
-  EngineRun engine;
-  if (!args.fuzzer.empty() && !interrupted())
-    engine = run_engine({args.fuzzer, args.seeds, args.out, scaled(kEngine, args.minutes), args.seed});
-  fmt::print("{}", engine_text(engine));
-  add_to_summary(engine, args.out);
-  return std::max(found, engine.found.empty() ? 0 : 1);
+  const std::vector<EngineRun> runs = run_targets(args);
+  fmt::print("{}", engine_text(runs));
+  add_to_summary(runs, args.out);
+  const bool stopped = std::any_of(runs.begin(), runs.end(), [](const EngineRun& run) { return !run.found.empty(); });
+  return std::max(found, stopped ? 1 : 0);
 }
 
 }  // namespace
@@ -90,15 +110,16 @@ int fuzz_run(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::Arguments args;
-  CLI::App app("Real pairs, random families and the coverage-guided target, judged; one table", "plumb fuzz-run");
+  CLI::App app("Real pairs, random families and the coverage-guided targets, judged; one table", "plumb fuzz-run");
   app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")
       ->check(plumb::refuse_minutes)
       ->capture_default_str();
   app.add_option("--seed", args.seed)->capture_default_str();
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
-  app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzer/")->capture_default_str();
-  app.add_option("--fuzzer", args.fuzzer, "the program fuzz-pair; without it that part is left out");
+  app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzers/")->capture_default_str();
+  app.add_option("--fuzzers", args.fuzzers, "folder of the programs fuzz-TARGET; without it that part is left out");
   app.add_option("--real", args.real, "cases that go through every method first")->capture_default_str();
-  app.add_option("--seeds", args.seeds, "inputs from which fuzz-pair starts")->capture_default_str();
+  app.add_option("--seeds", args.seeds, "folder of the folders of inputs from which the targets start")
+      ->capture_default_str();
   return plumb::run_command(app, argc, argv, [&] { return plumb::fuzz_run(args); });
 }

@@ -1,7 +1,7 @@
 // What the environment says to the targets that ask a solver.
 //
 //   PLUMB_FUZZ_METHOD   the method that answers, or the path of a shared library (solver/plumb_solver.h); default auto
-//   PLUMB_FUZZ_ABORT    the findings that stop the engine (abort_rule.hpp); by default every one does
+//   PLUMB_FUZZ_ABORT    the findings that stop the engine (abort_rule.hpp); by default those that are wrong answers
 //   PLUMB_FUZZ_OUT      a folder: what reproduces a finding that stops is written there
 #pragma once
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "corpus/solver.hpp"
-#include "fuzz/judging.hpp"
+#include "properties/judged_answer.hpp"
 
 namespace plumb {
 

@@ -18,7 +18,13 @@ struct Expected {
   Vec3<double> normal, point1, point2;
   double input_error = 0;  ///< relative change of the input by the transformation's own rounding, in `few`
   double rounding = 0;     ///< of the points, a length
+  Vec3<double> contact_point = not_valid<double>();  ///< NaN: not asked for
 };
+
+/// Of common normals, whose points' condition holds for what is between them; and only where there is one.
+Vec3<double> judged_contact_point(const Evidence& e) {
+  return e.problem == Problem::common_normal ? e.answer.contact_point : not_valid<double>();
+}
 
 Finding compare(const Evidence& e, const Pair& asked, const Expected& want, const char* what) {
   const Contact<double> got = e.solve(asked);
@@ -30,7 +36,10 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
   const double times = 2 + want.input_error, size = size_of(asked) + std::abs(want.overlap);
   const double overlap = severity_of(std::abs(got.overlap - want.overlap), times * few_of(condition.overlap * size));
   const double normal = severity_of((got.normal - want.normal).norm(), times * few * (1 + condition.normal));
-  const double moved = std::max((got.point1 - want.point1).stableNorm(), (got.point2 - want.point2).stableNorm());
+  const double of_contact_point =
+      want.contact_point.allFinite() ? (got.contact_point - want.contact_point).stableNorm() : 0;
+  const double moved =
+      std::max({(got.point1 - want.point1).stableNorm(), (got.point2 - want.point2).stableNorm(), of_contact_point});
   const double points = severity_of(moved, times * few_of(condition.points * size) + want.rounding);
   const double worst = std::max({overlap, normal, points});
   return found(
@@ -114,7 +123,8 @@ bool same_contact(const Contact<double>& a, const Contact<double>& b, double uni
 Finding swap_changes_nothing(const Evidence& e) {
   if (!e.solve || is_tied(e)) return {};
   const Contact<double>& a = e.answer;
-  return compare(e, swapped(e.pair), {a.overlap, -a.normal, a.point2, a.point1, 0, 2 * point_rounding(e.pair)},
+  return compare(e, swapped(e.pair),
+                 {a.overlap, -a.normal, a.point2, a.point1, 0, 2 * point_rounding(e.pair), judged_contact_point(e)},
                  "bodies exchanged");
 }
 

@@ -64,6 +64,7 @@ struct WorkSet {
 struct Fuzzer {
   std::filesystem::path program, library, seeds, out;
   std::uint64_t inputs = 0, seed = 1;
+  bool sees_code_alone = false;  ///< without the thermometers
 };
 [[nodiscard]] Hunt hunt_with(const Fuzzer& fuzzer, const Quarry& quarry);
 

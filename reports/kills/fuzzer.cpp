@@ -13,7 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::string> environment_of(const Fuzzer& fuzzer, const std::string& bug) {
-  return {"PLUMB_FUZZ_METHOD=" + fs::absolute(fuzzer.library).string(), "PLUMB_SEEDED_BUG=" + bug};
+  std::vector<std::string> out{"PLUMB_FUZZ_METHOD=" + fs::absolute(fuzzer.library).string(), "PLUMB_SEEDED_BUG=" + bug};
+  if (fuzzer.sees_code_alone) out.emplace_back("PLUMB_FUZZ_COUNTERS=off");
+  return out;
 }
 
 /// Whether the program stops at that input without a bug as well.
@@ -26,8 +28,8 @@ bool stops_control(const Fuzzer& fuzzer, const fs::path& input) {
 }
 
 /// What the engine kept of the input that stopped it.
-fs::path stopping_input(const fs::path& out) {
-  for (const auto& entry : fs::directory_iterator(out / "fuzzer"))
+fs::path stopping_input(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
     for (const char* kind : {"crash-", "timeout-", "oom-"})
       if (entry.path().filename().string().starts_with(kind)) return entry.path();
   return {};
@@ -42,7 +44,7 @@ Hunt hunt_with(const Fuzzer& fuzzer, const Quarry& quarry) {
     const std::string& bug = quarry.seeded.bugs[quarry.bugs[i] - 1].name;
     const fs::path out = fuzzer.out / fmt::format("{}-{}", bug, fuzzer.seed);
     const EngineRun run =
-        run_engine({fuzzer.program, fuzzer.seeds, out, fuzzer.inputs, fuzzer.seed, environment_of(fuzzer, bug)});
+        run_engine({fuzzer.program, fuzzer.seeds, out, out, fuzzer.inputs, fuzzer.seed, environment_of(fuzzer, bug)});
     if (run.found.empty()) return;
     const fs::path input = stopping_input(out);
     if (input.empty() || stops_control(fuzzer, input))

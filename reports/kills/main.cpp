@@ -40,7 +40,9 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(refuse_count);
   app.add_option("--seed", options.seed, "the first of them")->capture_default_str();
-  app.add_option("--inputs", options.inputs, "of each seed, by each fuzz-TARGET among the engines")
+  app.add_option(
+         "--inputs", options.inputs,
+         "of each seed, by each fuzz-TARGET or plain-TARGET among the engines; NAME:code goes without the thermometers")
       ->capture_default_str()
       ->check(refuse_count);
   app.add_option("--fuzzers", options.fuzzers, "folder of the programs fuzz-TARGET")->capture_default_str();
@@ -129,12 +131,15 @@ EngineHunts hunt_hard(const Quarry& quarry, const Options& options) {
   return hunt_drawn(quarry, options, "hard", {"hard"});
 }
 
+/// "fuzz-contact", "plain-contact:code": the program, and whether it sees code alone; its seeds are its target's.
 EngineHunts hunt_with_fuzzer(const std::string& name, const Quarry& quarry, const Options& options) {
   const std::filesystem::path source = PLUMB_SOURCE_DIR;
+  const std::string program = name.substr(0, name.find(':')), target = program.substr(program.find('-') + 1);
   EngineHunts out{name, "inputs", {}};
   for (std::uint64_t seed = options.seed; seed < options.seed + options.seeds && !interrupted(); ++seed)
-    out.hunts.push_back(hunt_with({std::filesystem::path(options.fuzzers) / name, options.fuzzed_library,
-                                   source / "fuzz/seeds", source / "build/kills", options.inputs, seed},
+    out.hunts.push_back(hunt_with({std::filesystem::path(options.fuzzers) / program, options.fuzzed_library,
+                                   source / "fuzz/seeds" / target, source / "build/kills", options.inputs, seed,
+                                   name.ends_with(":code")},
                                   quarry));
   return out;
 }
@@ -144,9 +149,9 @@ struct Engine {
   std::function<EngineHunts(const Quarry&, const Options&)> hunt;
 };
 
-/// nullopt where there is none of that name; any fuzz-TARGET is one.
+/// nullopt where there is none of that name; any fuzz-TARGET is one, and plain-TARGET, which is without its mutator.
 std::optional<Engine> find_engine(const std::string& name) {
-  if (name.starts_with("fuzz-"))
+  if (name.starts_with("fuzz-") || name.starts_with("plain-"))
     return Engine{name, [name](const Quarry& q, const Options& o) { return hunt_with_fuzzer(name, q, o); }};
   const std::array<Engine, 5> engines{{{"corpus", hunt_corpus},
                                        {"motions", hunt_along_motions},

@@ -195,8 +195,8 @@ TEST(Targets, AFolderWithoutSeedsIsRefused) {
   fs::create_directories(folder / "none");
   EXPECT_EQ(exit_of_script("replay-pair none", folder), 2);
   EXPECT_EQ(text_of(folder / "stderr"), "none: holds no file\n");
-  EXPECT_EQ(exit_of_script("plumb fuzz-run --minutes 1 --fuzzer ./any --seeds none --out out", folder), 2);
-  EXPECT_EQ(text_of(folder / "stderr"), "none: --seeds: holds no seed\n");
+  EXPECT_EQ(exit_of_script("plumb fuzz-run --minutes 1 --fuzzers . --seeds none --out out", folder), 2);
+  EXPECT_EQ(text_of(folder / "stderr"), "none/pair: --seeds: holds no seed\n");
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
