@@ -1,6 +1,9 @@
 #include "reports/kills/engines.hpp"
 
+#include <array>
 #include <fmt/format.h>
+#include <functional>
+#include <numeric>
 
 #include <atomic>
 #include <mutex>
@@ -118,6 +121,7 @@ std::vector<PathFinding> follow(const SeededSolver& seeded, std::size_t bug, Pat
 /// Sums of iterations and evaluations.
 struct Work {
   std::uint64_t iterations = 0, evaluations = 0;
+  std::vector<std::array<int, 2>> of_pairs;  ///< evaluations, iterations
 };
 
 Work work_of(const SeededSolver& seeded, std::size_t bug, const WorkSet& set) {
@@ -127,20 +131,31 @@ Work work_of(const SeededSolver& seeded, std::size_t bug, const WorkSet& set) {
     last = seeded.solve(bug, pair, Want{}, set.is_motion && last ? &*last : nullptr);
     out.iterations += static_cast<std::uint64_t>(last->iterations);
     out.evaluations += static_cast<std::uint64_t>(last->evaluations);
+    out.of_pairs.push_back({last->evaluations, last->iterations});
   }
   return out;
 }
 
+bool is_beyond(std::uint64_t work, std::uint64_t control) {
+  const auto x = static_cast<double>(work), of = static_cast<double>(control);
+  return x < least_work * of || x > most_work * of;
+}
+
+/// How many pairs cost other work, whatever the sum.
+std::size_t count_changed(const Work& work, const Work& control) {
+  return std::inner_product(work.of_pairs.begin(), work.of_pairs.end(), control.of_pairs.begin(), std::size_t{0},
+                            std::plus<>(), std::not_equal_to<>());
+}
+
 /// In words, where the work is not the control's; of spheres there may be none.
 std::optional<std::string> deviation(const Work& work, const Work& control) {
-  const auto deviates = [](std::uint64_t a, std::uint64_t b) {
-    const auto x = static_cast<double>(a), of = static_cast<double>(b);
-    return x < least_work * of || x > most_work * of;
-  };
-  if (!deviates(work.evaluations, control.evaluations) && !deviates(work.iterations, control.iterations))
-    return std::nullopt;
-  return fmt::format("{} evaluations for {}, {} iterations for {}", work.evaluations, control.evaluations,
-                     work.iterations, control.iterations);
+  if (is_beyond(work.evaluations, control.evaluations) || is_beyond(work.iterations, control.iterations))
+    return fmt::format("{} evaluations for {}, {} iterations for {}", work.evaluations, control.evaluations,
+                       work.iterations, control.iterations);
+  const std::size_t changed = count_changed(work, control), pairs = work.of_pairs.size();
+  if (pairs >= many_pairs && static_cast<double>(changed) > most_changed * static_cast<double>(pairs))
+    return fmt::format("{} of {} pairs cost other work", changed, pairs);
+  return std::nullopt;
 }
 
 }  // namespace

@@ -49,9 +49,11 @@ using Track = std::vector<Pair>;
 /// All laws on each step, and those of paths, warm and cold. A run is a step.
 [[nodiscard]] Hunt hunt_motions(const Quarry& quarry, const std::vector<Track>& tracks);
 
-/// Evaluations and iterations, summed up over each set of pairs and over the motions, warm: a bug is killed by a sum that is above
-/// `most_work` or below `least_work` times the control's. A run is a solve.
-inline constexpr double least_work = 0.97, most_work = 1.01;
+/// Evaluations and iterations over each set of pairs and over the motions, warm: a bug is killed by a sum that is above
+/// `most_work` or below `least_work` times the control's, or by other work of more than `most_changed` of a hundred pairs or more: what
+/// so many do otherwise is no rounding, though they may cost as much in sum. A run is a solve.
+inline constexpr double least_work = 0.97, most_work = 1.01, most_changed = 0.05;
+inline constexpr std::size_t many_pairs = 100;
 struct WorkSet {
   std::string name;
   std::vector<Pair> pairs;

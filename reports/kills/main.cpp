@@ -107,6 +107,10 @@ EngineHunts hunt_by_work(const Quarry& quarry, const Options& options) {
     WorkSet& set = sets.emplace_back(WorkSet{std::string(family.name), {}});
     for (std::size_t i = 0; i < pairs_of_each; ++i) set.pairs.push_back(generate(family.name, options.seed, i).pair);
   }
+  for (const std::string_view generator : hard_generators()) {
+    WorkSet& set = sets.emplace_back(WorkSet{"hard/" + std::string(generator), {}});
+    for (std::size_t i = 0; i < pairs_of_each; ++i) set.pairs.push_back(generate_hard(generator, options.seed, i).pair);
+  }
   std::ranges::move(kept_cases(), std::back_inserter(sets));
   std::ranges::move(motions(), std::back_inserter(sets));
   return {"work", "solves", {hunt_work(quarry, sets)}};
