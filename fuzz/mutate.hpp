@@ -42,6 +42,7 @@ struct Layout {
 };
 
 [[nodiscard]] const Layout& pair_layout();     ///< pair-1, decode.hpp
+[[nodiscard]] const Layout& path_layout();     ///< path-1, decode_path.hpp
 [[nodiscard]] const Layout& contact_layout();  ///< contact-1, decode_contact.hpp
 
 /// One to four steps: a field scaled, snapped to a special value, moved by one, drawn anew; a stroke; the bodies exchanged, one

@@ -1,6 +1,8 @@
-// The layouts as the mutator sees them; decode.hpp and decode_contact.hpp say what each byte means.
+// The layouts as the mutator sees them; decode.hpp, decode_contact.hpp and decode_path.hpp say what each byte
+// means.
 #include "fuzz/decode.hpp"
 #include "fuzz/decode_contact.hpp"
+#include "fuzz/decode_path.hpp"
 #include "fuzz/layout_fields.hpp"
 #include "fuzz/mutate.hpp"
 
@@ -29,6 +31,20 @@ std::vector<ByteField> pair_fields() {
                      {16, 4, FieldKind::angle},
                      {20, 4, FieldKind::angle},
                      {24, 4, FieldKind::number}});
+  return fields;
+}
+
+std::vector<ByteField> path_fields() {
+  std::vector<ByteField> fields = pair_fields();
+  fields.insert(fields.end(), {{72, 1, FieldKind::choice},
+                               {73, 1, FieldKind::number},
+                               {74, 1, FieldKind::choice},
+                               {75, 1, FieldKind::number},
+                               {76, 2, FieldKind::scale},
+                               {78, 1, FieldKind::choice},
+                               {79, 1, FieldKind::choice},
+                               {80, 4, FieldKind::angle},
+                               {84, 4, FieldKind::angle}});
   return fields;
 }
 
@@ -92,6 +108,11 @@ std::vector<Stroke> contact_strokes() {
 
 const Layout& pair_layout() {
   static const Layout layout{"pair-1", kPairLayoutSize, pair_fields(), pair_strokes(), kBodySize};
+  return layout;
+}
+
+const Layout& path_layout() {
+  static const Layout layout{"path-1", kPathLayoutSize, path_fields(), pair_strokes(), kBodySize};
   return layout;
 }
 

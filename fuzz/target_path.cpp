@@ -4,8 +4,10 @@
 
 #include "fuzz/bucket.hpp"
 #include "fuzz/decode_path.hpp"
+#include "fuzz/mutate.hpp"
 #include "fuzz/target.hpp"
 #include "fuzz/target_settings.hpp"
+#include "fuzz/thermometer.hpp"
 #include "properties/laws_path.hpp"
 #include "properties/paths.hpp"
 
@@ -39,6 +41,8 @@ Outcome judged(const std::vector<Case>& steps, PathJudge& judge, const Solver& s
       solver.problem, [&](const Pair& pair, const Contact<double>* last) { return solver.solve(pair, Want{}, last); });
   const std::vector<PathFinding> findings = judge_path(evidence);
   const PathFinding* worst = worst_of(findings);
+  for (const PathStep& step : evidence.steps) light(step.warm);
+  if (worst != nullptr) light(Thermometer::severity, worst->finding.severity, 1e-3);
   if (worst == nullptr) return {false, fmt::format("none in {} steps by {}", steps.size(), solver.name)};
   const bool stop = target_settings().rule.stops(worst->finding);
   if (stop) keep_motion(steps, *worst, *evidence.steps[worst->step].reference);
@@ -53,6 +57,10 @@ Outcome examine(std::span<const std::uint8_t> bytes) {
   const std::vector<Case> steps = decode_path(bytes);
   PathJudge judge(pairs_of(steps));
   return judged(steps, judge, target_settings().solver);
+}
+
+const Layout& target_layout() {
+  return path_layout();
 }
 
 }  // namespace plumb

@@ -16,7 +16,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 std::span<const Layout* const> all_layouts() {
-  static const std::array layouts{&pair_layout(), &contact_layout()};
+  static const std::array layouts{&pair_layout(), &path_layout(), &contact_layout()};
   return layouts;
 }
 
