@@ -73,7 +73,7 @@ template <class S>
   const PlacedPair<S> placed = place<S>(bodies);
   const std::optional<Vector3<S>> axis = common_axis(placed);
   const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
-  return lowest_of_search(placed, axis, form, pair.size, found);
+  return lowest_of_search(placed, form, pair.size, found);
 }
 
 }  // namespace plumb

@@ -56,7 +56,9 @@ class Lowest {
   [[nodiscard]] Vector3<S> witness(const Answer& found) const { return found.normal * (found.overlap - ball_); }
 
   /// A witness as high as this along a unit vector shows that o there is not below the level, to rounding.
-  [[nodiscard]] S excluded_height() const { return level() - ball_ - rounding(); }
+  [[nodiscard]] S excluded_height() const { return excluded_level() - ball_; }
+  [[nodiscard]] S excluded_level() const { return level() - rounding(); }
+  [[nodiscard]] const S& ball() const { return ball_; }
 
   /// Whether o along v is below that of every common normal found; g = farthest(v).
   [[nodiscard]] bool sees_lower(const Vector3<S>& v, const Vector3<S>& g) {

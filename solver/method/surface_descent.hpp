@@ -217,7 +217,7 @@ template <class S>
   const PlacedPair<S> placed = place<S>(bodies);
   const std::optional<Vector3<S>> axis = common_axis(placed);
   const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
-  return lowest_of_search(placed, axis, SurfaceForm<S>{solver}, pair.reach, found);
+  return lowest_of_search(placed, SurfaceForm<S>{solver}, pair.reach, found);
 }
 
 }  // namespace plumb
