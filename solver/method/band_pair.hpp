@@ -30,6 +30,11 @@ struct Latitude {
   }
 };
 
+template <class S>
+[[nodiscard]] S dot(const Latitude<S>& a, const Latitude<S>& b) {
+  return a.x * b.x + a.z * b.z;
+}
+
 /// The meridian of a body of revolution.
 template <class S>
 struct Meridian {
@@ -95,6 +100,20 @@ class BandPair {
     const Vector3<S> sideways = witness.sideways(at);
     const S size = length(sideways);
     return axis_ * at.z + (size > S(0) ? sideways * (at.x / size) : across_ * at.x);
+  }
+
+  /// Of a witness's height at its own latitude.
+  [[nodiscard]] Latitude<S> gradient(const Latitude<S>& at, const Witness& witness) const {
+    const Vector3<S> sideways = witness.sideways(at);
+    const S size = length(sideways), scale = size > S(0) ? S(1) / size : S(0);
+    return {witness.sum.x - dot(sideways, witness.by_x) * scale, witness.sum.z - dot(sideways, witness.by_z) * scale};
+  }
+
+  /// The axis, where o is all but the same all around each circle of latitude: so level that Newton's iteration takes the rounding
+  /// of o's second derivative for it.
+  [[nodiscard]] std::optional<Vector3<S>> ring_axis() const {
+    const S level = by_precision<S>(1e-7, 1e-3);
+    return is_coaxial() || largest(centre_) + largest(tilt_) > level ? std::nullopt : std::optional(axis_);
   }
 
   /// Whether no direction between two latitudes is towards body 2: the opposite one is as low then, or lower.

@@ -19,6 +19,7 @@ struct EllipsoidForm {
   [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const {
     return {SupportShape<S>{first(pair.map), S(2), S(2)}, SupportShape<S>{second(pair.map), S(2), S(2)}};
   }
+  [[nodiscard]] EllipsoidForm held(const Vector3<S>& about) const { return {pair, want, about}; }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start, Tries /*tries*/ = Tries::all) const {
     EllipsoidContact<S> out;
     EllipsoidNewton<S>(pair, want, axis).solve(out, start);

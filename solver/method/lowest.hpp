@@ -43,9 +43,12 @@ class Lowest {
   [[nodiscard]] bool is_settled() const { return !(found_level() > ball_); }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
-    ++best_.evaluations;
+    count();
     return form_.farthest(v);
   }
+
+  /// An evaluation of o.
+  void count() { ++best_.evaluations; }
 
   /// g' at v, from g = farthest(v).
   [[nodiscard]] Vector3<S> witness(const Vector3<S>& v, const Vector3<S>& g) const {

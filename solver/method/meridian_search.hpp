@@ -8,7 +8,7 @@
 //           is the lower one then
 // Excluded  where a witness (band_pair.hpp) says so at a cell's two ends, to rounding. In one dimension that is all it takes: cells
 //           about the minimum end where they are shorter than the square root of the rounding
-// Else      the cell is halved. Where o is lower at its middle, a golden section between its ends gives the start of a local
+// Else      the cell is halved. Where o is lower at its middle, the root of its slope between its ends is the start of a local
 //           solve: from afar those creep where o is all but constant, for a body 1e5 times the other's size
 // Too deep  flats across the axes: o jumps within the tilt, and latitudes do not tell. The search of all directions may
 #pragma once
@@ -34,12 +34,9 @@ class MeridianSearch {
     return found_.answer(is_complete() && !is_too_deep_);
   }
 
-  /// The same, whatever is left to be looked at.
-  [[nodiscard]] const Answer& best() const { return found_.best(); }
-
  private:
   static constexpr int deepest = std::numeric_limits<S>::digits - 5;
-  static constexpr double near_enough = 1e-6, near_enough_in_float = 1e-3;  // rad, of a start
+  static constexpr int most_cuts = 40;
 
   using Witness = typename BandPair<S>::Witness;
 
@@ -80,35 +77,36 @@ class MeridianSearch {
     push({cell.piece, cell.level + 1, cell.middle + half / 2, witness});
   }
 
-  /// The direction of lowest o at t of a piece, and o there.
+  /// The direction of lowest o at t of a piece, and the slope of that o along t, times any positive factor.
   struct Seen {
     Vector3<S> v;
-    S overlap;
+    S slope;
   };
 
   [[nodiscard]] Seen seen_at(int piece, const S& t) {
-    const Latitude<S> at = latitude(piece, t);
-    const Vector3<S> v = bands_.lowest(at, bands_.witness(at, ball_));
-    return {v, dot(found_.farthest(v), v) / length(v)};
+    found_.count();
+    const Latitude<S> at = latitude(piece, t), end = latitude(piece, t + S(1));
+    const Witness witness = bands_.witness(at, S(0));
+    const Latitude<S> gradient = bands_.gradient(at, witness), along{end.x - at.x, end.z - at.z};
+    return {bands_.lowest(at, witness), dot(gradient, along) * dot(at, at) - dot(gradient, at) * dot(along, at)};
   }
 
-  /// By golden section.
+  /// The direction where o is the lowest of a piece's cell, by regula falsi on its slope; cuts of a tenth at least.
   [[nodiscard]] Vector3<S> descended(int piece, S from, S to) {
-    const S shrink = S(0.6180339887498949);
-    S t1 = to - (to - from) * shrink, t2 = from + (to - from) * shrink;
-    Seen at1 = seen_at(piece, t1), at2 = seen_at(piece, t2);
-    while (to - from > by_precision<S>(near_enough, near_enough_in_float) && found_.may_go_on()) {
-      if (at1.overlap < at2.overlap) {
-        to = t2, t2 = t1, at2 = at1;
-        t1 = to - (to - from) * shrink;
-        at1 = seen_at(piece, t1);
-      } else {
-        from = t1, t1 = t2, at1 = at2;
-        t2 = from + (to - from) * shrink;
-        at2 = seen_at(piece, t2);
-      }
+    Seen at_from = seen_at(piece, from), at_to = seen_at(piece, to);
+    if (at_from.slope > S(0)) return at_from.v;
+    if (at_to.slope < S(0)) return at_to.v;
+    for (int cuts = 0; cuts < most_cuts && to - from > epsilon<S>() && found_.may_go_on(); ++cuts) {
+      const S share = at_from.slope / (at_from.slope - at_to.slope);
+      const S cut = cuts % 3 == 2 ? S(0.5) : share > S(0.1) ? std::min(share, S(0.9)) : S(0.1);
+      const S middle = from + (to - from) * cut;
+      const Seen seen = seen_at(piece, middle);
+      if (seen.slope > S(0))
+        to = middle, at_to = seen, at_from.slope /= 2;
+      else
+        from = middle, at_from = seen, at_to.slope /= 2;
     }
-    return at1.overlap < at2.overlap ? at1.v : at2.v;
+    return at_from.v;
   }
 
   [[nodiscard]] bool is_excluded(const Latitude<S>& from, const Latitude<S>& to, const Witness& witness) const {

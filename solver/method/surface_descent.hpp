@@ -139,8 +139,9 @@ template <class S>
 /// What the search over directions asks of a form.
 template <class S>
 struct SurfaceForm {
-  const SurfaceSolver<S>& solver;
+  SurfaceSolver<S> solver;
 
+  [[nodiscard]] SurfaceForm held(const Vector3<S>& about) const { return {solver.held(about)}; }
   [[nodiscard]] S rolling_ball() const { return solver.pair().rolling_ball; }
   [[nodiscard]] Vector3<S> centre() const { return solver.pair().c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
