@@ -81,18 +81,15 @@ class BandPair {
     Vector3<S> by_x, by_z;
 
     [[nodiscard]] Vector3<S> sideways(const Latitude<S>& at) const { return by_x * at.x + by_z * at.z; }
-    [[nodiscard]] S height(const Latitude<S>& at) const {
-      return sum.x * at.x + sum.z * at.z - length(sideways(at));
-    }
+    [[nodiscard]] S height(const Latitude<S>& at) const { return sum.x * at.x + sum.z * at.z - length(sideways(at)); }
   };
 
   /// The points farthest along a latitude; `ball` rolls inside the bodies' sum and is taken off it, 0 but for parallel axes.
   [[nodiscard]] Witness witness(const Latitude<S>& at, const S& ball) const {
     const Latitude<S> p1 = meridian1_.farthest(at), p2 = meridian2_.farthest(at);
     const S of_ball = ball / at.length();
-    return {{p1.x + p2.x - of_ball * at.x, p1.z + p2.z - height_ - of_ball * at.z},
-            centre_ - tilt_ * p2.z,
-            tilt_ * p2.x};
+    return {
+        {p1.x + p2.x - of_ball * at.x, p1.z + p2.z - height_ - of_ball * at.z}, centre_ - tilt_ * p2.z, tilt_ * p2.x};
   }
 
   /// Of a circle of latitude the direction along which o is lowest.
@@ -134,7 +131,8 @@ class BandPair {
     axis_ = dot(axis, c) < S(0) ? axis * S(-1) : axis;
     across_ = Vector3<S>::of(tangent_basis<S>(axis.eigen()).col(0));
     height_ = dot(axis_, c);
-    tilt_ = common ? zero() : across_axis(Vector3<S>::of(second) * (dot(axis_, Vector3<S>::of(second)) < S(0) ? S(-1) : S(1)));
+    tilt_ = common ? zero()
+                   : across_axis(Vector3<S>::of(second) * (dot(axis_, Vector3<S>::of(second)) < S(0) ? S(-1) : S(1)));
     centre_ = common ? zero() : across_axis(c);
   }
 

@@ -27,8 +27,7 @@ class MeridianSearch {
       : bands_(bands), found_(form, size, first), ball_(bands.is_parallel() ? found_.ball() : S(0)) {}
 
   [[nodiscard]] Answer lowest() {
-    const int pieces = bands_.is_coaxial() ? 2 : 4;
-    for (int piece = 0; piece < pieces; ++piece) push({piece, 0, S(0.5), {}});
+    for (int piece = bands_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
     while (!is_complete() && found_.may_go_on() && !is_too_deep_) look_at(open_[--open_count_]);
     found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
@@ -48,7 +47,7 @@ class MeridianSearch {
 
   [[nodiscard]] static Latitude<S> latitude(int piece, const S& t) {
     const S side = piece < 2 ? S(1) : S(-1);
-    return piece % 2 == 0 ? Latitude<S>{t, side} : Latitude<S>{S(1), side * t};
+    return piece % 2 == 0 ? Latitude<S>{S(1), side * t} : Latitude<S>{t, side};
   }
 
   [[nodiscard]] bool is_complete() const { return open_count_ == 0 || found_.is_settled(); }
@@ -65,10 +64,8 @@ class MeridianSearch {
     const Witness witness = bands_.witness(middle, ball_);
     const Vector3<S> v = bands_.lowest(middle, witness);
     if (is_excluded(from, to, witness)) return;
-    if (found_.sees_lower(v, found_.farthest(v))) {
-      const Answer there = found_.solve(descended(cell.piece, cell.middle - half, cell.middle + half), Tries::several);
-      if (there.status == Status::converged) found_.take(there);
-    }
+    if (found_.sees_lower(v, found_.farthest(v)))
+      if (const auto start = descended(cell.piece, cell.middle - half, cell.middle + half)) solve_from(*start);
     if (cell.level == deepest) {
       is_too_deep_ = true;
       return;
@@ -91,11 +88,16 @@ class MeridianSearch {
     return {bands_.lowest(at, witness), dot(gradient, along) * dot(at, at) - dot(gradient, at) * dot(along, at)};
   }
 
-  /// The direction where o is the lowest of a piece's cell, by regula falsi on its slope; cuts of a tenth at least.
-  [[nodiscard]] Vector3<S> descended(int piece, S from, S to) {
+  void solve_from(const Vector3<S>& v) {
+    const Answer there = found_.solve(v, Tries::several);
+    if (there.status == Status::converged) found_.take(there);
+  }
+
+  /// The direction where o is the lowest of a piece's cell, by regula falsi on its slope, cuts of a tenth at least; none where
+  /// that is at an end, for another cell has it then.
+  [[nodiscard]] std::optional<Vector3<S>> descended(int piece, S from, S to) {
     Seen at_from = seen_at(piece, from), at_to = seen_at(piece, to);
-    if (at_from.slope > S(0)) return at_from.v;
-    if (at_to.slope < S(0)) return at_to.v;
+    if (at_from.slope > S(0) || at_to.slope < S(0)) return std::nullopt;
     for (int cuts = 0; cuts < most_cuts && to - from > epsilon<S>() && found_.may_go_on(); ++cuts) {
       const S share = at_from.slope / (at_from.slope - at_to.slope);
       const S cut = cuts % 3 == 2 ? S(0.5) : share > S(0.1) ? std::min(share, S(0.9)) : S(0.1);
