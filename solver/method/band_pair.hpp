@@ -68,7 +68,7 @@ class BandPair {
     const Revolution kind1 = detail::revolution_of(pair.body1.shape), kind2 = detail::revolution_of(pair.body2.shape);
     if (kind1 == Revolution::none || kind2 == Revolution::none) return std::nullopt;
     const BandPair out(pair, kind1, kind2);
-    if (!(dot(out.tilt_, out.tilt_) <= epsilon<S>())) return std::nullopt;
+    if (!(dot(out.tilt_, out.tilt_) <= S(most_square) * epsilon<S>())) return std::nullopt;
     return out;
   }
 
@@ -116,10 +116,12 @@ class BandPair {
   /// Whether no direction between two latitudes is towards body 2: the opposite one is as low then, or lower.
   [[nodiscard]] bool is_backwards(const Latitude<S>& from, const Latitude<S>& to) const {
     const S sideways = length(centre_);
-    return from.z * height_ + from.x * sideways <= S(0) && to.z * height_ + to.x * sideways <= S(0);
+    return from.z * height_ + from.x * sideways < S(0) && to.z * height_ + to.x * sideways < S(0);
   }
 
  private:
+  static constexpr double most_square = 16;  // epsilon: of the tilt; what the searches' slack takes (lowest.hpp)
+
   BandPair(const PlacedPair<S>& pair, detail::Revolution kind1, detail::Revolution kind2)
       : meridian1_(pair.body1.shape, kind1), meridian2_(pair.body2.shape, kind2) {
     using detail::axis_of, detail::Revolution;
