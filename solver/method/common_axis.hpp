@@ -14,15 +14,24 @@ namespace detail {
 
 enum class Revolution { none, about_x, about_y, about_z, about_all };
 
-/// Which of a body's own axes it is of revolution about.
+/// To a step or two of a double.
+template <class S>
+[[nodiscard]] bool is_same(const S& a, const S& b) {
+  using std::abs;
+  using std::max;
+  return abs(a - b) <= S(4) * epsilon<S>() * max(a, b);
+}
+
+/// Which of a body's own axes it is of revolution about, to rounding.
 template <class S>
 [[nodiscard]] Revolution revolution_of(const Superellipsoid<S>& shape) {
   const Vec3<S>& a = shape.semi_axes;
-  if (shape.n2 != S(2)) return Revolution::none;
-  const bool is_ellipsoid = shape.n1 == S(2);
-  if (a[0] == a[1]) return is_ellipsoid && a[1] == a[2] ? Revolution::about_all : Revolution::about_z;
-  if (is_ellipsoid && a[0] == a[2]) return Revolution::about_y;
-  return is_ellipsoid && a[1] == a[2] ? Revolution::about_x : Revolution::none;
+  if (!is_same<S>(shape.n2, S(2))) return Revolution::none;
+  const bool is_ellipsoid = is_same<S>(shape.n1, S(2));
+  if (is_same<S>(a[0], a[1]))
+    return is_ellipsoid && is_same<S>(a[1], a[2]) ? Revolution::about_all : Revolution::about_z;
+  if (is_ellipsoid && is_same<S>(a[0], a[2])) return Revolution::about_y;
+  return is_ellipsoid && is_same<S>(a[1], a[2]) ? Revolution::about_x : Revolution::none;
 }
 
 /// The index of a body's own axis of revolution; of a sphere's, any.

@@ -19,6 +19,7 @@ struct EllipsoidForm {
   [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const {
     return {SupportShape<S>{first(pair.map), S(2), S(2)}, SupportShape<S>{second(pair.map), S(2), S(2)}};
   }
+  [[nodiscard]] EllipsoidForm held(const Vector3<S>& about) const { return {pair, want, about}; }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start, Tries /*tries*/ = Tries::all) const {
     EllipsoidContact<S> out;
     EllipsoidNewton<S>(pair, want, axis).solve(out, start);
@@ -73,7 +74,7 @@ template <class S>
   const PlacedPair<S> placed = place<S>(bodies);
   const std::optional<Vector3<S>> axis = common_axis(placed);
   const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
-  return lowest_of_search(placed, axis, form, pair.size, found);
+  return lowest_of_search(placed, form, pair.size, found);
 }
 
 }  // namespace plumb

@@ -43,9 +43,12 @@ class Lowest {
   [[nodiscard]] bool is_settled() const { return !(found_level() > ball_); }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
-    ++best_.evaluations;
+    count();
     return form_.farthest(v);
   }
+
+  /// An evaluation of o.
+  void count() { ++best_.evaluations; }
 
   /// g' at v, from g = farthest(v).
   [[nodiscard]] Vector3<S> witness(const Vector3<S>& v, const Vector3<S>& g) const {
@@ -56,7 +59,9 @@ class Lowest {
   [[nodiscard]] Vector3<S> witness(const Answer& found) const { return found.normal * (found.overlap - ball_); }
 
   /// A witness as high as this along a unit vector shows that o there is not below the level, to rounding.
-  [[nodiscard]] S excluded_height() const { return level() - ball_ - rounding(); }
+  [[nodiscard]] S excluded_height() const { return excluded_level() - ball_; }
+  [[nodiscard]] S excluded_level() const { return level() - rounding(); }
+  [[nodiscard]] const S& ball() const { return ball_; }
 
   /// Whether o along v is below that of every common normal found; g = farthest(v).
   [[nodiscard]] bool sees_lower(const Vector3<S>& v, const Vector3<S>& g) {

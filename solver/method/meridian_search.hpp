@@ -1,54 +1,54 @@
-// The search of direction_search.hpp for two bodies of revolution about one line that holds both centres (common_axis.hpp).
+// The search of direction_search.hpp for two bodies of revolution about parallel axes, or all but parallel ones (band_pair.hpp).
 //
-// o depends on the angle to that line alone, so that the lowest common normals are a ring, or the line. A quarter of one
-// meridian is looked at: o is the same on the other side of the line, and the half towards the other body is the lower one.
+// The lowest o around a circle of latitude has a closed form, so that latitudes alone are looked at. Where both are of
+// revolution about one line that holds both centres (common_axis.hpp) the lowest common normals are a ring, or the line.
 //
-// Cells     halves of halves of the quarter's two straight pieces: the line + t across, and across + t the line, t in [0, 1]
-// Excluded  where a witness (lowest.hpp) says so at a cell's two ends, to rounding. In one dimension that is all it takes: cells
+// Cells     halves of halves of the half circle's four straight pieces: the axis + t across, and across + t the axis, t in [0, 1],
+//           and the same of the axis backwards but where o is the same all around a circle: the half towards the other body
+//           is the lower one then
+// Excluded  where a witness (band_pair.hpp) says so at a cell's two ends, to rounding. In one dimension that is all it takes: cells
 //           about the minimum end where they are shorter than the square root of the rounding
-// Else      the cell is halved. Where o is lower at its middle, a golden section between its ends gives the start of a local
+// Else      the cell is halved. Where o is lower at its middle, the root of its slope between its ends is the start of a local
 //           solve: from afar those creep where o is all but constant, for a body 1e5 times the other's size
+// Too deep  flats across the axes: o jumps within the tilt, and latitudes do not tell. The search of all directions may
 #pragma once
 
 #include <array>
 
+#include "solver/method/band_pair.hpp"
 #include "solver/method/lowest.hpp"
-#include "solver/shape/tangent.hpp"
 
 namespace plumb {
 
 template <class S, class Form, class Answer>
 class MeridianSearch {
  public:
-  /// `axis`: unit.
-  MeridianSearch(const Form& form, const S& size, const Vector3<S>& axis, const Answer& first)
-      : found_(form, size, first) {
-    const Vector3<S> along = dot(axis, form.centre()) < S(0) ? axis * S(-1) : axis;
-    const auto across = Vector3<S>::of(tangent_basis<S>(axis.eigen()).col(0));
-    pieces_ = {Piece{along, across}, Piece{across, along}};
-  }
+  MeridianSearch(const Form& form, const S& size, const BandPair<S>& bands, const Answer& first)
+      : bands_(bands), found_(form, size, first), ball_(bands.is_parallel() ? found_.ball() : S(0)) {}
 
   [[nodiscard]] Answer lowest() {
-    for (int piece = 0; piece < 2; ++piece) push({piece, 0, S(0.5), {}});
-    while (!is_complete() && found_.may_go_on()) look_at(open_[--open_count_]);
+    for (int piece = bands_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
+    while (!is_complete() && found_.may_go_on() && !is_too_deep_) look_at(open_[--open_count_]);
     found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
   }
 
  private:
   static constexpr int deepest = std::numeric_limits<S>::digits - 5;
-  static constexpr double near_enough = 1e-6, near_enough_in_float = 1e-3;  // rad, of a start
+  static constexpr int most_cuts = 40;
 
-  struct Piece {
-    Vector3<S> from, towards;
-    [[nodiscard]] Vector3<S> at(const S& t) const { return from + towards * t; }
-  };
+  using Witness = typename BandPair<S>::Witness;
 
   struct Cell {
     int piece, level;
     S middle;
-    Vector3<S> witness;  ///< of the cell above
+    Witness witness;  ///< of the cell above
   };
+
+  [[nodiscard]] static Latitude<S> latitude(int piece, const S& t) {
+    const S side = piece < 2 ? S(1) : S(-1);
+    return piece % 2 == 0 ? Latitude<S>{S(1), side * t} : Latitude<S>{t, side};
+  }
 
   [[nodiscard]] bool is_complete() const { return open_count_ == 0 || found_.is_settled(); }
 
@@ -57,17 +57,15 @@ class MeridianSearch {
   // NOLINTNEXTLINE(performance-unnecessary-value-param): a copy, for its place is taken by its halves
   void look_at(const Cell cell) {
     using std::ldexp;
-    const Piece& piece = pieces_[static_cast<std::size_t>(cell.piece)];
     const S half = ldexp(S(0.5), -cell.level);
-    const Vector3<S> from = piece.at(cell.middle - half), to = piece.at(cell.middle + half);
-    if (cell.level > 0 && is_excluded(from, to, cell.witness)) return;
-    const Vector3<S> v = piece.at(cell.middle), g = found_.farthest(v), witness = found_.witness(v, g);
+    const Latitude<S> from = latitude(cell.piece, cell.middle - half), to = latitude(cell.piece, cell.middle + half);
+    if (bands_.is_backwards(from, to) || (cell.level > 0 && is_excluded(from, to, cell.witness))) return;
+    const Latitude<S> middle = latitude(cell.piece, cell.middle);
+    const Witness witness = bands_.witness(middle, ball_);
+    const Vector3<S> v = bands_.lowest(middle, witness);
     if (is_excluded(from, to, witness)) return;
-    if (found_.sees_lower(v, g)) {
-      const Answer there =
-          found_.solve(piece.at(descended(piece, cell.middle - half, cell.middle + half)), Tries::several);
-      if (there.status == Status::converged) found_.take(there);
-    }
+    if (found_.sees_lower(v, found_.farthest(v)))
+      if (const auto start = descended(cell.piece, cell.middle - half, cell.middle + half)) solve_from(*start);
     if (cell.level == deepest) {
       is_too_deep_ = true;
       return;
@@ -76,39 +74,52 @@ class MeridianSearch {
     push({cell.piece, cell.level + 1, cell.middle + half / 2, witness});
   }
 
-  /// o along the piece at t.
-  [[nodiscard]] S overlap_at(const Piece& piece, const S& t) {
-    const Vector3<S> v = piece.at(t);
-    return dot(found_.farthest(v), v) / length(v);
+  /// The direction of lowest o at t of a piece, and the slope of that o along t, times any positive factor.
+  struct Seen {
+    Vector3<S> v;
+    S slope;
+  };
+
+  [[nodiscard]] Seen seen_at(int piece, const S& t) {
+    found_.count();
+    const Latitude<S> at = latitude(piece, t), end = latitude(piece, t + S(1));
+    const Witness witness = bands_.witness(at, S(0));
+    const Latitude<S> gradient = bands_.gradient(at, witness), along{end.x - at.x, end.z - at.z};
+    return {bands_.lowest(at, witness), dot(gradient, along) * dot(at, at) - dot(gradient, at) * dot(along, at)};
   }
 
-  /// By golden section.
-  [[nodiscard]] S descended(const Piece& piece, S from, S to) {
-    const S shrink = S(0.6180339887498949);
-    S t1 = to - (to - from) * shrink, t2 = from + (to - from) * shrink, o1 = overlap_at(piece, t1),
-      o2 = overlap_at(piece, t2);
-    while (to - from > by_precision<S>(near_enough, near_enough_in_float) && found_.may_go_on()) {
-      if (o1 < o2) {
-        to = t2, t2 = t1, o2 = o1;
-        t1 = to - (to - from) * shrink;
-        o1 = overlap_at(piece, t1);
-      } else {
-        from = t1, t1 = t2, o1 = o2;
-        t2 = from + (to - from) * shrink;
-        o2 = overlap_at(piece, t2);
-      }
+  void solve_from(const Vector3<S>& v) {
+    const Answer there = found_.solve(v, Tries::several);
+    if (there.status == Status::converged) found_.take(there);
+  }
+
+  /// The direction where o is the lowest of a piece's cell, by regula falsi on its slope, cuts of a tenth at least; none where
+  /// that is at an end, for another cell has it then.
+  [[nodiscard]] std::optional<Vector3<S>> descended(int piece, S from, S to) {
+    Seen at_from = seen_at(piece, from), at_to = seen_at(piece, to);
+    if (at_from.slope > S(0) || at_to.slope < S(0)) return std::nullopt;
+    for (int cuts = 0; cuts < most_cuts && to - from > epsilon<S>() && found_.may_go_on(); ++cuts) {
+      const S share = at_from.slope / (at_from.slope - at_to.slope);
+      const S cut = cuts % 3 == 2 ? S(0.5) : share > S(0.1) ? std::min(share, S(0.9)) : S(0.1);
+      const S middle = from + (to - from) * cut;
+      const Seen seen = seen_at(piece, middle);
+      if (seen.slope > S(0))
+        to = middle, at_to = seen, at_from.slope /= 2;
+      else
+        from = middle, at_from = seen, at_to.slope /= 2;
     }
-    return o1 < o2 ? t1 : t2;
+    return at_from.v;
   }
 
-  [[nodiscard]] bool is_excluded(const Vector3<S>& from, const Vector3<S>& to, const Vector3<S>& witness) const {
-    const S height = found_.excluded_height();
-    return dot(witness, from) >= height * length(from) && dot(witness, to) >= height * length(to);
+  [[nodiscard]] bool is_excluded(const Latitude<S>& from, const Latitude<S>& to, const Witness& witness) const {
+    const S height = found_.excluded_level() - ball_;
+    return witness.height(from) >= height * from.length() && witness.height(to) >= height * to.length();
   }
 
+  const BandPair<S>& bands_;
   Lowest<S, Form, Answer> found_;
-  std::array<Piece, 2> pieces_;
-  std::array<Cell, deepest + 3> open_;  ///< depth first: a cell a level, and the last two
+  S ball_;
+  std::array<Cell, deepest + 5> open_;  ///< depth first: a cell a level, the last two, and the other pieces
   std::size_t open_count_ = 0;
   bool is_too_deep_ = false;
 };

@@ -79,6 +79,7 @@ class SurfaceSolver {
       : pair_(pair), want_(want), axis_(axis) {}
 
   [[nodiscard]] const SuperellipsoidPair<S>& pair() const { return pair_; }
+  [[nodiscard]] SurfaceSolver held(const Vector3<S>& axis) const { return {pair_, want_, axis}; }
 
   void newton(Surfaces<S>& at, const Attempt& attempt, SurfaceContact<S>& out) const {
     if (pair_.any_dual)

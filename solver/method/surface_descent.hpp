@@ -139,8 +139,9 @@ template <class S>
 /// What the search over directions asks of a form.
 template <class S>
 struct SurfaceForm {
-  const SurfaceSolver<S>& solver;
+  SurfaceSolver<S> solver;
 
+  [[nodiscard]] SurfaceForm held(const Vector3<S>& about) const { return {solver.held(about)}; }
   [[nodiscard]] S rolling_ball() const { return solver.pair().rolling_ball; }
   [[nodiscard]] Vector3<S> centre() const { return solver.pair().c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
@@ -217,7 +218,7 @@ template <class S>
   const PlacedPair<S> placed = place<S>(bodies);
   const std::optional<Vector3<S>> axis = common_axis(placed);
   const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
-  return lowest_of_search(placed, axis, SurfaceForm<S>{solver}, pair.reach, found);
+  return lowest_of_search(placed, SurfaceForm<S>{solver}, pair.reach, found);
 }
 
 }  // namespace plumb

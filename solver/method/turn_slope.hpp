@@ -11,8 +11,7 @@
 #include <array>
 #include <optional>
 
-#include "solver/method/common_axis.hpp"
-#include "solver/method/curvature_floor.hpp"
+#include "solver/method/band_pair.hpp"
 
 namespace plumb {
 
@@ -52,10 +51,7 @@ class TurnSlope {
     const detail::Revolution kind = turns_about_second ? kind1 : kind2;
     is_sphere_ = kind == detail::Revolution::about_all;
     axis_ = Vector3<S>::of(detail::axis_of(other, kind));
-    const int along = detail::axis_index(kind), across = along == 0 ? 1 : 0;
-    radius_ = other.shape.semi_axes[across];
-    length_ = other.shape.semi_axes[along];
-    m_ = other.shape.n1 / (other.shape.n1 - S(1));
+    meridian_ = Meridian<S>(other.shape, kind);
     across_axes_ = cross(axis_, Vector3<S>::of(about));
     across_centres_ = cross(Vector3<S>::of(pair.body2.centre), Vector3<S>::of(about));
     rounding_ = S(32) * epsilon<S>() * max(pair.size(), largest(Vector3<S>::of(pair.body2.centre)));
@@ -71,31 +67,23 @@ class TurnSlope {
     for (const Vector3<S>& n : corners) reach = max(reach, length(n - middle));
     const S s = dot(middle, axis_), low = abs(s) - reach, high = abs(s) + reach;
     if (!(high < S(1))) return {S(1), S(0)};
-    const Piece from = piece(low), to = piece(high);
-    const S most_by_radius = low > S(0) ? from.by_radius : S(1);  // it falls as |s| grows
-    const S least_turn = (low > S(0) ? to.by_radius : most_by_radius) * from.slope,
-            most_turn = most_by_radius * to.slope;
-    const S least = length_ * from.by_axis - radius_ * most_turn, most = length_ * to.by_axis - radius_ * least_turn;
+    const Latitude<S> from = farthest(low), to = farthest(high);
+    const S most_across = low > S(0) ? from.x : meridian_.radius;  // it falls as |s| grows
+    const S least_turn = (low > S(0) ? to.x : most_across) * slope(low), most_turn = most_across * slope(high);
+    const S least = from.z - most_turn, most = to.z - least_turn;
     return s < S(0) ? detail::Range<S>{-most, -least} : detail::Range<S>{least, most};
   }
 
-  /// The norm's derivatives at (radius sqrt(1 - s^2), length s), and s / sqrt(1 - s^2).
-  struct Piece {
-    S by_radius, by_axis, slope;
-  };
-
-  [[nodiscard]] Piece piece(const S& s) const {
-    using std::abs;
+  [[nodiscard]] static S across(const S& s) {
     using std::sqrt;
-    const S across = sqrt((S(1) - s) * (S(1) + s)), r = radius_ * across, z = length_ * abs(s);
-    const bool z_is_larger = z > r;
-    const detail::PlaneNorm<S> norm = detail::plane_norm<S>(m_, z_is_larger ? r / z : z / r);
-    const S by_axis = z_is_larger ? norm.by_first : norm.by_second;
-    return {z_is_larger ? norm.by_second : norm.by_first, s < S(0) ? S(-by_axis) : by_axis, s / across};
+    return sqrt((S(1) - s) * (S(1) + s));
   }
+  [[nodiscard]] static S slope(const S& s) { return s / across(s); }
+  [[nodiscard]] Latitude<S> farthest(const S& s) const { return meridian_.farthest({across(s), s}); }
 
   Vector3<S> axis_, across_axes_, across_centres_;
-  S radius_, length_, m_, rounding_;  ///< of the body that is not turned; its m1
+  Meridian<S> meridian_;  ///< of the body that is not turned
+  S rounding_;
   bool is_sphere_;
 };
 

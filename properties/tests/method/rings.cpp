@@ -57,6 +57,33 @@ TEST(Rings, AnOffsetOfAFewEpsilonIsNone) {
   }
 }
 
+/// Spheroids 10 to 1000 times as long as wide, tip on tip; axes and centres off one line by `tilt`.
+Pair random_tilted_tips(double tilt, std::uint64_t index) {
+  Stream stream("rings, tilted", 1, index);
+  Pair pair = random_coaxial_pair(index);
+  pair.body1.shape = {{1, 1, stream.log_uniform(10, 1000)}, 2, 2};
+  pair.body2.shape = {{1, 1, stream.log_uniform(10, 1000)}, 2, 2};
+  const double tips = pair.body1.shape.semi_axes[2] + pair.body2.shape.semi_axes[2];
+  pair.body2.position = rotation<double>(pair.body1.quaternion).col(2) * (tips - stream.uniform(0, 0.2));
+  pair.body2.quaternion = product(pair.body2.quaternion, turn({1, 0, 0}, tilt * stream.uniform(0.3, 1)));
+  pair.body2.position += random_direction(stream) * (tilt * stream.uniform(0, 1) * size_of(pair));
+  return pair;
+}
+
+/// o around the ring differs, by as little as a few epsilon.
+TEST(Rings, TheLowestIsFoundWhereTheyAreAllButRings) {
+  for (const double tilt : {1e-15, 1e-13, 1e-12, 1e-10, 1e-8})
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const Pair pair = random_tilted_tips(tilt, i);
+      const Contact<double> found = find_method("auto")->solve(pair, {}, nullptr);
+      ASSERT_EQ(found.status, Status::converged) << tilt << ' ' << i;
+      EXPECT_LT(found.evaluations, 1000) << tilt << ' ' << i;
+      const Reference reference = find_reference(pair, Effort::bounds);
+      EXPECT_LE(found.overlap, static_cast<double>(reference.overlap.upper) + 1e-15 * size_of(pair))
+          << tilt << ' ' << i;
+    }
+}
+
 TEST(Rings, InLongDoubleAsWell) {
   for (std::uint64_t i = 0; i < 60; ++i) {
     Pair pair = random_coaxial_pair(i);
