@@ -11,7 +11,7 @@
 namespace plumb::reports {
 namespace {
 
-constexpr std::size_t kNameWidth = 36, kColumn = 18;
+constexpr std::size_t kNameWidth = 36, kColumn = 26;
 
 /// "12", "12 [3, 40]" of several seeds, ">400" where a seed has none.
 std::string run_text(std::uint64_t run, std::uint64_t runs) {
@@ -65,7 +65,7 @@ std::string first_finding(const std::vector<EngineHunts>& engines, std::size_t b
 std::string of_engine(const EngineHunts& engine, std::size_t bugs) {
   std::uint64_t control = 0;
   for (const Hunt& hunt : engine.hunts) control += hunt.control_findings;
-  return fmt::format("  {:<12}{} {}, {} seed{}: kills {}; {} with a finding of the solver without a bug\n", engine.name,
+  return fmt::format("  {:<24}{} {}, {} seed{}: kills {}; {} with a finding of the solver without a bug\n", engine.name,
                      engine.hunts.front().runs, engine.runs_are, engine.hunts.size(),
                      engine.hunts.size() == 1 ? "" : "s", share_text(count_killed({engine}, bugs), bugs), control);
 }
