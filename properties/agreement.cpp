@@ -70,7 +70,7 @@ Finding scalar_agrees(const Pair& pair, const Contact<double>& whole, const Cont
       std::max(1.0, static_cast<double>(std::numeric_limits<S>::epsilon() / law::machine_epsilon));
   const double allowed = allowed_overlap(pair, whole.overlap, epsilons);
   return law::worse(overlaps_agree(pair, static_cast<double>(other.overlap), whole.overlap, allowed, asked),
-               verdicts_agree(other.verdict, whole, allowed, asked));
+                    verdicts_agree(other.verdict, whole, allowed, asked));
 }
 
 Finding float_agrees(const Pair& pair, const Contact<double>& whole) {

@@ -87,8 +87,7 @@ Body& body_of(Described& d, std::size_t i) {
   return i == 0 ? d.pair.body1 : d.pair.body2;
 }
 
-void add_angles(std::vector<Number>& out, const Described& described, std::size_t body) {
-  const Vec3<double>& angles = (*described.euler_deg)[body];
+void add_angles(std::vector<Number>& out, const Vec3<double>& angles, std::size_t body) {
   constexpr std::array<const char*, 3> words{"phi", "tilt (theta)", "psi"};
   if (body == 0 && angles.isZero(0)) return;
   for (int k = 0; k < 3; ++k)
@@ -116,7 +115,7 @@ void add_position(std::vector<Number>& out, const Described& described, std::siz
                    [body, k](Described& d, double x) { body_of(d, body).position[k] = x; }});
 }
 
-void add_place(std::vector<Number>& out, const Described& described) {
+void add_place(std::vector<Number>& out, const Vec3<double>& place) {
   constexpr std::array<const char*, 3> fields{"placement.line_deg[0]", "placement.line_deg[1]",
                                               "placement.overlap_ratio"};
   constexpr std::array<const char*, 3> words{"zenith of the centre line", "azimuth of the centre line",
@@ -124,8 +123,8 @@ void add_place(std::vector<Number>& out, const Described& described) {
   constexpr std::array quantities{Quantity::zenith, Quantity::angle, Quantity::ratio};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto at = static_cast<int>(k);
-    out.push_back({fields[k], words[k], quantities[k], (*described.place)[at],
-                   [at](Described& d, double x) { (*d.place)[at] = x; }});
+    out.push_back(
+        {fields[k], words[k], quantities[k], place[at], [at](Described& d, double x) { (*d.place)[at] = x; }});
   }
 }
 
@@ -136,13 +135,13 @@ std::vector<Number> numbers_of(const Described& described) {
   add_shapes(out, described.pair);
   for (const std::size_t body : {0u, 1u}) {
     if (described.euler_deg)
-      add_angles(out, described, body);
+      add_angles(out, (*described.euler_deg)[body], body);
     else
       add_quaternion(out, described, body);
   }
   add_position(out, described, 0);
   if (described.place)
-    add_place(out, described);
+    add_place(out, *described.place);
   else
     add_position(out, described, 1);
   return out;
