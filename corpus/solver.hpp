@@ -30,7 +30,7 @@ struct Solver {
 /// What a foreign solver did instead of an answer; what() says it in words. Its process is gone, the next call gets another.
 class NoAnswer : public std::runtime_error {
  public:
-  enum class How { crashed, hung };
+  enum class How { crashed, hung, not_asked };  ///< not_asked: it hung too often before
   NoAnswer(How how_, const std::string& what) : std::runtime_error(what), how(how_) {}
   How how;
 };

@@ -103,7 +103,7 @@ void SolverPool::give_back(Process process) {
 
 wire::Reply SolverPool::ask(const wire::Request& request) {
   if (hangs_ >= most_hangs)
-    throw NoAnswer(NoAnswer::How::hung, fmt::format("not asked any more: {} times no answer before", most_hangs));
+    throw NoAnswer(NoAnswer::How::not_asked, fmt::format("not asked any more: {} times no answer before", most_hangs));
   Process process = take();
   try {
     wire::Reply reply = process->ask(request);

@@ -90,9 +90,9 @@ class Patience {
   /// After another wait of so many seconds; throws NoAnswer.
   void use(double waited, double processor_seconds) {
     constexpr double asleep = 6;  // times the limit: a machine that is short of processors looks a little like it
-    asleep_ += processor_seconds > last_ ? 0 : waited;
+    if (first_ < 0) first_ = last_ = processor_seconds;
+    asleep_ += std::max(0.0, waited - (processor_seconds - last_));
     last_ = processor_seconds;
-    if (first_ < 0) first_ = processor_seconds;
     if (last_ - first_ >= limit_)
       throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer after {} s of processor time", limit_));
     if (asleep_ >= asleep * limit_)

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -22,11 +23,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The seeds have the length of their layout.
+std::uintmax_t longest(const fs::path& seeds) {
+  std::uintmax_t out = 0;
+  for (const auto& seed : fs::directory_iterator(seeds)) out = std::max(out, fs::file_size(seed));
+  return out;
+}
+
 std::vector<std::string> command_line(const EngineOptions& options, const fs::path& folder) {
   return {options.program.string(),
           fmt::format("-runs={}", options.inputs),
           fmt::format("-seed={}", options.seed),
-          "-max_len=80",
+          fmt::format("-max_len={}", longest(options.seeds)),
           "-len_control=0",
           "-timeout=60",
           "-print_final_stats=1",

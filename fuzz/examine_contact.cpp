@@ -22,7 +22,7 @@ using Directions = std::vector<Vec3<double>>;
 Directions built_directions(const BuiltContact& built) {
   Directions out{built.normal};
   const Vec3<double> line = built.pair.body2.position - built.pair.body1.position;
-  if (!line.isZero()) out.push_back(line.stableNormalized());
+  if (!line.isZero(0)) out.push_back(line.stableNormalized());
   return out;
 }
 

@@ -60,7 +60,10 @@ Probed probed(const Number& number, double size) {
 class Line {
  public:
   Line(const Described& described, Number number, Trials& trials)
-      : described_(described), number_(std::move(number)), trials_(trials), tried_{{number_.value, true}} {}
+      : described_(described), number_(std::move(number)), trials_(trials), tried_{{number_.value, true}} {
+    const std::optional<Pair> own = pair_of(described_);
+    stays_inside_ = own && in_domain(*own);
+  }
 
   [[nodiscard]] Range range() {
     const Probed ends = probed(number_, size_of(described_.pair));
@@ -85,7 +88,7 @@ class Line {
     Described changed = described_;
     number_.set(changed, x);
     const std::optional<Pair> pair = pair_of(changed);
-    if (!pair || !in_domain(*pair) || is_over()) return false;
+    if (!pair || (stays_inside_ && !in_domain(*pair)) || is_over()) return false;
     return tried_[x] = trials_.of(*pair).judgement.finding.kind != FindingKind::none;
   }
 
@@ -139,6 +142,7 @@ class Line {
   Number number_;
   Trials& trials_;
   Tried tried_;
+  bool stays_inside_ = true;  ///< the domain, where the case is in it
 };
 
 }  // namespace

@@ -19,9 +19,12 @@ void shrink_kept(const KeptFailures& kept, const CampaignOptions& options, const
     const auto by = std::find_if(options.solvers.begin(), options.solvers.end(),
                                  [&](const Solver& solver) { return simplest.expect.method == solver.name; });
     if (by == options.solvers.end() || interrupted()) return;  // of the reference
-    Case shrunk = kept_shrunk(simplest, shrink_and_explain(simplest.pair, *by), by->name);
-    shrunk.provenance["file"] = bucket + std::string(kSimplest);
-    shrunk_cases[i] = format_case(shrunk) + "\n";
+    try {
+      Case shrunk = kept_shrunk(simplest, shrink_and_explain(simplest.pair, *by), by->name);
+      shrunk.provenance["file"] = bucket + std::string(kSimplest);
+      shrunk_cases[i] = format_case(shrunk) + "\n";
+    } catch (const NoAnswer&) {  // it hung too often to be asked any more: the case stays as it is
+    }
   });
   for (std::size_t i = 0; i < buckets.size(); ++i)
     if (!shrunk_cases[i].empty())

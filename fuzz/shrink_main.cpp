@@ -8,20 +8,21 @@ namespace plumb {
 namespace {
 
 struct Arguments {
-  std::string file, method, library, out;
+  std::string file, method, out;
+  ForeignOption foreign;
   bool json = false;
 };
 
 void declare(CLI::App& app, Arguments& args) {
   app.add_option("CASE", args.file, "case file; of a .jsonl each line is shrunk by itself")->required();
   auto* method = app.add_option("--method", args.method, "instead of the method that the case names");
-  app.add_option("--solver", args.library, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
+  declare_solver(app, args.foreign, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
   app.add_option("--out", args.out, "write the simplest case to this file");
   app.add_flag("--json", args.json, "one object a case");
 }
 
 std::optional<Solver> solver_asked(const Arguments& args) {
-  if (!args.library.empty()) return load_solver(args.library);
+  if (!args.foreign.library.empty()) return load_solver(args.foreign.library, args.foreign.limits);
   if (args.method.empty()) return std::nullopt;
   const std::vector<Solver> solvers = find_solvers(args.method);
   if (solvers.size() != 1) throw InputFailure("--method", 0, args.method, "shrink takes one method");

@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 
 namespace plumb {
 namespace {
 
 constexpr int kDegrees = 32;
-constexpr std::size_t kThermometerCells = static_cast<std::size_t>(Thermometer::count) * kDegrees, kKindCells = 256;
+constexpr std::size_t kThermometerCells = static_cast<std::size_t>(Thermometer::count) * kDegrees;
 
 }  // namespace
 }  // namespace plumb
@@ -18,7 +17,7 @@ constexpr std::size_t kThermometerCells = static_cast<std::size_t>(Thermometer::
 // The section is libFuzzer's (FuzzerExtraCounters.cpp); the linker gives it a start and an end.
 extern "C" {
 __attribute__((section("__libfuzzer_extra_counters"), used,
-               aligned(64))) std::array<std::uint8_t, plumb::kThermometerCells + plumb::kKindCells>
+               aligned(64))) std::array<std::uint8_t, plumb::kThermometerCells>
     plumb_thermometer_cells;
 extern std::uint8_t __start___libfuzzer_extra_counters[];
 extern std::uint8_t __stop___libfuzzer_extra_counters[];
@@ -52,11 +51,6 @@ void light(const Contact<double>& answer) {
   light(Thermometer::iterations, answer.iterations, 4);
   light(Thermometer::evaluations, answer.evaluations, 4);
   light(Thermometer::backtracks, answer.evaluations - answer.iterations, 4);
-}
-
-void light_kind(std::string_view what, int kind) {
-  const std::size_t hash = std::hash<std::string_view>{}(what) + static_cast<std::size_t>(kind);
-  cells()[kThermometerCells + hash % kKindCells] = 1;
 }
 
 void clear_thermometers() {

@@ -9,7 +9,8 @@
 
 namespace plumb {
 
-/// A thermometer for each of ScreenCheck; then those of the work, and the bits of a class, of which each is a coverage of its own.
+/// A thermometer for each of ScreenCheck, then the others. The stage of the fallbacks that answered is code, which an engine sees
+/// by itself.
 enum class Thermometer {
   first_check = 0,
   severity = static_cast<int>(screen_checks),  ///< of the certified judgement
@@ -29,10 +30,6 @@ void light(const Screening& screening);
 
 /// The work of an answer.
 void light(const Contact<double>& answer);
-
-/// One of 256 cells of its own, for what is a kind and not a quantity: the stage of the solver's fallbacks that answered, by what it
-/// cost; shape classes.
-void light_kind(std::string_view what, int kind);
 
 /// Puts them out, as an engine does before each input.
 void clear_thermometers();

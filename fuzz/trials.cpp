@@ -12,9 +12,13 @@
 namespace plumb {
 namespace {
 
+/// Of a solver that is not asked any more nothing can be learnt: shrink and explain end there.
 std::optional<Contact<double>> answer_of(const Solver& solver, const Pair& pair) {
   try {
     return solver.solve(pair, Want{}, nullptr);
+  } catch (const NoAnswer& e) {
+    if (e.how == NoAnswer::How::not_asked) throw;
+    return std::nullopt;
   } catch (const std::exception&) {
     return std::nullopt;
   }

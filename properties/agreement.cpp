@@ -30,10 +30,9 @@ Finding overlaps_agree(const Pair& pair, double overlap, double whole, double al
           fmt::format("{}: overlap {:.17g}, else {:.17g}, size {:.3g}", asked, overlap, whole, size_of(pair))};
 }
 
-/// A contrary verdict, as far as the overlap is from zero. Undecided contradicts nothing.
+/// Another verdict, as far as the overlap is from zero.
 Finding verdicts_agree(Verdict said, const Contact<double>& whole, double allowed, std::string_view asked) {
-  const bool contrary = said != Verdict::undecided && whole.verdict != Verdict::undecided && said != whole.verdict;
-  if (!contrary) return {};
+  if (said == whole.verdict || whole.verdict == Verdict::undecided) return {};
   return {said == Verdict::overlapping ? FindingKind::false_contact : FindingKind::missed_contact,
           law::severity_of(std::abs(whole.overlap), allowed),
           {},

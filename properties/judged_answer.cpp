@@ -46,7 +46,7 @@ JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solve
 }
 
 Finding finding_of(const NoAnswer& none) {
-  const bool hung = none.how == NoAnswer::How::hung;
+  const bool hung = none.how != NoAnswer::How::crashed;
   return {hung ? FindingKind::slow : FindingKind::crash, std::numeric_limits<double>::infinity(), "returns",
           none.what()};
 }

@@ -27,6 +27,7 @@ constexpr std::array all_laws{
     Law{"surface", "each point is on its body's surface", law::points_are_on_surfaces},
     Law{"overlap", "the overlap is the certified one", law::overlap_agrees},
     Law{"points", "the points are the certified ones", law::points_agree},
+    Law{"between", "a common normal's contact point lies between its points", law::contact_point_is_between},
     Law{"swap", "(B, A) gives the answer of (A, B) seen from the other side", law::swap_changes_nothing},
     Law{"motion", "a rigid motion moves the answer along", law::rigid_motion_changes_nothing},
     Law{"limit", "spheres have their closed form; exponents one step above 2 give the ellipsoid's answer",

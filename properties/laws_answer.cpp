@@ -64,11 +64,10 @@ double normal_rounding(const SeenPoint& at) {
   return few + at.turn;
 }
 
-/// Where the points' rounding turns the normals by as much as no normal is wrong, they say nothing: on the tip of a needle that
-/// is pointed, corpus/cases/regressions/tip-of-a-pointed-needle.json.
+/// Where a point's rounding turns its normal by much the corners of its box do not show the most: on the tip of a needle that is
+/// pointed, corpus/cases/regressions/tip-of-a-pointed-needle.json.
 double opposition_severity(const SeenPoint& at1, const SeenPoint& at2) {
-  const double allowed = normal_rounding(at1) + normal_rounding(at2);
-  if (allowed > undetermined) return 0;
+  const double shown = normal_rounding(at1) + normal_rounding(at2), allowed = shown > undetermined ? 2 * shown : shown;
   return severity_of(angle_between_normals(at1.normal, -at2.normal), allowed);
 }
 
@@ -356,6 +355,17 @@ Finding points_agree(const Evidence& e) {
           {},
           fmt::format("a point off by {:.3g}", error),
           doubt_of(e, truth.points_radius, allowed)};
+}
+
+/// Where a force would act, wherever between the points a method has it. Who leaves it out says nothing wrong.
+Finding contact_point_is_between(const Evidence& e) {
+  const Contact<double>& a = e.answer;
+  if (e.problem != Problem::common_normal || !has_points(e) || !a.contact_point.allFinite()) return {};
+  const Vec3<Wide> d = a.point2.cast<Wide>() - a.point1.cast<Wide>();
+  const Vec3<Wide> middle = a.point1.cast<Wide>() + d / 2;
+  const auto off = static_cast<double>((a.contact_point.cast<Wide>() - middle).stableNorm());
+  const double allowed = static_cast<double>(d.stableNorm()) / 2 + 2 * point_rounding(e.pair);
+  return {FindingKind::point_error, severity_of(off, allowed), {}, fmt::format("the contact point is {:.3g} off", off)};
 }
 
 Finding evaluations_are_few(const Evidence& e) {

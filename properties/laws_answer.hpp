@@ -27,6 +27,7 @@ struct PointFindings {
 [[nodiscard]] Finding points_are_on_surfaces(const Evidence& e);
 [[nodiscard]] Finding overlap_agrees(const Evidence& e);
 [[nodiscard]] Finding points_agree(const Evidence& e);
+[[nodiscard]] Finding contact_point_is_between(const Evidence& e);
 [[nodiscard]] Finding evaluations_are_few(const Evidence& e);
 
 }  // namespace plumb::law

@@ -62,6 +62,7 @@ Screening screen(const Pair& pair, const Contact<double>& answer, std::span<cons
   }
   const Evidence evidence{pair, Problem::common_normal, answer, no_reference, no_reference.common_normal, {}};
   set(ScreenCheck::itself, law::agrees_with_itself(evidence).severity);
+  set(ScreenCheck::between, law::contact_point_is_between(evidence).severity);
   const law::PointFindings points = law::points_show(evidence);
   set(ScreenCheck::opposite, points.opposite.severity);
   set(ScreenCheck::collinear, points.collinear.severity);

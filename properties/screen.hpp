@@ -18,6 +18,7 @@ enum class ScreenCheck {
   surface,
   own_depth,  ///< the overlap is the depth along the answer's own normal
   lowest,     ///< no witness is a direction of lower depth
+  between,    ///< the contact point, the law of that name
   verdict,    ///< says what the answer's own overlap says
   count
 };

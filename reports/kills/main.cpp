@@ -139,10 +139,14 @@ EngineHunts hunt_hard(const Quarry& quarry, const Options& options) {
 EngineHunts hunt_with_fuzzer(const std::string& name, const Quarry& quarry, const Options& options) {
   const std::filesystem::path source = PLUMB_SOURCE_DIR;
   const std::string program = name.substr(0, name.find(':')), target = program.substr(program.find('-') + 1);
+  for (const auto& file :
+       {std::filesystem::path(options.fuzzers) / program, std::filesystem::path(options.fuzzed_library)})
+    if (!std::filesystem::exists(file))
+      throw InputFailure("--engines", 0, name, file.string() + " is not there: build fuzz-fast and bugs-fuzz");
   EngineHunts out{name, "inputs", {}};
   for (std::uint64_t seed = options.seed; seed < options.seed + options.seeds && !interrupted(); ++seed)
     out.hunts.push_back(hunt_with({std::filesystem::path(options.fuzzers) / program, options.fuzzed_library,
-                                   source / "fuzz/seeds" / target, source / "build/kills", options.inputs, seed,
+                                   source / "fuzz/seeds" / target, source / "build/kills" / name, options.inputs, seed,
                                    name.ends_with(":code")},
                                   quarry));
   return out;

@@ -48,6 +48,12 @@ std::size_t count_killed(const std::vector<EngineHunts>& engines, std::size_t bu
   return count;
 }
 
+/// Those that need no solver without the bug to tell that an answer is wrong.
+std::vector<EngineHunts> without_work(std::vector<EngineHunts> engines) {
+  std::erase_if(engines, [](const EngineHunts& engine) { return engine.name == "work"; });
+  return engines;
+}
+
 std::string heading(const std::vector<EngineHunts>& engines) {
   std::string out = fmt::format("{:<{}}", "bug", kNameWidth);
   for (const EngineHunts& engine : engines) out += fmt::format("{:>{}}", engine.name, kColumn);
@@ -129,6 +135,9 @@ std::string kill_table(const Bugs& bugs, const std::vector<EngineHunts>& engines
       static_cast<std::size_t>(std::ranges::count_if(bugs, [](const auto& b) { return is_equivalent(b); }));
   out += fmt::format("\nkilled: {}; of those that can change an answer: {}\n", share_text(dead, bugs.size()),
                      share_text(dead, bugs.size() - equivalent));
+  const std::vector<EngineHunts> by_laws = without_work(engines);
+  if (by_laws.size() < engines.size() && !by_laws.empty())
+    out += fmt::format("by laws, without the work: {}\n", share_text(count_killed(by_laws, bugs.size()), bugs.size()));
   for (const EngineHunts& engine : engines) out += of_engine(engine, bugs.size());
   for (std::size_t i = 0; i < bugs.size(); ++i)
     if (!is_killed(engines, i) && !bugs[i].survives.empty())

@@ -96,6 +96,7 @@ WrongAnswers wrong_fields() {
         [](Bench& b) { b.answer.point1 += 1e-12 * b.answer.normal, b.answer.point2 -= 1e-12 * b.answer.normal; }}},
       {"overlap", {FindingKind::overlap_error, [](Bench& b) { b.answer.overlap *= 1 + 1e-10; }}},
       {"points", {FindingKind::point_error, [](Bench& b) { b.answer.point1 += 1e-12 * b.across(); }}},
+      {"between", {FindingKind::point_error, [](Bench& b) { b.answer.contact_point.setZero(); }}},
       {"evaluations", {FindingKind::slow, [](Bench& b) { b.answer.evaluations = 1001; }}},
   };
 }

@@ -55,6 +55,8 @@ TEST(Screen, EachCheckSuspectsWhatIsWrong) {
       {"point", ScreenCheck::opposite, [](Contact<double>& c) { c.point1 += 1e-6 * c.normal.unitOrthogonal(); }},
       {"exchanged", ScreenCheck::collinear, [](Contact<double>& c) { std::swap(c.point1, c.point2); }},
       {"depth", ScreenCheck::own_depth, [](Contact<double>& c) { c.overlap += 1e-9; }},
+      {"contact", ScreenCheck::between,
+       [](Contact<double>& c) { c.contact_point += 1e-3 * c.normal.unitOrthogonal(); }},
       {"verdict", ScreenCheck::verdict, [](Contact<double>& c) { c.verdict = Verdict::separated; }}};
   const Pair pair = overlapping_pair();
   const Contact<double> right = solve_by_auto(pair);
