@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "properties/allowance.hpp"
@@ -362,10 +363,13 @@ Finding contact_point_is_between(const Evidence& e) {
   const Contact<double>& a = e.answer;
   if (e.problem != Problem::common_normal || !has_points(e) || !a.contact_point.allFinite()) return {};
   const Vec3<Wide> d = a.point2.cast<Wide>() - a.point1.cast<Wide>();
-  const Vec3<Wide> middle = a.point1.cast<Wide>() + d / 2;
-  const auto off = static_cast<double>((a.contact_point.cast<Wide>() - middle).stableNorm());
-  const double allowed = static_cast<double>(d.stableNorm()) / 2 + 2 * point_rounding(e.pair);
-  return {FindingKind::point_error, severity_of(off, allowed), {}, fmt::format("the contact point is {:.3g} off", off)};
+  const Vec3<Wide> to_point = a.contact_point.cast<Wide>() - a.point1.cast<Wide>();
+  const Wide square = d.squaredNorm(), share = square > 0 ? std::clamp<Wide>(to_point.dot(d) / square, 0, 1) : 0;
+  const auto off = static_cast<double>((to_point - share * d).stableNorm());
+  return {FindingKind::point_error,
+          severity_of(off, 2 * point_rounding(e.pair)),
+          {},
+          fmt::format("the contact point is {:.3g} off", off)};
 }
 
 Finding evaluations_are_few(const Evidence& e) {
