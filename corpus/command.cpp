@@ -74,6 +74,15 @@ CLI::Option* declare_solver(CLI::App& app, ForeignOption& option, const std::str
   return solver;
 }
 
+std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::string& method,
+                                     const std::string& command) {
+  if (!foreign.library.empty()) return load_solver(foreign.library, foreign.limits);
+  if (method.empty()) return std::nullopt;
+  const std::vector<Solver> solvers = find_solvers(method);
+  if (solvers.size() != 1) throw InputFailure("--method", 0, method, command + " takes one method");
+  return solvers.front();
+}
+
 void flush_output() {
   if (std::fflush(stdout) != 0) fail_with("standard output", errno);
 }

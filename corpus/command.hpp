@@ -5,6 +5,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "corpus/solver.hpp"
@@ -20,6 +21,10 @@ struct ForeignOption {
 };
 /// The option --solver, for what excludes it.
 CLI::Option* declare_solver(CLI::App& app, ForeignOption& option, const std::string& help);
+/// The one solver that takes the place of a case's own: the library, else the method of that name; none where neither was named.
+/// `command` is for the refusal of several methods. Throws InputFailure.
+[[nodiscard]] std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::string& method,
+                                                   const std::string& command);
 
 enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interrupted = 130 };
 

@@ -21,14 +21,6 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_flag("--json", args.json, "one object a case");
 }
 
-std::optional<Solver> solver_asked(const Arguments& args) {
-  if (!args.foreign.library.empty()) return load_solver(args.foreign.library, args.foreign.limits);
-  if (args.method.empty()) return std::nullopt;
-  const std::vector<Solver> solvers = find_solvers(args.method);
-  if (solvers.size() != 1) throw InputFailure("--method", 0, args.method, "shrink takes one method");
-  return solvers.front();
-}
-
 Solver solver_of_case(const Case& c, const std::string& file) {
   const std::string name = c.expect.method.value_or("auto");
   // A case must not make us load a library.
@@ -40,7 +32,7 @@ Solver solver_of_case(const Case& c, const std::string& file) {
 }
 
 int shrink_files(const Arguments& args) {
-  const std::optional<Solver> asked = solver_asked(args);
+  const std::optional<Solver> asked = solver_instead(args.foreign, args.method, "shrink");
   bool found = false;
   std::string kept;
   each_case(args.file, [&](const Case& c) {

@@ -38,15 +38,6 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--quiet", options.quiet, "print the cases that differ or were not judged, and the last line, only");
 }
 
-std::optional<Solver> solver_instead(const Options& options) {
-  const auto& [library, limits] = options.library;
-  if (!library.empty()) return load_solver(library, limits);
-  if (options.method.empty()) return std::nullopt;
-  const std::vector<Solver> solvers = find_solvers(options.method);
-  if (solvers.size() != 1) throw InputFailure("--method", 0, options.method, "replay takes one method");
-  return solvers.front();
-}
-
 /// How every case is replayed.
 struct By {
   std::optional<Solver> instead;
@@ -143,7 +134,7 @@ void write_reports(const Options& options, const std::vector<Replayed>& done) {
 
 int replay(const Options& options) {
   const auto store = open_store(options.cache);
-  const By by{solver_instead(options), references_of(store)};
+  const By by{solver_instead(options.library, options.method, "replay"), references_of(store)};
   const Reading reading = read_all(options.paths);
   InOrder in_order(reading.cases, by, options.quiet);
   const std::vector<Replayed> done = in_order.run(options.threads);
