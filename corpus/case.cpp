@@ -112,7 +112,7 @@ Case read_case(const Json& tree) {
   Case out;
   if (const auto name = root.find("name")) out.name = name->text();
   out.pair = read_pair(root);
-  if (const auto motion = root.find("motion")) out.motion = motion->vector();
+  if (const auto motion = root.find("motion")) out.pair.motion = motion->vector();
   if (const auto expect = root.find("expect")) out.expect = read_expect(*expect);
   if (const auto provenance = root.find("provenance")) out.provenance = provenance->value();
   out.extra = read_extra(tree);
@@ -151,7 +151,7 @@ std::string format_case(const Case& c) {
   out["format"] = case_format;
   out["name"] = c.name;
   out["bodies"] = bodies_json(c.pair);
-  if (c.motion) out["motion"] = vector_json(*c.motion);
+  if (!c.pair.motion.isZero(0)) out["motion"] = vector_json(c.pair.motion);
   if (!c.expect.empty()) out["expect"] = expect_json(c.expect);
   if (!c.provenance.is_null()) out["provenance"] = c.provenance;
   for (const auto& [key, value] : c.extra.items()) out[key] = value;

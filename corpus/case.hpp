@@ -32,7 +32,6 @@ struct Expect {
 struct Case {
   std::string name;
   Pair pair;
-  std::optional<Vec3<double>> motion;
   Expect expect;
   Json provenance;  ///< anything; null when absent
   Json extra;       ///< the top-level fields whose names begin with "x_", as an object; null when there are none

@@ -210,7 +210,7 @@ void put_reference(Json& out, const Reference& found, int digits) {
   if (found.common_normal.solved) out["condition"] = condition_in_words(found.common_normal.condition);
 }
 
-void put_potential(Json& out, const Solution& found, int digits) {
+void put_problem(Json& out, const Solution& found, int digits) {
   out["unique"] = name(found.proved ? Claim::proved : Claim::open);
   if (!found.reason.empty()) out["reason"] = found.reason;
   if (!found.proved) return;
@@ -221,9 +221,8 @@ void put_potential(Json& out, const Solution& found, int digits) {
 
 void put_first_touch(Json& out, const FirstTouchProof& found, int digits) {
   out["global"] = name(found.proved ? Claim::proved : Claim::open);
-  if (!found.reason.empty()) out["reason"] = found.reason;
+  if (!found.reason.empty() && !out.contains("reason")) out["reason"] = found.reason;
   out["distance"] = bounds_json(found.distance, digits);
-  put_normal(out, found.normal, found.normal_radius, digits);
 }
 
 void put_stationary(Json& out, const StationarySet& found, int digits) {

@@ -24,8 +24,8 @@ void put_condition_claims(Json& out, const Pair& pair, const Solution& found);
 /// "stationary": every common normal that is proved, and "complete": whether these are proved to be all.
 void put_stationary(Json& out, const StationarySet& found, int digits);
 
-/// A geometric potential's answer: a reference's fields where it is proved, or the reason.
-void put_potential(Json& out, const Solution& found, int digits);
+/// Another problem's answer: a reference's fields where it is proved, or the reason.
+void put_problem(Json& out, const Solution& found, int digits);
 
 /// "distance": bounds of the centres' distance, and the touching normal where it is proved.
 void put_first_touch(Json& out, const FirstTouchProof& found, int digits);

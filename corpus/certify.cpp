@@ -11,8 +11,6 @@
 namespace plumb {
 namespace {
 
-constexpr const char* first_touch_word = "first_touch";
-
 struct Options {
   std::string cases, effort, proof, verify;
   std::string problem = "common_normal";
@@ -22,9 +20,8 @@ struct Options {
 };
 
 std::vector<std::string> problem_words() {
-  std::vector<std::string> out{first_touch_word};
-  for (const Problem problem : {Problem::common_normal, Problem::deepest_points, Problem::midway})
-    out.emplace_back(name(problem));
+  std::vector<std::string> out;
+  for (const Problem problem : problems) out.emplace_back(name(problem));
   return out;
 }
 
@@ -45,8 +42,9 @@ void declare(CLI::App& app, Options& options) {
                             ->excludes(effort)
                             ->excludes(proof);
   app.add_option("--problem", options.problem,
-                 "another problem than the common normal's: a geometric potential's (deepest_points, midway) or the "
-                 "centre distance at first touch along the line of centres (first_touch)")
+                 "another problem than the common normal's: a geometric potential's (deepest_points, midway) or that "
+                 "of the relative motion undone, with the centre distance at first touch along the line of centres "
+                 "(first_touch)")
       ->check(CLI::IsMember(problem_words()))
       ->excludes(all)
       ->excludes(effort)
@@ -129,18 +127,17 @@ class CertifyRun {
   int code_ = exit_done;
 };
 
-Problem potential_of(const Options& options) {
-  return options.problem == name(Problem::midway) ? Problem::midway : Problem::deepest_points;
+Problem problem_of(const Options& options) {
+  return *std::find_if(problems.begin(), problems.end(), [&](Problem p) { return options.problem == name(p); });
 }
 
 /// The answer to another problem than the common normal's, with its proof.
 void certify_problem(const Case& c, const Options& options) {
   const Stopwatch watch;
   Json out{{"name", c.name}, {"problem", options.problem}};
-  if (options.problem == first_touch_word)
-    put_first_touch(out, prove_first_touch(c.pair), options.digits);
-  else
-    put_potential(out, find_potential_reference(c.pair, potential_of(options)), options.digits);
+  const Problem problem = problem_of(options);
+  put_problem(out, find_problem_reference(c.pair, problem), options.digits);
+  if (problem == Problem::first_touch) put_first_touch(out, prove_first_touch(c.pair), options.digits);
   out["digits"] = options.digits;
   out["timing"]["ms"] = watch.milliseconds();
   print(out, options.json);

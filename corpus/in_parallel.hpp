@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <thread>
 #include <vector>
 
@@ -10,15 +11,25 @@
 
 namespace plumb {
 
-/// work(0) .. work(count - 1), begun in this order, until Ctrl-C. What work throws ends the program.
+/// work(0) .. work(count - 1), begun in this order, until Ctrl-C or until work throws: the first exception is thrown on when all
+/// that was begun has ended.
 template <class Work>
 void in_parallel(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next{0};
-  std::vector<std::jthread> workers;
-  for (unsigned thread = 0; thread < threads; ++thread)
-    workers.emplace_back([&] {
-      for (std::size_t i = next++; i < count && !interrupted(); i = next++) work(i);
-    });
+  std::atomic<bool> has_thrown{false};
+  std::exception_ptr thrown;
+  const auto work_on = [&] {
+    try {
+      for (std::size_t i = next++; i < count && !interrupted() && !has_thrown; i = next++) work(i);
+    } catch (...) {
+      if (!has_thrown.exchange(true)) thrown = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned thread = 0; thread < threads; ++thread) workers.emplace_back(work_on);
+  }
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 }  // namespace plumb

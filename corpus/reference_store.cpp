@@ -36,7 +36,9 @@ std::string fingerprint(const std::string& text) {
 
 /// What a file says was asked. The decimals are one-to-one with the doubles' bits, so that equal texts are equal pairs.
 Json question_json(const Pair& pair, const char* field, std::string_view asked) {
-  return {{"format", "plumb/reference-1"}, {field, asked}, {"bodies", bodies_json(pair)}};
+  Json out{{"format", "plumb/reference-1"}, {field, asked}, {"bodies", bodies_json(pair)}};
+  if (asked == name(Problem::first_touch)) out["motion"] = vector_json(pair.motion);
+  return out;
 }
 
 /// A reference without its proof.
@@ -56,12 +58,12 @@ struct KeptReference {
   static Reference read(const Field& field) { return read_reference(field); }
 };
 
-struct KeptPotential {
+struct KeptOther {
   using Answer = Solution;
   Problem problem;
 
   [[nodiscard]] Json question(const Pair& pair) const { return question_json(pair, "problem", name(problem)); }
-  [[nodiscard]] Solution compute(const Pair& pair) const { return find_potential_reference(pair, problem); }
+  [[nodiscard]] Solution compute(const Pair& pair) const { return find_problem_reference(pair, problem); }
   static Json to_json(const Solution& answer) { return solution_json(answer); }
   static Solution read(const Field& field) { return read_solution(field); }
 };
@@ -156,8 +158,8 @@ Reference ReferenceStore::find(const Pair& pair, Effort effort) const {
   return find_kept(pair, KeptReference{effort});
 }
 
-Solution ReferenceStore::find_potential(const Pair& pair, Problem problem) const {
-  return find_kept(pair, KeptPotential{problem});
+Solution ReferenceStore::find_other(const Pair& pair, Problem problem) const {
+  return find_kept(pair, KeptOther{problem});
 }
 
 fs::path ReferenceStore::file_of(const Pair& pair, Effort effort) const {
@@ -187,7 +189,7 @@ std::shared_ptr<const ReferenceStore> open_store(const std::string& dir) {
 ReferenceSource references_of(const std::shared_ptr<const ReferenceStore>& store) {
   if (!store) return {};
   return {[store](const Pair& pair, Effort effort) { return store->find(pair, effort); },
-          [store](const Pair& pair, Problem problem) { return store->find_potential(pair, problem); }};
+          [store](const Pair& pair, Problem problem) { return store->find_other(pair, problem); }};
 }
 
 std::string in_words(const StoreCounts& counts) {

@@ -35,8 +35,8 @@ class ReferenceStore {
   /// different from a miss.
   [[nodiscard]] Reference find(const Pair& pair, Effort effort = Effort::digits) const;
 
-  /// find_potential_reference(pair, problem).
-  [[nodiscard]] Solution find_potential(const Pair& pair, Problem problem) const;
+  /// find_problem_reference(pair, problem).
+  [[nodiscard]] Solution find_other(const Pair& pair, Problem problem) const;
 
   /// Where the answer is, or would be.
   [[nodiscard]] std::filesystem::path file_of(const Pair& pair, Effort effort) const;

@@ -13,8 +13,9 @@ namespace {
 // The source paper's methods, new_cn among them. Everything else in the list is plumb's own, and a finding of it is a
 // failure of plumb.
 bool is_baseline(std::string_view method) {
-  constexpr std::array<std::string_view, 5> baselines{"original_cn", "corrected_cn", "new_cn", "geometric_potential",
-                                                      "geometric_potential_midway"};
+  constexpr std::array<std::string_view, 7> baselines{
+      "original_cn",      "corrected_cn", "new_cn", "geometric_potential", "geometric_potential_midway",
+      "minimum_distance", "first_touch"};
   return std::find(baselines.begin(), baselines.end(), method) != baselines.end();
 }
 

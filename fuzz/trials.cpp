@@ -8,6 +8,7 @@
 
 #include "corpus/shape_class.hpp"
 #include "properties/laws.hpp"
+#include "properties/laws_answer.hpp"
 
 namespace plumb {
 namespace {
@@ -24,10 +25,6 @@ std::optional<Contact<double>> answer_of(const Solver& solver, const Pair& pair)
   }
 }
 
-bool is_whole(const Contact<double>& a) {
-  return std::isfinite(a.overlap) && a.normal.allFinite() && a.point1.allFinite() && a.point2.allFinite();
-}
-
 /// The laws before any that looks at the reference: an answer that is flagged by its status has its finding from them.
 Judgement judge_by_status(const Solver& solver, const Pair& pair, const Contact<double>& answer) {
   Reference nothing;
@@ -38,7 +35,7 @@ Judgement judge_by_status(const Solver& solver, const Pair& pair, const Contact<
 /// To within what no law can object to.
 bool agree(const Pair& pair, const Contact<double>& a, const Contact<double>& b) {
   const double few = 4 * std::numeric_limits<double>::epsilon(), size = size_of(pair);
-  return is_whole(a) && is_whole(b) && std::abs(a.overlap - b.overlap) <= few * size &&
+  return law::is_whole(a) && law::is_whole(b) && std::abs(a.overlap - b.overlap) <= few * size &&
          (a.normal - b.normal).norm() <= few && (a.point1 - b.point1).norm() <= few * size &&
          (a.point2 - b.point2).norm() <= few * size;
 }
@@ -66,7 +63,7 @@ Trials::Trials(const Solver& solver, FindingKind kind, bool hasty)
 bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
   switch (kind_) {
     case FindingKind::nonconverged: return false;  // it converged
-    case FindingKind::not_finite: return !is_whole(answer) || !answer.contact_point.allFinite();
+    case FindingKind::not_finite: return !law::is_whole(answer) || !answer.contact_point.allFinite();
     case FindingKind::false_contact: return answer.verdict == Verdict::overlapping;
     case FindingKind::missed_contact: return answer.verdict != Verdict::overlapping;
     default: break;

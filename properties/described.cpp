@@ -47,6 +47,7 @@ Pair in_axes_of_body1(const Pair& pair) {
   out.body1.quaternion = {1, 0, 0, 0};
   out.body2.position = rotation<double>(back) * (pair.body2.position - pair.body1.position);
   out.body2.quaternion = product(back, pair.body2.quaternion);
+  out.motion = rotation<double>(back) * pair.motion;
   return out;
 }
 
@@ -62,6 +63,7 @@ Described describe(const Pair& pair) {
 Json described_json(const Described& described) {
   Json out;
   out["bodies"] = bodies_json(described.pair);
+  if (!described.pair.motion.isZero(0)) out["motion"] = vector_json(described.pair.motion);
   for (std::size_t i = 0; i < 2 && described.euler_deg; ++i) {
     const Vec3<double>& angles = (*described.euler_deg)[i];
     out["bodies"][i]["orientation"] = {{"euler_zxz_deg", {angles[0], angles[1], angles[2]}}};

@@ -5,6 +5,7 @@
 
 #include "properties/allowance.hpp"
 #include "properties/laws_answer.hpp"
+#include "properties/laws_problem.hpp"
 #include "properties/laws_symmetry.hpp"
 
 namespace plumb {
@@ -19,11 +20,12 @@ constexpr std::array all_laws{
     Law{"opposite", "n1 + n2 = 0", law::normals_are_opposite},
     Law{"collinear", "p2 - p1 = -overlap n1", law::points_lie_on_the_normal},
     Law{"normal", "the unit normal is the certified one", law::normal_agrees},
-    Law{"itself", "p1 - p2 = overlap times normal", law::agrees_with_itself},
+    Law{"itself", "p1 - p2 = overlap times normal (first touch: along the normal)", law::agrees_with_itself},
     Law{"deepest", "no point of a surface lies deeper in the other's potential than its own point",
         law::points_are_deepest},
     Law{"balance", "midway: equal potentials and opposite gradients at the contact point",
         law::potentials_balance_midway},
+    Law{"undone", "first touch: p1 - p2 lies along the motion that is undone", law::motion_is_undone},
     Law{"surface", "each point is on its body's surface", law::points_are_on_surfaces},
     Law{"overlap", "the overlap is the certified one", law::overlap_agrees},
     Law{"points", "the points are the certified ones", law::points_agree},
@@ -34,7 +36,7 @@ constexpr std::array all_laws{
         law::limits_are_reached},
     Law{"unit", "a change of the unit of length changes nothing else", law::unit_changes_nothing},
     Law{"repeat", "the same pair gives the same bits", law::repeats_bit_for_bit},
-    Law{"evaluations", "at most 1000 evaluations", law::evaluations_are_few},
+    Law{"evaluations", "at most 2000 evaluations", law::evaluations_are_few},
 };
 
 /// Laws that need no certified answer to the method's own problem: bounds and verdict will do.
@@ -105,7 +107,7 @@ std::string_view meaning(FindingKind kind) {
     case FindingKind::point_error: return "not the certified points";
     case FindingKind::asymmetric: return "changes when the bodies are exchanged, moved or measured in another unit";
     case FindingKind::nondeterministic: return "changes from call to call";
-    case FindingKind::slow: return "took more than 1000 evaluations, or did not come back";
+    case FindingKind::slow: return "took more than 2000 evaluations, or did not come back";
     case FindingKind::none: break;
   }
   return "breaks no law";
@@ -150,8 +152,8 @@ const Reference& Judge::reference(Effort effort) {
 
 const Solution& Judge::solution(Problem problem, const Reference& reference) {
   if (problem == Problem::common_normal) return reference.common_normal;
-  std::optional<Solution>& slot = problem == Problem::midway ? midway_ : deepest_;
-  if (!slot) slot = source_.potential(pair_, problem);
+  std::optional<Solution>& slot = others_[static_cast<std::size_t>(problem)];
+  if (!slot) slot = source_.other(pair_, problem);
   return *slot;
 }
 

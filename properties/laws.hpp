@@ -2,6 +2,7 @@
 // the test suite, the fuzzers, the campaign and replay alike.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -110,8 +111,8 @@ class Judge {
 
   Pair pair_;
   ReferenceSource source_;
-  std::deque<Reference> references_;  ///< by effort
-  std::optional<Solution> deepest_, midway_;
+  std::deque<Reference> references_;                             ///< by effort
+  std::array<std::optional<Solution>, problems.size()> others_;  ///< by problem
   std::optional<reference::SolutionSet> all_solutions_;
   std::optional<reference::NearbyAnswers> nearby_;
 };

@@ -8,6 +8,11 @@ namespace plumb::law {
 /// The certified solution that the answer is held against: of several that tie within rounding, the nearest.
 [[nodiscard]] const Solution& nearest(const Evidence& e);
 
+/// Overlap, normal and both points are numbers.
+[[nodiscard]] bool is_whole(const Contact<double>& answer);
+
+[[nodiscard]] bool has_points(const Evidence& e);
+
 /// What the points say of the surfaces and the normals there: three laws from one look, for who asks for all of them.
 struct PointFindings {
   Finding opposite, collinear, surface;
@@ -21,8 +26,6 @@ struct PointFindings {
 [[nodiscard]] Finding normals_are_opposite(const Evidence& e);
 [[nodiscard]] Finding points_lie_on_the_normal(const Evidence& e);
 [[nodiscard]] Finding agrees_with_itself(const Evidence& e);
-[[nodiscard]] Finding points_are_deepest(const Evidence& e);
-[[nodiscard]] Finding potentials_balance_midway(const Evidence& e);
 [[nodiscard]] Finding normal_agrees(const Evidence& e);
 [[nodiscard]] Finding points_are_on_surfaces(const Evidence& e);
 [[nodiscard]] Finding overlap_agrees(const Evidence& e);

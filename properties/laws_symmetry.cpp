@@ -132,7 +132,7 @@ Finding rigid_motion_changes_nothing(const Evidence& e) {
   if (!e.solve || is_tied(e)) return {};
   const Contact<double>& a = e.answer;
   const Motion motion(e.pair);
-  const Pair asked{moved(e.pair.body1, motion), moved(e.pair.body2, motion)};
+  const Pair asked{moved(e.pair.body1, motion), moved(e.pair.body2, motion), cycled(e.pair.motion)};
   const double far = far_from_origin(asked) / size_of(e.pair);  // rounding of the new positions
   return compare(e, asked,
                  {a.overlap, cycled(a.normal), motion(a.point1), motion(a.point2), 1 + 2 * far,
@@ -143,7 +143,7 @@ Finding rigid_motion_changes_nothing(const Evidence& e) {
 Finding limits_are_reached(const Evidence& e) {
   if (!e.solve || is_tied(e)) return {};
   const Contact<double>& a = e.answer;
-  if (is_sphere(e.pair.body1) && is_sphere(e.pair.body2)) {
+  if (is_sphere(e.pair.body1) && is_sphere(e.pair.body2) && e.pair.motion.isZero(0)) {
     const Vec3<Wide> d = e.pair.body2.position.cast<Wide>() - e.pair.body1.position.cast<Wide>();
     const Wide overlap = Wide(e.pair.body1.shape.semi_axes[0]) + e.pair.body2.shape.semi_axes[0] - d.norm();
     const double error = static_cast<double>(std::abs(overlap - a.overlap));
@@ -168,7 +168,7 @@ Finding limits_are_reached(const Evidence& e) {
 Finding unit_changes_nothing(const Evidence& e) {
   if (!e.solve || !in_normal_range(e.pair)) return {};
   const double unit = 1024;
-  const Contact<double> got = e.solve({rescaled(e.pair.body1, unit), rescaled(e.pair.body2, unit)});
+  const Contact<double> got = e.solve({rescaled(e.pair.body1, unit), rescaled(e.pair.body2, unit), e.pair.motion});
   if (same_contact(e.answer, got, unit)) return {};
   if (e.unit_keeps_bits)
     return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};

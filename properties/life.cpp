@@ -20,6 +20,8 @@ bool is_open(const Replayed& replayed) {
 }
 
 std::string out_of_place(Life life, const Replayed& replayed) {
+  const bool is_anothers = replayed.finding.kind != FindingKind::none && !replayed.is_own;
+  if (life == Life::open && is_anothers) return "fails, but open/ is for plumb's own methods";
   if (life == Life::open) return is_open(replayed) ? "" : "no longer fails: promote it";
   return is_open(replayed) ? "fails or cannot be judged: its place is open/" : "";
 }

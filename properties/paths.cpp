@@ -53,7 +53,7 @@ std::vector<Case> steps_of(std::string_view name, const std::vector<Draft>& draf
   for (const Draft& draft : drafts) {
     Json provenance{{"path", name}, {"step", out.size()}, {"steps", drafts.size()}};
     provenance.update(draft.facts);
-    out.push_back({fmt::format("{}-{:02}", name, out.size()), draft.pair, {}, {}, std::move(provenance), {}});
+    out.push_back({fmt::format("{}-{:02}", name, out.size()), draft.pair, {}, std::move(provenance), {}});
   }
   return out;
 }

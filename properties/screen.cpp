@@ -29,11 +29,6 @@ double excess_over(const PlacedPair<Wide>& placed, double overlap, const Vec3<do
   return static_cast<double>(overlap - depth);
 }
 
-bool is_whole(const Contact<double>& answer) {
-  return answer.status == Status::converged && std::isfinite(answer.overlap) && answer.normal.allFinite() &&
-         answer.point1.allFinite() && answer.point2.allFinite();
-}
-
 /// Against its own overlap; an undecided one is left open within twice the floor that every method documents.
 double verdict_severity(const Pair& pair, const Contact<double>& answer) {
   const double allowed = 2 * law::few_of(size_of(pair));
@@ -56,7 +51,7 @@ Screening screen(const Pair& pair, const Contact<double>& answer, std::span<cons
     slot = std::max(slot, severity);
     out.worst = std::max(out.worst, severity);
   };
-  if (!is_whole(answer)) {
+  if (answer.status != Status::converged || !law::is_whole(answer)) {
     set(ScreenCheck::converges, law::wrong_altogether);
     return out;
   }

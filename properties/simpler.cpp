@@ -43,7 +43,7 @@ bool same(const Pair& a, const Pair& b) {
   const auto equal = [](const Body& x, const Body& y) {
     return same(x.shape, y.shape) && x.position == y.position && x.quaternion == y.quaternion;
   };
-  return equal(a.body1, b.body1) && equal(a.body2, b.body2);
+  return equal(a.body1, b.body1) && equal(a.body2, b.body2) && a.motion == b.motion;
 }
 
 int cost_of_rotations(const Described& d) {

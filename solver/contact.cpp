@@ -47,12 +47,16 @@ bool is_valid(const Body& body) {
 }  // namespace
 
 bool is_valid(const Pair& pair) {
-  return is_valid(pair.body1) && is_valid(pair.body2);
+  const Vec3<double> motion = pair.motion * 0;
+  return is_valid(pair.body1) && is_valid(pair.body2) && motion.sum() == 0;
 }
 
 InputError find_input_error(const Pair& pair) {
   const InputError first = find_body_error(pair.body1, 0);
-  return first.reason.empty() ? find_body_error(pair.body2, 1) : first;
+  if (!first.reason.empty()) return first;
+  const InputError second = find_body_error(pair.body2, 1);
+  if (!second.reason.empty() || pair.motion.allFinite()) return second;
+  return {"motion", "must be finite", -1};
 }
 
 std::string_view name(Status status) {
@@ -81,6 +85,7 @@ std::string_view name(Problem problem) {
     case Problem::common_normal: return "common_normal";
     case Problem::deepest_points: return "deepest_points";
     case Problem::midway: return "midway";
+    case Problem::first_touch: return "first_touch";
   }
   return "common_normal";
 }

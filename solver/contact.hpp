@@ -45,6 +45,9 @@ struct Body {
 struct Pair {
   Body body1;
   Body body2;
+  /// Body 2's velocity relative to body 1's, any unit and length; zero: not known. Only its direction counts, and only for
+  /// Problem::first_touch.
+  Vec3<double> motion = Vec3<double>::Zero();
 };
 
 /// What the caller pays for. The methods of the literature fill overlap, normal and points in any case, for they come out of
@@ -119,8 +122,12 @@ struct Contact {
 enum class Problem {
   common_normal,   ///< normals opposite, the line through the points along them, lowest overlap
   deepest_points,  ///< geometric potential: the point of each surface where the other's potential is lowest
-  midway           ///< geometric potential: the point where both potentials are equal and their gradients opposite
+  midway,          ///< geometric potential: the point where both potentials are equal and their gradients opposite
+  first_touch      ///< the single point at which the bodies touch where their relative motion is undone
 };
+
+inline constexpr std::array problems{Problem::common_normal, Problem::deepest_points, Problem::midway,
+                                     Problem::first_touch};
 
 [[nodiscard]] std::string_view name(Status status);
 [[nodiscard]] std::string_view name(Verdict verdict);
@@ -130,7 +137,7 @@ enum class Problem {
 struct InputError {
   std::string_view field;
   std::string_view reason;
-  int body = 0;
+  int body = 0;  ///< -1: of the pair
 };
 [[nodiscard]] InputError find_input_error(const Pair& pair);
 /// The same without words, in a few nanoseconds.
@@ -138,7 +145,7 @@ struct InputError {
 
 /// The pair with its bodies exchanged.
 [[nodiscard]] inline Pair swapped(const Pair& pair) {
-  return {pair.body2, pair.body1};
+  return {pair.body2, pair.body1, -pair.motion};
 }
 
 /// The larger body's size (its longest semi-axis): the length to which every error is relative.

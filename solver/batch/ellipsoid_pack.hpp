@@ -20,7 +20,7 @@ class EllipsoidPack {
   [[gnu::always_inline]] EllipsoidPack(const EllipsoidPair<P>& pair, const Want& want)
       : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)),
         floor_(P(newton::noise_multiple * std::numeric_limits<double>::epsilon()) * pair.size),
-        asked_(P(want.tolerance) * pair.size), enough_(max(floor_, asked_)), at_(direction_point(pair, start(pair))) {}
+        enough_(max(floor_, P(want.tolerance) * pair.size)), at_(direction_point(pair, start(pair))) {}
 
   [[nodiscard, gnu::always_inline]] PackContact<P> solve() {
     iterate();
@@ -112,17 +112,14 @@ class EllipsoidPack {
     const TwinMask<P> both_lanes(lanes, lanes);
     const Vector3<P> n = at_.n;
     const Both<P> h = at_.touch.h;
-    const Vector3<Both<P>> p = at_.touch.p;
-    follow(at_, radii(pair_, at_.touch), last_step_);
+    follow(at_, last_step_);
     at_.n = blend(lanes, at_.n, n);
     at_.touch.h = blend(both_lanes, at_.touch.h, h);
-    at_.touch.p = blend(both_lanes, at_.touch.p, p);
   }
 
   /// Newton on the points, of the lanes that need it.
   [[gnu::always_inline]] void settle() {
-    const Lanes asks_for_all = asked_ <= floor_ && reach(pair_, at_) > P(newton::coarse) * pair_.size;
-    const Lanes lanes = settled_ && (asks_for_all || at_.error > enough_);
+    const Lanes lanes = settled_ && at_.error > enough_;
     if (none_of(lanes)) return;
     const Vector3<Both<P>> p = at_.touch.p;
     Settling<P> now = settling(pair_, at_);
@@ -149,7 +146,7 @@ class EllipsoidPack {
 
   const EllipsoidPair<P>& pair_;
   int limit_;
-  P floor_, asked_, enough_;
+  P floor_, enough_;
   DirectionPoint<P> at_;
   Lanes settled_ = Lanes(false);
   Vector3<P> last_step_ = absent<P>();  ///< NaN where the last was one like any other

@@ -57,20 +57,31 @@ struct Offsets {
   [[nodiscard]] PointPair<S> points(const PlacedPair<S>& pair) const { return {r1, pair.body2.centre + r2}; }
 };
 
-/// The documented start: where the line of centres leaves the sphere about each body whose radius is the longest semi-axis
-/// (the spheres that a DEM code has tested for contact just before). Coinciding centres: the line along z.
+/// From body 1's centre to body 2's, unit; z where they coincide.
 template <class S>
-[[nodiscard]] inline Offsets<S> centre_line_start(const PlacedPair<S>& pair) {
+[[nodiscard]] inline Vec3<S> centre_line(const PlacedPair<S>& pair) {
   const Vec3<S>& c = pair.body2.centre;
-  const Vec3<S> line = c.isZero(S(0)) ? Vec3<S>::UnitZ().eval() : c / c.stableNorm();
+  return c.isZero(S(0)) ? Vec3<S>::UnitZ().eval() : (c / c.stableNorm()).eval();
+}
+
+/// Where a line (unit) leaves body 1's and enters body 2's sphere about its centre, of its longest semi-axis for a radius.
+template <class S>
+[[nodiscard]] inline Offsets<S> start_along(const PlacedPair<S>& pair, const Vec3<S>& line) {
   return {line * pair.body1.shape.semi_axes.maxCoeff(), -line * pair.body2.shape.semi_axes.maxCoeff()};
 }
 
-/// The points of an earlier contact where there is one, otherwise the documented start.
+/// The points of an earlier contact where there is one, otherwise those along a line.
+template <class S>
+[[nodiscard]] inline Offsets<S> start_points(const PlacedPair<S>& placed, const Pair& pair, const Contact<S>* last,
+                                             const Vec3<S>& line) {
+  if (last == nullptr || !last->point1.allFinite() || !last->point2.allFinite()) return start_along<S>(placed, line);
+  return {placed.to_pair_point(last->point1, pair), placed.to_pair_point(last->point2, pair) - placed.body2.centre};
+}
+
+/// The documented start is along the line of centres (the spheres are those that a DEM code has tested for contact just before).
 template <class S>
 [[nodiscard]] inline Offsets<S> start_points(const PlacedPair<S>& placed, const Pair& pair, const Contact<S>* last) {
-  if (last == nullptr || !last->point1.allFinite() || !last->point2.allFinite()) return centre_line_start<S>(placed);
-  return {placed.to_pair_point(last->point1, pair), placed.to_pair_point(last->point2, pair) - placed.body2.centre};
+  return start_points<S>(placed, pair, last, centre_line<S>(placed));
 }
 
 /// |overlap| up to this many epsilon of the pair's size leaves the verdict of the published methods undecided.

@@ -4,20 +4,10 @@
 #include "solver/method/common.hpp"
 #include "solver/method/common_normal.hpp"
 #include "solver/method/newton.hpp"
+#include "solver/method/opposite_normals.hpp"
 
 namespace plumb {
 namespace detail {
-
-/// What the three systems have in common at (r1, r2), each from its body's centre.
-template <class S>
-struct PairTerms {
-  SurfaceTerms<S> s1, s2;
-  Vec3<S> d;
-
-  PairTerms(const PlacedPair<S>& pair, const Vec3<S>& r1, const Vec3<S>& r2)
-      : s1(surface_terms_about_centre<S>(pair.body1, r1)), s2(surface_terms_about_centre<S>(pair.body2, r2)),
-        d(pair.body2.centre + (r2 - r1)) {}
-};
 
 /// Eqs. 1 to 4: both points on their surfaces, x and y of the normals opposite.
 template <class S>
@@ -70,12 +60,8 @@ struct NewSystem {
     const S& overlap = x[6];
     const S size = pair.size();
     Linearisation<S, 8, 7> f;
-    f.value << t.s1.gauge - S(1), t.s2.gauge - S(1), t.s1.normal + t.s2.normal, (t.d + overlap * t.s1.normal) / size;
-    f.jacobian.setZero();
-    f.jacobian.template block<1, 3>(0, 0) = t.s1.gradient.transpose();
-    f.jacobian.template block<1, 3>(1, 3) = t.s2.gradient.transpose();
-    f.jacobian.template block<3, 3>(2, 0) = t.s1.dnormal;
-    f.jacobian.template block<3, 3>(2, 3) = t.s2.dnormal;
+    set_opposite_normals<S>(f, t);
+    f.value.template tail<3>() = (t.d + overlap * t.s1.normal) / size;
     f.jacobian.template block<3, 3>(5, 0) = (overlap * t.s1.dnormal - Mat3<S>::Identity()) / size;
     f.jacobian.template block<3, 3>(5, 3) = Mat3<S>::Identity() / size;
     f.jacobian.template block<3, 1>(5, 6) = t.s1.normal / size;
@@ -85,20 +71,6 @@ struct NewSystem {
     return f;
   }
 };
-
-template <class S, int Unknowns>
-[[nodiscard]] Contact<S> to_contact(std::string_view method, const NewtonResult<S, Unknowns>& result, const Want& want,
-                                    const PlacedPair<S>& placed, const Pair& pair) {
-  Contact<S> out;
-  out.method = method;
-  out.status = result.status;
-  out.iterations = result.iterations;
-  out.evaluations = result.evaluations;
-  const Offsets<S> found{result.x.template head<3>(), result.x.template segment<3>(3)};
-  const PointPair<S> at = found.points(placed);
-  set_contact<S>(out, want, placed, pair, at, surface_terms<S>(placed.body1, at.x1).normal);
-  return out;
-}
 
 template <class S, bool keep_signs>
 [[nodiscard]] Contact<S> solve_lin_ng(const Pair& pair, const Want& want, const Contact<S>* last) {

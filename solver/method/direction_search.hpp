@@ -32,9 +32,9 @@ namespace plumb {
 template <class S, class Form, class Answer>
 class DirectionSearch {
  public:
-  DirectionSearch(const Form& form, const S& size, const Answer& first,
-                  const std::optional<TurnSlope<S>>& turn = std::nullopt)
-      : form_(form), found_(form, size, first), turn_(turn) {
+  DirectionSearch(const Form& form, const S& size, const Answer& first, int limit,
+                  const std::optional<TurnSlope<S>>& turn)
+      : form_(form), found_(form, size, first, limit), turn_(turn) {
     const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
     forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
   }
@@ -47,6 +47,7 @@ class DirectionSearch {
     found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
   }
+  [[nodiscard]] const Answer& best() const { return found_.best(); }
 
  private:
   using Found = Lowest<S, Form, Answer>;
@@ -66,7 +67,7 @@ class DirectionSearch {
   static constexpr double known_reach = 4;    // half edges of a cell
   static constexpr int first_insisting = 4;   // level: of wider cells a start may be far from the minimum
   static constexpr int last_insisting = 700;  // a descent below
-  static constexpr int most_seen = Found::most_evaluations + most_cuts, longest_queue = faces + 4 * most_seen;
+  static constexpr int most_seen = last_limit + most_cuts, longest_queue = faces + 4 * most_seen;
   static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Game::most_witnesses));
 
   /// Small, for there may be thousands.

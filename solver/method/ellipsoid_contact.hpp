@@ -3,6 +3,7 @@
 
 #include "solver/method/ellipsoid_guard.hpp"
 #include "solver/method/ellipsoid_newton.hpp"
+#include "solver/method/ellipsoid_search.hpp"
 #include "solver/method/search.hpp"
 
 namespace plumb {
@@ -63,6 +64,28 @@ template <class S>
 
 inline constexpr int few_iterations = 14;
 
+/// The lowest common normal, by searches from `found` on.
+template <class S>
+[[nodiscard, gnu::noinline]] inline EllipsoidContact<S>
+searched_contact(const Pair& bodies, const EllipsoidPair<S>& pair, const Want& want, const EllipsoidContact<S>& found) {
+  const PlacedPair<S> placed = place<S>(bodies);
+  const std::optional<Vector3<S>> axis = common_axis(placed);
+  const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
+  const auto by_heights = [&](const auto& of, const EllipsoidContact<S>& best) {
+    using Form = std::decay_t<decltype(of)>;
+    if constexpr (std::is_floating_point_v<S>)
+      return EllipsoidSearch<S, Form, EllipsoidContact<S>>(of, best, last_limit, pair).lowest();
+    else  // of 50 digits cells would be divided too often, and Eigen has no eigenvectors
+      return Lowest<S, Form, EllipsoidContact<S>>(of, pair.size, best, 0).answer(false);
+  };
+  if (const std::optional<BandPair<S>> bands = BandPair<S>::of(placed))
+    return lowest_by_latitude(*bands, form, pair.size, found, by_heights);
+  DirectionSearch<S, EllipsoidForm<S>, EllipsoidContact<S>> by_direction(
+      form, pair.size, found, std::is_floating_point_v<S> ? first_limit : last_limit, TurnSlope<S>::of(placed));
+  const EllipsoidContact<S> lowest = by_direction.lowest();
+  return lowest.status == Status::converged ? lowest : by_heights(form, by_direction.best());
+}
+
 /// `found` where it is surely the lowest, else the cold start's, should it be from a warm one, else the lowest of a search.
 template <class S>
 [[nodiscard]] inline EllipsoidContact<S> lowest_contact(const Pair& bodies, const EllipsoidPair<S>& pair,
@@ -71,10 +94,7 @@ template <class S>
   if (found.status != Status::converged && want.iteration_limit < few_iterations) return found;  // asked to stop
   if (is_warm) found = or_cold_contact(pair, want, found);
   if (is_warm && is_surely_lowest<S>(pair, found)) return found;
-  const PlacedPair<S> placed = place<S>(bodies);
-  const std::optional<Vector3<S>> axis = common_axis(placed);
-  const EllipsoidForm<S> form{pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)})};
-  return lowest_of_search(placed, form, pair.size, found);
+  return searched_contact(bodies, pair, want, found);
 }
 
 }  // namespace plumb

@@ -6,7 +6,7 @@
 // rolls           All radii of curvature of K are at least r = r1 + r2, the bodies' least radii (least semi-axis squared
 //                 over the longest). By Blaschke's rolling theorem K = K' + (ball of radius r), so that o - r is the overlap
 //                 with K': where it is negative c lies outside K', and a point has one projection on a convex set.
-// is_inner_lowest |A1 v| + |A2 v| >= |(A1 + Q A2) v| for every rotation or reflection Q: one ellipsoid E inside K. Q takes
+// is_inner_lowest |A1 v| + |A2 v| >= |(A1 + Q A2) v| for every rotation Q: one ellipsoid E inside K. Q takes
 //                 u2 to u1, so that E touches K along n, and is free to turn about u1: the best Q makes the rest agree
 //                 (orthogonal Procrustes problem in the plane). c is nearest to E's surface along n if and only if
 //                 E's matrix B'B - o h I has no negative eigenvalue (h = h1 + h2; the secular equation of a point's
@@ -53,27 +53,24 @@ template <class S>
   return {AcrossRows<S>{first(r0), first(r1)}, AcrossRows<S>{second(r0), second(r1)}};
 }
 
-/// (cosine, sine) of the turn, or of the turn after a reflection, that makes the rows of `b` most like those of `a`.
+/// (cosine, sine) of the turn that makes the rows of `b` most like those of `a`. No reflection makes them more so: both pairs of rows span
+/// the plane across n, oriented alike, for A^-1 u is a multiple of n.
 template <class S>
 struct ClosestTurn {
-  S cosine, sine, sign;
+  S cosine, sine;
 
   ClosestTurn(const AcrossRows<S>& a, const AcrossRows<S>& b) {
-    using std::max;
     using std::sqrt;
-    const S k00 = dot(a.first, b.first), k01 = dot(a.first, b.second), k10 = dot(a.second, b.first),
-            k11 = dot(a.second, b.second);
-    const S turned = (k00 + k11) * (k00 + k11) + (k01 - k10) * (k01 - k10);
-    const S mirrored = (k00 - k11) * (k00 - k11) + (k01 + k10) * (k01 + k10);
-    sign = blend(turned >= mirrored, S(1), S(-1));
-    const S length = sqrt(max(turned, mirrored));
-    cosine = blend(length > S(0), S((k00 + sign * k11) / length), S(1));
-    sine = blend(length > S(0), S((k01 - sign * k10) / length), S(0));
+    const S along = dot(a.first, b.first) + dot(a.second, b.second),
+            across = dot(a.first, b.second) - dot(a.second, b.first);
+    const S length = sqrt(along * along + across * across);
+    cosine = blend(length > S(0), S(along / length), S(1));
+    sine = blend(length > S(0), S(across / length), S(0));
   }
   [[nodiscard]] AcrossRows<S> operator()(const AcrossRows<S>& b) const {
     AcrossRows<S> out = b;
     out.first = b.first * cosine + b.second * sine;
-    out.second = (b.second * cosine - b.first * sine) * sign;
+    out.second = b.second * cosine - b.first * sine;
     return out;
   }
 };

@@ -71,7 +71,7 @@ class EllipsoidNewton {
         is_ring_ ? newton_step(held(sum(h), out.at, axis_), out.at, newton::tie_on_ring) : newton_step(sum(h), out.at);
     S turn = squared_turn(pair_, out.at, step);
     if (turn < newton::last_turn<S>() * newton::last_turn<S>() && lands(sum(h), out.at, step))
-      return follow(out.at, h, step), true;
+      return follow(out.at, step), true;
     const S longest = S(newton::longest_turn * newton::longest_turn);
     if (turn > longest) {
       step = step * sqrt(longest / turn);
@@ -111,8 +111,7 @@ class EllipsoidNewton {
     out.overlap = overlap_at(pair_, out.at);
     out.normal = out.at.n * sqrt(out.at.inverse_square);
     if (out.status != Status::converged || (is_yes_or_no_ && is_apart(out.at))) return;
-    const bool asks_for_all = asked_ <= floor_ && reach(pair_, out.at) > S(newton::coarse) * pair_.size;
-    if (asks_for_all || out.at.error > std::max(floor_, asked_)) settle(out);
+    if (out.at.error > std::max(floor_, asked_)) settle(out);
   }
 
   const EllipsoidPair<S>& pair_;

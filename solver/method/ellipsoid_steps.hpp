@@ -14,7 +14,6 @@ inline constexpr double shorter = 0.3;       // a step that does not lower o is 
 inline constexpr double tie = 0.01;          // of o: the eigenvalue along a ring or between ties, made positive
 inline constexpr double tie_on_ring = 1e-9;  // the same where the ring is held anyway
 inline constexpr double ring_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
-inline constexpr double coarse = 4;          // settle where |H| exceeds the size by this factor
 inline constexpr double surely_apart = 16;   // epsilon, relative: o is below zero whatever its rounding
 inline constexpr int most_settling = 3;
 inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
@@ -85,13 +84,11 @@ template <class S>
   return largest(at.slope + h * step - step * at.ratio);
 }
 
-/// A last step, so short that points follow it linearly.
+/// A last step, so short that h follows it linearly. The points have yet to settle.
 template <class S>
-[[gnu::always_inline]] inline void follow(DirectionPoint<S>& at, const Symmetric3<Both<S>>& h, const Vector3<S>& step) {
-  const Vector3<Both<S>> d = twice(step);
+[[gnu::always_inline]] inline void follow(DirectionPoint<S>& at, const Vector3<S>& step) {
   at.n = at.n + step;
-  at.touch.h += dot(at.touch.p, d);
-  at.touch.p = at.touch.p + h * d;
+  at.touch.h += dot(at.touch.p, twice(step));
 }
 
 /// How far the points u1 and u2 are from a common normal; n1 + d = n2 + d + twist is the new normal of both.
@@ -108,7 +105,7 @@ template <class S>
   const Vector3<Both<S>> normals = normals_at(pair, at.touch.u);
   const Vector3<S> n = first(normals), twist = n - second(normals), gradient = sum(at.touch.p) - pair.c;
   const Vector3<S> slope = gradient - n * dot(n, gradient);
-  return {n, slope, twist, max(largest(slope), S(largest(twist) * pair.size))};
+  return {n, slope, twist, max(length(slope), S(length(twist) * pair.size))};
 }
 
 /// The points u1 and u2 after a Newton step; `axis`: as for `held`, or none.

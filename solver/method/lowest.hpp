@@ -21,20 +21,24 @@
 
 namespace plumb {
 
+/// Evaluations, all that came before among them, of a search that another follows, and of the last, its last solve apart: the
+/// laws call 2000 slow.
+inline constexpr int first_limit = 850, last_limit = 1650;
+
 /// How much a local solve is worth.
 enum class Tries { one, several, all };
 
 template <class S, class Form, class Answer>
 class Lowest {
  public:
-  static constexpr int most_evaluations = 980;  // a Newton below the 1000 that the laws call slow
-
-  Lowest(const Form& form, const S& size, const Answer& first)
-      : form_(form), size_(size), ball_(form.rolling_ball() * (S(1) - S(8) * epsilon<S>())), best_(first) {}
+  /// `first`: an answer or not, with the evaluations so far; `limit`: of these and the search's own, last_limit at most.
+  Lowest(const Form& form, const S& size, const Answer& first, int limit)
+      : form_(form), size_(size), ball_(form.rolling_ball() * (S(1) - S(8) * epsilon<S>())), best_(first),
+        limit_(std::min(limit, last_limit)) {}
 
   [[nodiscard]] const Answer& best() const { return best_; }
   [[nodiscard]] bool is_found() const { return best_.status == Status::converged; }
-  [[nodiscard]] bool may_go_on() const { return best_.evaluations < most_evaluations; }
+  [[nodiscard]] bool may_go_on() const { return best_.evaluations < limit_; }
 
   /// The lowest o that was seen, of a common normal or not: that of the lowest common normal is not above it.
   [[nodiscard]] S level() const { return std::min(found_level(), lowest_seen_); }
@@ -85,11 +89,14 @@ class Lowest {
     return true;
   }
 
+  void solve_from(const Vector3<S>& v, Tries tries) {
+    const Answer found = solve(v, tries);
+    if (found.status == Status::converged) take(found);
+  }
+
   /// Solves once more where o was seen below every common normal found.
   void solve_lower() {
-    if (!has_seen_lower() || !may_go_on()) return;
-    const Answer found = solve(seen_along_, Tries::all);
-    if (found.status == Status::converged) take(found);
+    if (has_seen_lower() && may_go_on()) solve_from(seen_along_, Tries::all);
   }
 
   /// The lowest; not converged where it is not known to be that, or o was seen below it.
@@ -113,6 +120,7 @@ class Lowest {
   const Form& form_;
   S size_, ball_;
   Answer best_;
+  int limit_;  ///< of evaluations
   S lowest_seen_ = std::numeric_limits<S>::infinity();
   Vector3<S> seen_along_{};  ///< of any length
 };

@@ -23,8 +23,8 @@ namespace plumb {
 template <class S, class Form, class Answer>
 class MeridianSearch {
  public:
-  MeridianSearch(const Form& form, const S& size, const BandPair<S>& bands, const Answer& first)
-      : bands_(bands), found_(form, size, first), ball_(bands.is_parallel() ? found_.ball() : S(0)) {}
+  MeridianSearch(const Form& form, const S& size, const Answer& first, int limit, const BandPair<S>& bands)
+      : bands_(bands), found_(form, size, first, limit), ball_(bands.is_parallel() ? found_.ball() : S(0)) {}
 
   [[nodiscard]] Answer lowest() {
     for (int piece = bands_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
@@ -32,6 +32,7 @@ class MeridianSearch {
     found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
   }
+  [[nodiscard]] const Answer& best() const { return found_.best(); }
 
  private:
   static constexpr int deepest = std::numeric_limits<S>::digits - 5;
@@ -65,7 +66,8 @@ class MeridianSearch {
     const Vector3<S> v = bands_.lowest(middle, witness);
     if (is_excluded(from, to, witness)) return;
     if (found_.sees_lower(v, found_.farthest(v)))
-      if (const auto start = descended(cell.piece, cell.middle - half, cell.middle + half)) solve_from(*start);
+      if (const auto start = descended(cell.piece, cell.middle - half, cell.middle + half))
+        found_.solve_from(*start, Tries::several);
     if (cell.level == deepest) {
       is_too_deep_ = true;
       return;
@@ -86,11 +88,6 @@ class MeridianSearch {
     const Witness witness = bands_.witness(at, S(0));
     const Latitude<S> gradient = bands_.gradient(at, witness), along{end.x - at.x, end.z - at.z};
     return {bands_.lowest(at, witness), dot(gradient, along) * dot(at, at) - dot(gradient, at) * dot(along, at)};
-  }
-
-  void solve_from(const Vector3<S>& v) {
-    const Answer there = found_.solve(v, Tries::several);
-    if (there.status == Status::converged) found_.take(there);
   }
 
   /// The direction where o is the lowest of a piece's cell, by regula falsi on its slope, cuts of a tenth at least; none where

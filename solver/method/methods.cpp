@@ -5,7 +5,9 @@
 
 #include "solver/method/automatic.hpp"
 #include "solver/method/common_normal.hpp"
+#include "solver/method/first_touch.hpp"
 #include "solver/method/geometric_potential.hpp"
+#include "solver/method/minimum_distance.hpp"
 
 namespace plumb {
 namespace {
@@ -55,9 +57,14 @@ constexpr std::array all_methods{
               "the same with the signs kept, z still not asked for (Eqs. 1-4, 7, 8)"),
     PLUMB_ROW(new_cn, Problem::common_normal,
               "normals opposite and d along them, all components (Eq. 10), line-search Newton"),
+    PLUMB_ROW(minimum_distance, Problem::common_normal,
+              "the least distance of the points of opposite normals, over all directions (Wellmann et al.)"),
     PLUMB_ROW(geometric_potential, Problem::deepest_points,
               "the point of each surface that lies deepest in the other body's potential"),
     PLUMB_ROW(geometric_potential_midway, Problem::midway, "equal potentials, opposite gradients (LAMMPS, LIGGGHTS)"),
+    row<undone_motion<double>, undone_motion<float>, undone_motion<long double>>(
+        "first_touch", Problem::first_touch,
+        "the one point at which the bodies touch where their relative motion is undone (Cleary et al.)"),
 };
 
 }  // namespace

@@ -1,5 +1,8 @@
-// The search that suits a pair: over a meridian where axes of revolution are parallel, else, or where that ends open, over
-// all directions.
+// The searches for the lowest common normal, and what each may cost.
+//
+// Over latitudes         axes of revolution parallel, or all but that: meridian_search.hpp
+// Over all directions    else: direction_search.hpp
+// Over two heights       ellipsoids, where the first of these has not come to an end: ellipsoid_search.hpp
 #pragma once
 
 #include "solver/method/direction_search.hpp"
@@ -25,20 +28,19 @@ struct HeldForm {
   }
 };
 
-/// The lowest common normal from `first` on, by a `Form` as lowest.hpp asks for. `size`: what the rounding of o is relative to.
-template <class S, class Form, class Answer>
-[[nodiscard]] Answer lowest_of_search(const PlacedPair<S>& pair, const Form& form, const S& size, const Answer& first) {
-  const std::optional<BandPair<S>> bands = BandPair<S>::of(pair);
-  if (!bands) return DirectionSearch<S, Form, Answer>(form, size, first, TurnSlope<S>::of(pair)).lowest();
-  const auto by_latitude = [&](const auto& of) {
-    return MeridianSearch<S, std::decay_t<decltype(of)>, Answer>(of, size, *bands, first).lowest();
+/// The lowest common normal from `first` on, over latitudes; where they do not tell, what `last(form, best)` says.
+/// `Form`: lowest.hpp. `size`: what the rounding of o is relative to.
+template <class S, class Form, class Answer, class Last>
+[[nodiscard]] Answer lowest_by_latitude(const BandPair<S>& bands, const Form& form, const S& size, const Answer& first,
+                                        const Last& last) {
+  const auto search = [&](const auto& of) {
+    MeridianSearch<S, std::decay_t<decltype(of)>, Answer> by_latitude(
+        of, size, first, bands.is_coaxial() ? last_limit : first_limit, bands);
+    const Answer found = by_latitude.lowest();
+    return found.status == Status::converged || bands.is_coaxial() ? found : last(of, by_latitude.best());
   };
-  const std::optional<Vector3<S>> ring = bands->ring_axis();
-  const Answer found = ring ? by_latitude(HeldForm<S, Form, Answer>{form, form.held(*ring)}) : by_latitude(form);
-  if (found.status == Status::converged || bands->is_coaxial()) return found;
-  Answer start = first;
-  start.evaluations = found.evaluations;
-  return DirectionSearch<S, Form, Answer>(form, size, start, TurnSlope<S>::of(pair)).lowest();
+  const std::optional<Vector3<S>> ring = bands.ring_axis();
+  return ring ? search(HeldForm<S, Form, Answer>{form, form.held(*ring)}) : search(form);
 }
 
 }  // namespace plumb

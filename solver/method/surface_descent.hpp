@@ -218,7 +218,16 @@ template <class S>
   const PlacedPair<S> placed = place<S>(bodies);
   const std::optional<Vector3<S>> axis = common_axis(placed);
   const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
-  return lowest_of_search(placed, SurfaceForm<S>{solver}, pair.reach, found);
+  const SurfaceForm<S> form{solver};
+  const auto by_direction = [&](const SurfaceContact<S>& first) {
+    return DirectionSearch<S, SurfaceForm<S>, SurfaceContact<S>>(form, pair.reach, first, last_limit,
+                                                                 TurnSlope<S>::of(placed))
+        .lowest();
+  };
+  const auto then_by_direction = [&](const auto& /*of*/, const SurfaceContact<S>& best) { return by_direction(best); };
+  if (const std::optional<BandPair<S>> bands = BandPair<S>::of(placed))
+    return lowest_by_latitude(*bands, form, pair.reach, found, then_by_direction);
+  return by_direction(found);
 }
 
 }  // namespace plumb

@@ -20,6 +20,7 @@ template <class S>
                                                   const Vec3<S>& centre2) {
   switch (goal.kind) {
     case GoalKind::first_touch: return {goal.line, at.point1 - (at.point2 - centre2)};
+    case GoalKind::undone_motion: return {goal.line, at.point1 - at.point2};
     case GoalKind::deepest_point: return {at.point2 - centre2, at.point1 - centre2, false, true, false};
     case GoalKind::common_normal: break;
   }

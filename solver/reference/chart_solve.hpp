@@ -5,6 +5,7 @@
 //            common normal   l = n1, d = p2 - p1
 //            first touch     l the given line, d = p2 - p1 with both centres at the origin (then body 2, moving along the
 //                            line, touches at the distance l.(p1 - p2))
+//            undone motion   l the given line, d = p2 - p1 (then body 2, moved by l.(p1 - p2) along the line, touches)
 //            deepest point   l = p2 - c2, d = p1 - c2: p1 is where body 2's potential is stationary on surface 1, and p2
 //                            where the ray from body 2's centre to p1 meets surface 2
 // Method     Levenberg-Marquardt with the damping mu |F| of Fan and Yuan (Computing 74, 2005), which keeps the quadratic
@@ -22,9 +23,9 @@ struct ChartPair {
   CubePoint<S> at1, at2;
 };
 
-enum class GoalKind { common_normal, first_touch, deepest_point };
+enum class GoalKind { common_normal, first_touch, undone_motion, deepest_point };
 
-/// Which equations; `line` is the unit vector of first touch (pair frame).
+/// Which equations; `line` is the unit vector of first touch and of undone motion (pair frame).
 template <class S>
 struct Goal {
   GoalKind kind = GoalKind::common_normal;

@@ -2,9 +2,8 @@
 #include <optional>
 
 #include "solver/reference/condition.hpp"
-#include "solver/reference/reference.hpp"
+#include "solver/reference/proved_answer.hpp"
 #include "solver/reference/refine.hpp"
-#include "solver/reference/touch.hpp"
 #include "solver/shape/ray.hpp"
 
 namespace plumb {
@@ -13,14 +12,9 @@ namespace {
 using namespace reference;
 using R = Real50;
 
-const R accepted("1e-40");
-const char* const coincident = "coincident centres";
+const R accepted = accepted_residual50();
 
-/// The pair's doubles in its own frame, in both precisions.
-struct Both {
-  PlacedPair<double> rough;
-  PlacedPair<R> fine;
-};
+using Both = BothPrecisions;
 
 /// Body 2 first, its centre at the origin.
 template <class S>
@@ -129,12 +123,6 @@ Deepest find_deepest(const Both& pair) {
   return growth.solved ? deepest_at(pair, growth.at) : best;
 }
 
-Solution unsolved(const char* reason) {
-  Solution out;
-  out.reason = reason;
-  return out;
-}
-
 struct DeepestPair {
   Deepest first, second;  ///< the second with the bodies exchanged, about body 2's centre
 };
@@ -205,19 +193,6 @@ Solution solution_of(const Midway& found, const Both& placed, const Pair& pair) 
 
 using I = TouchScalar;
 
-/// The true answer, in the pair's frame until it is put into the world's.
-struct EnclosedAnswer {
-  std::string reason;  ///< why there is none; empty where it is proved
-  I overlap;
-  IVec3<I> normal, point1, point2;
-};
-
-EnclosedAnswer not_enclosed(const char* reason) {
-  EnclosedAnswer out;
-  out.reason = reason;
-  return out;
-}
-
 const char* const not_convex = "a centre lies in the other body: the problem of the deepest point is not convex";
 
 EnclosedAnswer enclosed_answer(const DeepestPair& found, const EnclosedPair<I>& pair) {
@@ -272,50 +247,25 @@ EnclosedAnswer enclosed_answer(const Midway& found, const EnclosedPair<I>& pair)
   return {{}, *s1 - *s2, touch.normal, touch.point + touch.normal * *s1, touch.point + touch.normal * *s2};
 }
 
-template <class Found>
-EnclosedAnswer answer_in_world(const Found& found, const Pair& pair) {
-  const EnclosedPair<I> enclosed = enclose<I>(pair);
-  EnclosedAnswer out = enclosed_answer(found, enclosed);
-  out.overlap = times_power_of_two<I>(out.overlap, enclosed.exponent);
-  for (IVec3<I>* point : {&out.point1, &out.point2}) *point = enclosed.to_world_point(*point, pair);
-  return out;
-}
-
-/// The middle of the proved answer: where the charts are nearly singular, many digits more than the local solve has.
-void round_to(Solution& out, const EnclosedAnswer& truth) {
-  out.overlap = middle<R>(truth.overlap);
-  for (int i = 0; i < 3; ++i) {
-    out.normal[i] = middle<R>(truth.normal[i]);
-    out.point1[i] = middle<R>(truth.point1[i]);
-    out.point2[i] = middle<R>(truth.point2[i]);
-  }
-}
-
 /// Where the proof succeeds its digits take the place of the local solve's.
 template <class Found>
 Solution proved_solution(const Found& found, const Both& placed, const Pair& pair) {
-  Solution out = solution_of(found, placed, pair);
-  if (!out.solved) return out;
-  const EnclosedAnswer truth = answer_in_world(found, pair);
-  out.reason = truth.reason;
-  if (!truth.reason.empty()) return out;
-  round_to(out, truth);
-  out.bounds = ends_of(hull<I>(truth.overlap, enclosing<I>(out.overlap)));
-  out.normal_radius = angle_of_chord(farthest(truth.normal, out.normal));
-  out.points_radius = std::max(farthest(truth.point1, out.point1), farthest(truth.point2, out.point2));
-  out.proved = out.bounds.upper - out.bounds.lower <= widest_gap * size_of(pair);
-  if (!out.proved) out.reason = "the bounds are wider than 1e-12 of the size";
-  return out;
+  const Solution out = solution_of(found, placed, pair);
+  return out.solved ? proved_by(out, enclosed_answer(found, enclose<I>(pair)), pair) : out;
+}
+
+Solution find_potential_reference(const Pair& pair, Problem problem) {
+  const Both placed(pair);
+  if (placed.fine.body2.centre.isZero(R(0))) return unsolved("coincident centres");
+  return problem == Problem::midway ? proved_solution(find_midway(placed), placed, pair)
+                                    : proved_solution(find_deepest_pair(placed), placed, pair);
 }
 
 }  // namespace
 
-Solution find_potential_reference(const Pair& pair, Problem problem) {
+Solution find_problem_reference(const Pair& pair, Problem problem) {
   if (problem == Problem::common_normal) return find_reference(pair).common_normal;
-  const Both placed{place<double>(pair), place<R>(pair)};
-  if (placed.fine.body2.centre.isZero(R(0))) return unsolved(coincident);
-  return problem == Problem::midway ? proved_solution(find_midway(placed), placed, pair)
-                                    : proved_solution(find_deepest_pair(placed), placed, pair);
+  return problem == Problem::first_touch ? find_undone_touch(pair) : find_potential_reference(pair, problem);
 }
 
 }  // namespace plumb

@@ -94,14 +94,14 @@ struct Reference {
 /// Deterministic; takes any legal pair.
 [[nodiscard]] Reference find_reference(const Pair& pair, Effort effort = Effort::digits);
 
-/// The 50-digit answer to a geometric-potential problem (Problem::deepest_points or midway), with its proof (touch.hpp): the
-/// problem has one answer, within the bounds and radii. Any other problem's: find_reference's common normal.
-[[nodiscard]] Solution find_potential_reference(const Pair& pair, Problem problem);
+/// The 50-digit answer to a problem other than the common normal's, with its proof (touch.hpp): the problem has one answer, within
+/// the bounds and radii. Problem::common_normal: find_reference's.
+[[nodiscard]] Solution find_problem_reference(const Pair& pair, Problem problem);
 
 /// Where references come from: computed, or kept from before. Called from several threads at once.
 struct ReferenceSource {
   std::function<Reference(const Pair&, Effort)> common_normal = find_reference;
-  std::function<Solution(const Pair&, Problem)> potential = find_potential_reference;
+  std::function<Solution(const Pair&, Problem)> other = find_problem_reference;
 };
 
 /// Centre distance at first touch along a unit direction (world frame), body 2 moving towards body 1: h_max of the test

@@ -87,7 +87,8 @@ template <class T, class Matrix>
 /// The change of l x d, to first order (chart_solve.hpp).
 template <class T>
 [[nodiscard]] Vec3<T> collinearity_change(const ContactJet<T>& at, const Goal<T>& goal, const Motion<T>& by) {
-  if (goal.kind == GoalKind::first_touch)  // a move of body 2 turns the line, which is along d
+  // First touch: a move of body 2 turns the line, which is along d. Undone motion: the line stays.
+  if (goal.kind == GoalKind::first_touch || goal.kind == GoalKind::undone_motion)
     return cross_product<T>(goal.line, by.point1 - by.point2);
   if (goal.kind == GoalKind::deepest_point)
     return cross_product<T>(by.point2 - by.centre2, at.body1.point - at.centre2) +

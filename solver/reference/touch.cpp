@@ -25,6 +25,10 @@ Growth growth_at(const TouchFamily& family, const I& t) {
       out.centre = family.line * t;
       out.dcentre = family.line;
       break;
+    case TouchKind::moved_along_line:
+      out.centre += family.line * t;
+      out.dcentre = family.line;
+      break;
     case TouchKind::second_grown:
       out.s2 = t;
       out.ds2 = I(1.0);
@@ -104,15 +108,18 @@ class TouchSystem {
     return out;
   }
 
-  /// Whether a solution of the equations in the box is a touch: opposite normals, and a positive parameter where the
-  /// family needs one.
+  /// Whether a solution of the equations in the box is the touch: opposite normals, and what else the family needs.
   [[nodiscard]] bool is_touch(const Equations& f, const I& parameter) const {
     const bool independent = is_positive(magnitude<I>(f.gradient1[pivot_]));
-    const bool grows = family_.kind == TouchKind::both_grown || is_positive(parameter);
-    return independent && grows && high(dot(f.gradient1, f.gradient2)) < 0;
+    return independent && is_the_touch(f, parameter) && high(dot(f.gradient1, f.gradient2)) < 0;
   }
 
  private:
+  [[nodiscard]] bool is_the_touch(const Equations& f, const I& parameter) const {
+    if (family_.kind == TouchKind::moved_along_line) return is_positive(dot(f.gradient1, family_.line));
+    return family_.kind == TouchKind::both_grown || is_positive(parameter);
+  }
+
   static SurfaceEnclosure<I> surface(const EnclosedBody<I>& body, SurfaceBox<I> chart, const TouchBox& y, int first) {
     for (int k = 0; k < 2; ++k) chart.w[chart.minor(k)] = y[first + k];
     return enclose_surface<I>(body, chart);
@@ -127,13 +134,19 @@ class TouchSystem {
   /// The pair's axis `step` after the pivot; the other one's row of the cross product is 5 - step.
   void find_mirror(int step) {
     const int a = (pivot_ + step) % 3;
-    const IVec3<I>& along = family_.kind == TouchKind::along_line ? family_.line : family_.pair.centre;
-    if (!is_exactly(along[a], 0)) return;
+    if (!is_across(a)) return;
     const int first = unknown_of(first_, parallel_axis(family_.pair.body1, a));
     const int second = unknown_of(second_, parallel_axis(family_.pair.body2, a));
     if (first < 0 || second < 0) return;
     row_of_[first] = a;
     row_of_[2 + second] = 5 - step;
+  }
+
+  /// Whether all of the family's centres have no component along the pair's axis `a`.
+  [[nodiscard]] bool is_across(int a) const {
+    const bool line = family_.kind == TouchKind::along_line || family_.kind == TouchKind::moved_along_line;
+    const bool from_centre = family_.kind != TouchKind::along_line;
+    return (!line || is_exactly(family_.line[a], 0)) && (!from_centre || is_exactly(family_.pair.centre[a], 0));
   }
 
   /// Which of a chart's unknowns belongs to a body axis; -1 for neither.

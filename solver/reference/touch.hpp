@@ -3,10 +3,12 @@
 // Each is a family of two convex bodies with one parameter t, s1(t) body 1 about the origin and s2(t) body 2 about c(t),
 // and the answer is where they touch: at a common point with opposite normals. For
 //   first touch      body 2 at t l                               t = the centre distance
+//   undone motion    body 2 at c + t l                           t = how far it is moved
 //   deepest point    body 2 grown to t times its size            t = the least gauge of body 2 on body 1
 //   midway           grown by exp(t/n1) and exp(t/n1')           t = log(F + 1), the same for both potentials
 // opposite normals at a common point are sufficient as well as necessary, for the plane there separates two strictly convex
-// bodies, and a family that grows (or a body that contains the origin, along a ray) touches once: so there is one answer,
+// bodies, and a family that grows (or a body that contains the origin, along a ray) touches once, a body moved along a line once where
+// the normal is on the side of l: so there is one answer,
 // and whatever solves the equations is it. A solution with t > 0 of the deepest point's proves in passing that body 2's
 // centre lies outside body 1. What is left to prove is that the equations have a solution near a given one, which is
 // Krawczyk's test on the charts (shape/chart.hpp), regular on flat faces and sharp edges alike.
@@ -41,12 +43,12 @@ namespace reference {
 
 using TouchScalar = Interval80;
 
-enum class TouchKind { along_line, second_grown, both_grown };
+enum class TouchKind { along_line, moved_along_line, second_grown, both_grown };
 
 struct TouchFamily {
   TouchKind kind = TouchKind::second_grown;
   EnclosedPair<TouchScalar> pair;
-  IVec3<TouchScalar> line;  ///< of first touch
+  IVec3<TouchScalar> line;  ///< of first touch and of undone motion
 };
 
 /// The touch, proved to exist and unique: all in the pair's frame.

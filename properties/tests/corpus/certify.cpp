@@ -396,6 +396,7 @@ TEST_F(Certifying, OtherProblemsHaveTheirOwnAnswers) {
   const Json touch = certificate("a.json --problem first_touch");
   EXPECT_EQ(touch["global"], "proved");
   EXPECT_TRUE(encloses(touch["distance"], "2"));
+  EXPECT_TRUE(encloses(touch["overlap"], "0.5"));
   EXPECT_TRUE(touch.contains("normal"));
   (void)file("b.json", coaxial());
   for (const char* problem : {"deepest_points", "first_touch"}) {

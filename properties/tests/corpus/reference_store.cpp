@@ -115,9 +115,9 @@ TEST_F(Store, EveryFieldComesBackBitForBit) {
 TEST_F(Store, PotentialsComeBackBitForBit) {
   for (const Problem problem : {Problem::deepest_points, Problem::midway}) {
     const ReferenceStore first(dir_), second(dir_);
-    const Solution computed = find_potential_reference(pair_, problem);
-    ASSERT_TRUE(same(first.find_potential(pair_, problem), computed)) << name(problem);
-    ASSERT_TRUE(same(second.find_potential(pair_, problem), computed)) << name(problem);
+    const Solution computed = find_problem_reference(pair_, problem);
+    ASSERT_TRUE(same(first.find_other(pair_, problem), computed)) << name(problem);
+    ASSERT_TRUE(same(second.find_other(pair_, problem), computed)) << name(problem);
     EXPECT_EQ(first.counts().misses, 1U);
     EXPECT_EQ(second.counts().hits, 1U);
   }

@@ -64,7 +64,7 @@ TEST(Mutate, ReachesPlacesWhereSolversBreak) {
     Stream stream("test", seed, 0);
     mutate(pair_layout(), bytes, stream);
     const PairRecipe recipe = decode_recipe(bytes);
-    const auto& [one, two] = recipe.pair;
+    const Body &one = recipe.pair.body1, &two = recipe.pair.body2;
     equal = equal || (one.shape.semi_axes == two.shape.semi_axes && one.shape.n1 == two.shape.n1);
     parallel = parallel || one.quaternion == two.quaternion;
     touching = touching || recipe.overlap_ratio == 0;

@@ -29,8 +29,8 @@ FindingKind kind_of(const Pair& pair, const Solver& solver) {
 const std::vector<Failing>& failing() {
   static const std::vector<Failing> all = [] {
     std::vector<Failing> out;
-    for (const Solver& solver :
-         find_solvers("original_cn,corrected_cn,new_cn,geometric_potential,geometric_potential_midway")) {
+    for (const Solver& solver : find_solvers("original_cn,corrected_cn,new_cn,minimum_distance,geometric_potential,"
+                                             "geometric_potential_midway,first_touch")) {
       std::set<FindingKind> seen{FindingKind::none};
       for (const char* family : {"spheroid", "ellipsoid"})
         for (std::uint64_t i = 0; i < 40; ++i) {

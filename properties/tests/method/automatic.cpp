@@ -68,7 +68,8 @@ TEST(Automatic, TheGuardsLetNoHigherMinimumPass) {
   EXPECT_GT(rejected, 50);
 }
 
-TEST(Automatic, TheSearchFindsTheLowestFromAnyOther) {
+/// Of directions and of heights, from a solve that starts anywhere.
+TEST(Automatic, EachSearchFindsTheLowestFromAnyOther) {
   int improved = 0;
   for (std::uint64_t i = 0; i < 60; ++i) {
     const Pair pair = deep_ellipsoids(i);
@@ -76,12 +77,17 @@ TEST(Automatic, TheSearchFindsTheLowestFromAnyOther) {
     const EllipsoidPair<double> ellipsoids = ellipsoid_pair(framed_pair(pair, frame));
     const EllipsoidForm<double> form{ellipsoids, {}, {}};
     const EllipsoidContact<double> first = form.solve({0.1, 0, 1});
-    DirectionSearch<double, EllipsoidForm<double>, EllipsoidContact<double>> search(form, ellipsoids.size, first);
-    const EllipsoidContact<double> found = search.lowest();
-    ASSERT_EQ(found.status, Status::converged) << i;
+    using Form = EllipsoidForm<double>;
+    using Answer = EllipsoidContact<double>;
+    const Answer by_direction =
+        DirectionSearch<double, Form, Answer>(form, ellipsoids.size, first, last_limit, std::nullopt).lowest();
+    const Answer by_heights = EllipsoidSearch<double, Form, Answer>(form, first, last_limit, ellipsoids).lowest();
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
-    EXPECT_LE(frame.to_world_length(found.overlap), lowest + 1e-13 * size_of(pair)) << i;
-    improved += found.overlap < first.overlap - 1e-9 ? 1 : 0;
+    for (const Answer& found : {by_direction, by_heights}) {
+      ASSERT_EQ(found.status, Status::converged) << i;
+      EXPECT_LE(frame.to_world_length(found.overlap), lowest + 1e-13 * size_of(pair)) << i;
+    }
+    improved += by_direction.overlap < first.overlap - 1e-9 ? 1 : 0;
   }
   EXPECT_GT(improved, 10);
 }

@@ -36,7 +36,8 @@ TEST(Methods, SpheresInClosedForm) {
 }
 
 TEST(Methods, SeparatedSpheresHaveANegativeOverlap) {
-  for (const std::string_view name : {"new_cn", "geometric_potential", "geometric_potential_midway"}) {
+  for (const std::string_view name :
+       {"new_cn", "minimum_distance", "geometric_potential", "geometric_potential_midway", "first_touch"}) {
     const Contact<double> c = find_method(name)->solve(unit_spheres(2.5), {}, nullptr);
     ASSERT_EQ(c.status, Status::converged) << name;
     EXPECT_EQ(c.verdict, Verdict::separated) << name;
@@ -53,7 +54,8 @@ TEST(Methods, CurvatureWhereItIsAskedFor) {
   pair.body2.quaternion = {1, 0, 1, 0};  // its z axis along x
   pair.body2.position << 1.9, 0, 0;
   Want want;
-  for (const std::string_view name : {"new_cn", "geometric_potential", "geometric_potential_midway"}) {
+  for (const std::string_view name :
+       {"new_cn", "minimum_distance", "geometric_potential", "geometric_potential_midway", "first_touch"}) {
     want.curvature = true;
     const Contact<double> c = find_method(name)->solve(pair, want, nullptr);
     EXPECT_NEAR(c.curvature[0].radius1, 4, 1e-13) << name;
@@ -163,7 +165,7 @@ TEST(Methods, JacobiansAreTheDerivatives) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       const Pair pair = generate(family, 5, i).pair;
       const PlacedPair<S> placed = place<S>(pair);
-      const Offsets<S> at = centre_line_start<S>(placed);
+      const Offsets<S> at = start_along<S>(placed, centre_line<S>(placed));
       Eigen::Matrix<S, 6, 1> six;
       six << at.r1, at.r2;
       Eigen::Matrix<S, 7, 1> seven;

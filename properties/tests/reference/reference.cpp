@@ -125,7 +125,7 @@ TEST(Reference, PotentialProblemsAgreeWhereTheyMust) {
   pair.body2.position << 1.2, 0.9, 1.1;
   const R overlap = find_reference(pair).common_normal.overlap;
   for (const Problem problem : {Problem::deepest_points, Problem::midway}) {
-    const Solution found = find_potential_reference(pair, problem);
+    const Solution found = find_problem_reference(pair, problem);
     ASSERT_TRUE(found.solved) << found.reason;
     EXPECT_LT(tiny(found.overlap - overlap), 1e-40);
   }
@@ -143,7 +143,7 @@ TEST(Reference, SmallOverlapLimits) {
     pair.body2.position = (line * (touch * R(1 - ratio))).cast<double>();
     const Vec3<R> n = find_reference(pair).common_normal.normal;
     const auto off = [&](Problem p) {
-      return static_cast<double>((find_potential_reference(pair, p).normal - n).norm());
+      return static_cast<double>((find_problem_reference(pair, p).normal - n).norm());
     };
     return std::pair(off(Problem::midway), off(Problem::deepest_points));
   };

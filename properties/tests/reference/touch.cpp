@@ -34,7 +34,7 @@ Pair two_spheres() {
 TEST(Touch, SpheresHaveTheirClosedForms) {
   const Pair pair = two_spheres();
   for (const Problem problem : potentials) {
-    const Solution proof = find_potential_reference(pair, problem);
+    const Solution proof = find_problem_reference(pair, problem);
     ASSERT_TRUE(proof.proved) << proof.reason;
     EXPECT_TRUE(holds(proof.bounds, Real80(3) - sqrt(Real80(7.25))));
     EXPECT_LT(gap_of(proof.bounds), 1e-45);
@@ -54,7 +54,7 @@ TEST(Touch, AlignedEllipsoids) {
   for (const double distance : {4.0, 3.25}) {
     pair.body2.position << 0, 0, distance;
     for (const Problem problem : potentials) {
-      const Solution proof = find_potential_reference(pair, problem);
+      const Solution proof = find_problem_reference(pair, problem);
       ASSERT_TRUE(proof.proved) << proof.reason;
       EXPECT_TRUE(holds(proof.bounds, Real80(3.5) - Real80(distance)));
       EXPECT_LT(gap_of(proof.bounds), 1e-45);
@@ -99,7 +99,7 @@ TEST(Touch, TheLengthOfTheDirectionDoesNotCount) {
 }
 
 void expect_proved(const Case& c, Problem problem) {
-  const Solution found = find_potential_reference(c.pair, problem);
+  const Solution found = find_problem_reference(c.pair, problem);
   if (!found.solved || found.reason.find("not convex") != std::string::npos) return;
   ASSERT_TRUE(found.proved) << c.name << ": " << found.reason;
   const double size = size_of(c.pair);
@@ -158,11 +158,11 @@ TEST(Touch, ACentreInsideIsNotProvedAndSaysWhy) {
   Pair pair;
   pair.body1.shape.semi_axes << 2, 1, 3;
   pair.body2.position << 0.1, 0.2, 0.3;
-  const Solution proof = find_potential_reference(pair, Problem::deepest_points);
+  const Solution proof = find_problem_reference(pair, Problem::deepest_points);
   EXPECT_FALSE(proof.proved);
   EXPECT_NE(proof.reason.find("not convex"), std::string::npos) << proof.reason;
   EXPECT_EQ(proof.bounds.upper, std::numeric_limits<Real80>::infinity());
-  EXPECT_TRUE(find_potential_reference(pair, Problem::midway).proved);
+  EXPECT_TRUE(find_problem_reference(pair, Problem::midway).proved);
 }
 
 /// Cubes face on face: the normal is constant to first order and the charts' equations are singular but for symmetry.
@@ -171,7 +171,7 @@ TEST(Touch, ParallelFaces) {
   pair.body1.shape.n1 = pair.body1.shape.n2 = pair.body2.shape.n1 = pair.body2.shape.n2 = 8;
   pair.body2.position << 0, 0, 1.5;
   for (const Problem problem : potentials) {
-    const Solution proof = find_potential_reference(pair, problem);
+    const Solution proof = find_problem_reference(pair, problem);
     ASSERT_TRUE(proof.proved) << proof.reason;
     EXPECT_TRUE(holds(proof.bounds, Real80(0.5)));
     EXPECT_LT(proof.points_radius, 1e-45);
@@ -195,7 +195,7 @@ TEST(Touch, ParallelFacesTurnedStillBoundTheDistance) {
 TEST(Touch, NeedlesAgainstDiscs) {
   for (const std::uint64_t index : {9, 102, 193, 223}) {
     const Case c = generate_hard("needle_against_disc", 3, index);
-    const Solution found = find_potential_reference(c.pair, Problem::deepest_points);
+    const Solution found = find_problem_reference(c.pair, Problem::deepest_points);
     EXPECT_TRUE(found.proved) << c.name << ": " << found.reason;
   }
 }

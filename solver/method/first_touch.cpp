@@ -1,0 +1,11 @@
+#include "solver/method/first_touch.hpp"
+
+#include "solver/method/first_touch_impl.hpp"
+
+namespace plumb {
+
+PLUMB_INSTANTIATE_FIRST_TOUCH(float)
+PLUMB_INSTANTIATE_FIRST_TOUCH(double)
+PLUMB_INSTANTIATE_FIRST_TOUCH(long double)
+
+}  // namespace plumb
