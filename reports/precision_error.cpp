@@ -37,7 +37,7 @@ Truth truth_of(const Pair& pair, Problem problem) {
     out.known = reference.global == Claim::proved && reference.unique == Claim::proved;
     solution = reference.common_normal;
   } else {
-    solution = find_potential_reference(pair, problem);
+    solution = find_problem_reference(pair, problem);
     out.known = true;
   }
   out.known = out.known && solution.solved && solution.proved;

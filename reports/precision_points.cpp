@@ -152,7 +152,7 @@ Standing standing_of(const std::vector<Point>& points) {
 
 Truths truths_of(const std::vector<Case>& cases) {
   Truths out;
-  for (const Problem problem : {Problem::common_normal, Problem::deepest_points, Problem::midway})
+  for (const Problem problem : problems)
     for (const Case& c : cases)
       if (!interrupted()) out[problem].push_back(truth_of(c.pair, problem));
   return out;

@@ -36,6 +36,9 @@ struct Shown {
 /// From the JSON lines of `plumb report-stability --out FILE`; throws InputFailure.
 [[nodiscard]] Json stability_json(const std::filesystem::path& file);
 
+/// From the JSON lines of `plumb report-study --out FILE`; throws InputFailure.
+[[nodiscard]] Json study_json(const std::filesystem::path& file);
+
 /// Whether `plumb scene --out` wrote into the folder; and what it left there, DIR/playback.jsonl; throws InputFailure.
 [[nodiscard]] bool holds_playback(const std::filesystem::path& folder);
 [[nodiscard]] Json playback_json(const std::filesystem::path& folder);

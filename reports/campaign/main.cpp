@@ -21,19 +21,22 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, precision, stability, solver;
+  std::string out, precision, stability, study, solver;
   std::size_t failures = 500;
 };
 
 void declare(CLI::App& app, Arguments& args) {
-  app.add_option("DIR", args.folders,
-                 "folders of campaigns, the first of which the others are compared with, and of plumb scene --out")
-      ->required();
+  app.add_option(
+      "DIR", args.folders,
+      "folders of campaigns, the first of which the others are compared with, and of plumb scene --out; none "
+      "are needed beside --study");
   app.add_option("-o,--out", args.out, "the page, FILE.html")->required();
   app.add_option("--precision", args.precision,
                  "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
   app.add_option("--stability", args.stability,
                  "what plumb report-stability --out left; else the last DIR's stability.jsonl, where there is one");
+  app.add_option("--study", args.study,
+                 "what plumb report-study --out left; else the last DIR's study.jsonl, where there is one");
   app.add_option("--solver", args.solver,
                  "the shared library of a foreign solver whose failures are to be solved again");
   app.add_option("--failures", args.failures,
@@ -68,7 +71,7 @@ std::string page_of(const std::string& json) {
 
 /// What an option named, else the last folder's file of that name, where there is one.
 fs::path given_or_beside(const std::string& given, const Arguments& args, const char* name) {
-  if (!given.empty()) return given;
+  if (!given.empty() || args.folders.empty()) return given;
   const fs::path beside = fs::path(args.folders.back()) / name;
   return fs::exists(beside) ? beside : fs::path();
 }
@@ -78,6 +81,7 @@ std::string command_of(const Arguments& args) {
   for (const std::string& folder : args.folders) out += " " + shell_word(folder);
   if (!args.precision.empty()) out += " --precision " + shell_word(args.precision);
   if (!args.stability.empty()) out += " --stability " + shell_word(args.stability);
+  if (!args.study.empty()) out += " --study " + shell_word(args.study);
   if (!args.solver.empty()) out += " --solver " + shell_word(args.solver);
   if (args.failures != Arguments().failures) out += fmt::format(" --failures {}", args.failures);
   return out + " -o " + shell_word(args.out);
@@ -124,6 +128,7 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
       {"playbacks", Json::array()},
       {"precision", nullptr},
       {"stability", nullptr},
+      {"study", nullptr},
       {"findings", findings_json()},
       {"laws", laws_json()}};
   Shown shown{args.failures, std::nullopt};
@@ -138,6 +143,8 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   if (!precision.empty()) out["precision"] = precision_json(precision);
   const fs::path stability = given_or_beside(args.stability, args, "stability.jsonl");
   if (!stability.empty()) out["stability"] = stability_json(stability);
+  const fs::path study = given_or_beside(args.study, args, "study.jsonl");
+  if (!study.empty()) out["study"] = study_json(study);
   return out;
 }
 
@@ -159,6 +166,8 @@ std::vector<Run> read_runs(const Arguments& args) {
 }
 
 int report(const Arguments& args) {
+  if (args.folders.empty() && args.study.empty())
+    throw InputFailure("DIR", 0, "", "is required where there is no --study");
   refuse_bad_page(args);
   const fs::path page = args.out;
   const std::vector<Run> runs = read_runs(args);
@@ -188,7 +197,8 @@ int report(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::reports::Arguments args;
-  CLI::App app("Campaigns and scenes as one self-contained page, with .json, .csv, .ladders.csv, .md, .junit.xml and "
+  CLI::App app("Campaigns, scenes and the source's study as one self-contained page, with .json, .csv, .ladders.csv, "
+               ".md, .junit.xml and "
                ".sarif beside it.",
                "plumb report");
   plumb::reports::declare(app, args);

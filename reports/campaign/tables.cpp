@@ -179,6 +179,17 @@ std::string stability_list(const Json& stability) {
   return out;
 }
 
+std::string study_list(const Json& study) {
+  if (study.is_null()) return "";
+  std::string out = fmt::format("\n### The source's study, commit {}{}\n\n", study["commit"].get<std::string>(),
+                                study["interrupted"] == true ? " - INCOMPLETE" : "");
+  for (const Json& share : study["shares"])
+    out += fmt::format("- {}, aspect {}, overlap ratio {}: {} of {} answers more than 0.01 degrees off, {} pairs\n",
+                       share["method"].get<std::string>(), share["aspect"].get<double>(), share["ratio"].get<double>(),
+                       share["off"].dump(), share["answers"].dump(), share["pairs"].dump());
+  return out;
+}
+
 std::string playback_line(const Json& playback) {
   const Json& end = playback["end"];
   const std::string frames =
@@ -244,6 +255,7 @@ std::string ladders_csv(const std::vector<Run>& runs) {
 std::string markdown(const std::vector<Run>& runs, const Json& report) {
   std::string out = runs.empty() ? "## plumb\n" : run_tables(runs.back(), report["runs"].back());
   out += stability_list(report["stability"]);
+  out += study_list(report["study"]);
   for (const Json& comparison : report["comparisons"]) out += changes(comparison);
   if (!report["playbacks"].empty()) out += "\n### Playback\n\n";
   for (const Json& playback : report["playbacks"]) out += playback_line(playback);

@@ -8,6 +8,7 @@
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/reference_store.hpp"
+#include "properties/draft.hpp"
 #include "properties/families.hpp"
 #include "properties/paths.hpp"
 #include "reports/kills/table.hpp"
@@ -81,7 +82,7 @@ std::vector<WorkSet> kept_cases() {
 EngineHunts hunt_corpus(const Quarry& quarry, const Options& /*options*/) {
   std::vector<Case> cases;
   for (const WorkSet& set : kept_cases())
-    for (const Pair& pair : set.pairs) cases.push_back({set.name, pair, {}, {}, {}, {}});
+    for (const Pair& pair : set.pairs) cases.push_back({set.name, pair, {}, {}, {}});
   return {"corpus", "cases", {hunt_cases(quarry, cases.size(), [&](std::size_t i) { return cases[i]; })}};
 }
 
@@ -100,6 +101,19 @@ EngineHunts hunt_along_motions(const Quarry& quarry, const Options& /*options*/)
   return {"motions", "steps", {hunt_motions(quarry, tracks)}};
 }
 
+/// Axes tilted by any angle, exponents about the axis alone: what the proofs of the search over directions are asked for most.
+Pair deep_bodies_of_revolution(std::uint64_t seed, std::uint64_t index) {
+  Stream stream("deep bodies of revolution", seed, index);
+  const auto shape = [&] {
+    const double across = stream.uniform(0.3, 1), along = stream.uniform(0.3, 1);
+    return Superellipsoid<double>{{across, across, along}, stream.log_uniform(1.3, 8), 2};
+  };
+  const auto rotation = random_rotation(stream);
+  const auto tilted = product(rotation, turn(random_direction(stream), stream.log_uniform(1e-4, 1)));
+  const Vec3<double> apart = random_direction(stream) * stream.uniform(0.05, 0.3);
+  return {{shape(), Vec3<double>::Zero(), rotation}, {shape(), apart, tilted}};
+}
+
 EngineHunts hunt_by_work(const Quarry& quarry, const Options& options) {
   constexpr std::size_t pairs_of_each = 300;
   std::vector<WorkSet> sets;
@@ -111,6 +125,8 @@ EngineHunts hunt_by_work(const Quarry& quarry, const Options& options) {
     WorkSet& set = sets.emplace_back(WorkSet{"hard/" + std::string(generator), {}});
     for (std::size_t i = 0; i < pairs_of_each; ++i) set.pairs.push_back(generate_hard(generator, options.seed, i).pair);
   }
+  WorkSet& deep = sets.emplace_back(WorkSet{"bodies of revolution deep in each other", {}});
+  for (std::size_t i = 0; i < pairs_of_each; ++i) deep.pairs.push_back(deep_bodies_of_revolution(options.seed, i));
   std::ranges::move(kept_cases(), std::back_inserter(sets));
   std::ranges::move(motions(), std::back_inserter(sets));
   return {"work", "solves", {hunt_work(quarry, sets)}};

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "properties/tests/corpus/programs.hpp"
+#include "solver/method/methods.hpp"
 
 namespace plumb {
 namespace {
@@ -51,7 +52,7 @@ TEST_F(Gate, HoldsWhatWasWrittenAndWritesItAgain) {
   const std::string before = table();
   const Ran ran = plumb("report-gate --check --table t --threads 1");
   EXPECT_EQ(ran.code, 0);
-  EXPECT_EQ(ran.out, "24 rows, 0 deviations from t\n");
+  EXPECT_EQ(ran.out, fmt::format("{} rows, 0 deviations from t\n", 4 * methods().size()));
   EXPECT_EQ(plumb("report-gate --update --table t").code, 0);
   EXPECT_EQ(table(), before);
 }

@@ -7,12 +7,13 @@ export interface Report {
   format: "plumb/report-1";
   /** What made the page. */
   made: { commit: string; compiler: string; flags: string; command: string };
-  /** In the order of the command line; the page begins with the last. Empty where only scenes were given. */
+  /** In the order of the command line; the page begins with the last. Empty where only scenes or a study were given. */
   runs: Run[];
   /** The first run against each of the others. */
   comparisons: Comparison[];
   precision: Precision | null;
   stability: Stability | null;
+  study: Study | null;
   /** Scenes, in the order of the command line. */
   playbacks: Playback[];
   /** The contract's words with what each means, in order of precedence; "none" last. */
@@ -265,6 +266,135 @@ export interface StabilityRow {
   digits: { overlap: number | null; normal: number | null; points: number | null };
   /** From 1. */
   lets_go: number | null;
+}
+
+/**
+ * From `plumb report-study`: ways to define and to find a contact between two bodies, after Kildashti, Dong and Samali (2018). Angles
+ * in degrees; `off_deg`, of a contact normal, is to the common normal that the reference found.
+ */
+export interface Study {
+  commit: string;
+  host: { system: string; machine: string; compiler: string; flags: string } | null;
+  command: string;
+  interrupted: boolean;
+  groups: StudyGroup[];
+  maps: StudyMap[];
+  shares: StudyShare[];
+  limits: StudyLimit[];
+  orders: StudyOrder[];
+  costs: StudyCost[];
+  roots: StudyRoots[];
+}
+/** Two bodies on one line, at several overlap ratios. */
+export interface StudyGroup {
+  group: string;
+  shape: string;
+  /** What the answer of the original equations misses at this pair. */
+  fails: "signs" | "z" | "both" | "nothing";
+  aspect: number;
+  exponents: [number, number];
+  /** Of the line on which body 2 lies: zenith and azimuth. */
+  theta_L_deg: number;
+  phi_L_deg: number;
+  /** Of body 2: phi, theta, psi. */
+  euler_deg: Vec;
+  /** How many pairs were drawn until this one. */
+  drawn: number;
+  answers: StudyAnswer[];
+}
+export interface StudyAnswer {
+  ratio: number;
+  method: string;
+  status: string;
+  points: [Vec, Vec] | null;
+  /** R1 to R5 of the source. */
+  residues: [number, number, number, number, number] | null;
+  /** d and n1, d and n2, n1 and n2; 0 for a common normal. */
+  angles_deg: Vec | null;
+  off_deg: number | null;
+  /** The normal that `off_deg` is to is proved. */
+  certified: boolean;
+}
+/** off_deg over two angles of the pair. */
+export interface StudyMap {
+  aspect: number;
+  phi_deg: number;
+  ratio: number;
+  method: string;
+  /** Ascending. */
+  theta_L_deg: number[];
+  theta_deg: number[];
+  /** Rows by theta_L, columns by theta; null: no answer. */
+  off_deg: (number | null)[][];
+  not_certified: number;
+}
+/** Of random pairs, how many answers are more than 0.01 degrees off; low and high: the share's 95 % interval. */
+export interface StudyShare {
+  aspect: number;
+  ratio: number;
+  method: string;
+  pairs: number;
+  answers: number;
+  off: number;
+  low: number;
+  high: number;
+  median_deg: number | null;
+}
+/** How far another definition of the contact is from the common normal's, as one thing of the pair changes. */
+export interface StudyLimit {
+  sweep: "ratio" | "aspect" | "exponent";
+  shape: string;
+  x: number;
+  system: string;
+  pairs: number;
+  certified: number;
+  /** Medians; point in units of the size, overlap relative. */
+  angle_deg: number | null;
+  angle_max_deg: number | null;
+  point: number | null;
+  overlap: number | null;
+}
+/** The power of the overlap ratio with which each difference vanishes. */
+export interface StudyOrder {
+  shape: string;
+  system: string;
+  angle: number | null;
+  point: number | null;
+  overlap: number | null;
+  /** The angle at the least ratio. */
+  limit_deg: number | null;
+}
+/** The cheapest tolerance at which a method's answers are that near to the solution of its own problem; `share`: of the pairs that are. */
+export interface StudyCost {
+  set: string;
+  method: string;
+  target_deg: number;
+  tolerance: number | null;
+  evaluations: number | null;
+  share: number;
+}
+/** All real solutions of the six published equations at one pair, and which of them random starts end at. */
+export interface StudyRoots {
+  pair: string;
+  /** All were found; else `reason` says why that is not known. */
+  complete: boolean;
+  reason: string;
+  starts: number;
+  not_converged: number;
+  elsewhere: number;
+  roots: StudyRoot[];
+}
+export interface StudyRoot {
+  /** What it misses of a common normal; "apart": of the bodies as if they were apart. */
+  kind: "signs" | "z" | "both" | "common normal" | "common normal, apart";
+  normal: Vec | null;
+  distance: number | null;
+  /** R3 to R5. */
+  residues: Vec | null;
+  off_deg: number | null;
+  starts: number;
+  /** The method's own start ends here. */
+  documented: boolean;
 }
 
 /**

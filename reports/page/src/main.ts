@@ -13,6 +13,7 @@ import { machineSection } from "./sections/machine";
 import { nav } from "./sections/nav";
 import { playbackSection } from "./sections/playback";
 import { precisionSection } from "./sections/precision";
+import { studySection } from "./sections/study";
 import { summarySection } from "./sections/summary";
 import type { State } from "./state";
 import { startTheme } from "./theme";
@@ -24,7 +25,7 @@ function readReport(): Report | null {
   return text ? (JSON.parse(text) as Report) : null;
 }
 
-/** Of scenes alone, what is about campaigns is left out. */
+/** Of scenes or a study alone, what is about campaigns is left out. */
 function sections(state: State): HTMLElement[] {
   const { runs, precision } = state.report;
   const isCampaign = runs.length > 0;
@@ -33,6 +34,7 @@ function sections(state: State): HTMLElement[] {
     isCampaign || precision ? precisionSection(state) : null,
     isCampaign ? atlasSection(state) : null,
     laddersSection(state),
+    studySection(state.report),
     isCampaign ? gallerySection(state) : null,
     playbackSection(state.report),
     isCampaign ? compareSection(state) : null,
@@ -44,8 +46,8 @@ function sections(state: State): HTMLElement[] {
 function show(report: Report, page: HTMLElement): void {
   meetMethods(report);
   const newest = report.runs.at(-1);
-  if (!newest && report.playbacks.length === 0) {
-    page.append(h("p", { class: "notice" }, "The report holds neither a run nor a scene."));
+  if (!newest && report.playbacks.length === 0 && !report.study) {
+    page.append(h("p", { class: "notice" }, "The report holds no run, no scene and no study."));
     return;
   }
   const state: State = { report, run: newest ? new Watched(newest) : null };

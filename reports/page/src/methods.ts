@@ -1,5 +1,5 @@
 /** One colour and one symbol a method, the same in every plot; colours after Okabe and Ito, darkened to 3:1 on white. */
-import type { Report } from "./data";
+import type { Report, Study } from "./data";
 import { theme } from "./theme";
 
 interface Look {
@@ -15,6 +15,8 @@ const LOOKS: [string, Look][] = [
   ["original_cn", { light: "#c44e00", dark: "#ff8a45", symbol: "triangle-up" }],
   ["geometric_potential", { light: "#b0508a", dark: "#e79bc8", symbol: "triangle-down" }],
   ["geometric_potential_midway", { light: "#6a51a3", dark: "#b7a1ef", symbol: "pentagon" }],
+  ["minimum_distance", { light: "#5f6b14", dark: "#c3cf5a", symbol: "hexagon" }],
+  ["first_touch", { light: "#9b1d3f", dark: "#ff7d93", symbol: "star-diamond" }],
   ["peer_libccd_epa", { light: "#5a5f66", dark: "#b4bac2", symbol: "x" }],
   ["peer_libccd_mpr", { light: "#7d5a2f", dark: "#cfa878", symbol: "cross" }],
   ["peer_fcl", { light: "#2f7d86", dark: "#63cad6", symbol: "star" }],
@@ -22,8 +24,8 @@ const LOOKS: [string, Look][] = [
 
 /** For methods that are not named above, in the order in which they come. */
 const OTHERS: Look[] = [
-  { light: "#882255", dark: "#e57aa9", symbol: "hexagon" },
-  { light: "#5f6b14", dark: "#c3cf5a", symbol: "star-diamond" },
+  { light: "#8a4a8f", dark: "#d79fdb", symbol: "triangle-left" },
+  { light: "#4a6b4f", dark: "#9cc7a2", symbol: "triangle-right" },
   { light: "#8a3b3b", dark: "#ea9a94", symbol: "hourglass" },
   { light: "#3b5b8a", dark: "#94b4ea", symbol: "bowtie" },
 ];
@@ -39,6 +41,12 @@ function meet(method: string): void {
   order.push(method);
 }
 
+function studyMethods(study: Study): string[] {
+  const { groups, maps, shares, limits, orders, costs } = study;
+  const named = [...groups.flatMap(({ answers }) => answers), ...maps, ...shares, ...costs];
+  return [...named.map(({ method }) => method), ...[...limits, ...orders].map(({ system }) => system)];
+}
+
 export function meetMethods(report: Report): void {
   for (const run of report.runs)
     for (const family of run.families)
@@ -48,6 +56,7 @@ export function meetMethods(report: Report): void {
       }
   for (const ladder of report.stability?.ladders ?? []) for (const row of ladder.rows) meet(row.method);
   for (const set of report.precision?.sets ?? []) for (const point of set.points) meet(point.method);
+  if (report.study) studyMethods(report.study).forEach(meet);
   for (const comparison of report.comparisons) for (const row of comparison.rows) meet(row.method);
   own.add("auto");
 }

@@ -8,6 +8,8 @@ const PATHS: Record<string, string> = {
   diamond: "M8 2l6 6l-6 6l-6-6Z",
   "triangle-up": "M8 3l5.5 9.5h-11Z",
   "triangle-down": "M8 13l5.5-9.5h-11Z",
+  "triangle-left": "M3 8l9.5-5.5v11Z",
+  "triangle-right": "M13 8l-9.5-5.5v11Z",
   pentagon: "M8 2.5l5.5 4l-2.1 6.5h-6.8l-2.1-6.5Z",
   x: "M3 5l2-2l3 3l3-3l2 2l-3 3l3 3l-2 2l-3-3l-3 3l-2-2l3-3Z",
   cross: "M6.5 2.5h3v4h4v3h-4v4h-3v-4h-4v-3h4Z",

@@ -7,6 +7,7 @@ import { after, before, test } from "node:test";
 import { bring, launch, open } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
 import { makePlayback } from "./support/fixture-playback.mjs";
+import { makeStudy } from "./support/fixture-study.mjs";
 import { withFolder, writePage } from "./support/pages.mjs";
 
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -32,11 +33,12 @@ const scenes = () => [makePlayback({ bodies: 8, frames: 5 }), makePlayback({ nam
 
 for (const dark of [false, true])
   test(`axe finds nothing serious, ${dark ? "dark" : "light"}`, () =>
-    withPage(small({ second: true, playbacks: scenes() }), { dark }, async (page) => {
+    withPage(small({ second: true, playbacks: scenes(), study: makeStudy() }), { dark }, async (page) => {
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });
       await bring(page, "#precision .plot");
+      await bring(page, "#study .plot");
       await bring(page, "#gallery canvas");
       await bring(page, "#playback canvas");
       await page.evaluate(axe);
@@ -50,7 +52,7 @@ for (const dark of [false, true])
 
 for (const width of [400, 1400])
   test(`nothing is wider than a page of ${width} pixels`, () =>
-    withPage(small({ second: true, playbacks: scenes() }), { width }, async (page) => {
+    withPage(small({ second: true, playbacks: scenes(), study: makeStudy() }), { width }, async (page) => {
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });
@@ -81,7 +83,7 @@ function poisoned(value, key = "") {
     ...PACKED,
   ];
   if (typeof value === "string") return kept.includes(key) ? value : `${value}${HOSTILE}`;
-  if (Array.isArray(value)) return value.map((item) => poisoned(item, key));
+  if (Array.isArray(value)) return value.map((item) => poisoned(item, typeof item === "string" ? key : ""));
   if (value === null || typeof value !== "object") return value;
   const isNamed = ["energy", "shares"].includes(key);
   return Object.fromEntries(
@@ -91,10 +93,13 @@ function poisoned(value, key = "") {
 
 test("hostile words in the data are words", () =>
   withPage(
-    poisoned(small({ second: true, playbacks: scenes(), harnessErrors: { [`failed ${HOSTILE}`]: 2 } })),
+    poisoned(
+      small({ second: true, playbacks: scenes(), study: makeStudy(), harnessErrors: { [`failed ${HOSTILE}`]: 2 } }),
+    ),
     {},
     async (page, noticed) => {
       for (const id of ["precision", "atlas", "playback", "compare"]) await bring(page, `#${id} .plot`);
+      for (const id of ["study-angles", "study-maps", "study-limits"]) await bring(page, `#${id} .plot`);
       for (const id of ["gallery", "playback"]) await bring(page, `#${id} canvas`);
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
@@ -170,7 +175,7 @@ test("answers that could not be solved anew are shown without them", () => {
 });
 
 test("paper is light, with everything open", () =>
-  withPage(small(), { dark: true }, async (page) => {
+  withPage(small({ study: makeStudy() }), { dark: true }, async (page) => {
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     const state = await page.evaluate(() => ({
       closed: document.querySelectorAll("details:not([open]):not([data-print=closed])").length,

@@ -7,6 +7,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { bring, launch, open } from "./support/browser.mjs";
 import { playbackLines, playbackOf } from "./support/fixture-playback.mjs";
+import { studyLines, studyOf } from "./support/fixture-study.mjs";
 import { withFolder } from "./support/pages.mjs";
 
 const bin = process.env.PLUMB_BIN;
@@ -91,6 +92,24 @@ test("a scene's lines are packed as the made-up data are, and shown", { skip }, 
       const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
       await bring(page, "#playback canvas");
       await bring(page, "#playback .plot");
+      assert.deepEqual(noticed, { console: [], requests: [] });
+    } finally {
+      await browser.close();
+    }
+  }),
+);
+
+test("a study's lines become the document that the made-up data are, and are shown alone", { skip }, () =>
+  withFolder(async (folder) => {
+    const lines = [...studyLines(), { kind: "interrupted" }];
+    writeFileSync(join(folder, "study.jsonl"), lines.map((line) => `${JSON.stringify(line)}\n`).join(""));
+    run(folder, "plumb", "report", "--study", "study.jsonl", "-o", "page.html");
+    assert.deepEqual(JSON.parse(readFileSync(join(folder, "page.json"), "utf8")).study, studyOf(lines));
+    const browser = await launch();
+    try {
+      const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
+      for (const id of ["study-angles", "study-maps", "study-limits"]) await bring(page, `#${id} .plot`);
+      assert.match(await page.$eval('[role="alert"]', (alarm) => alarm.textContent), /study is incomplete/);
       assert.deepEqual(noticed, { console: [], requests: [] });
     } finally {
       await browser.close();

@@ -11,9 +11,15 @@ await mkdir(folder, { recursive: true });
 
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
-/** All figures of a section drawn, and the page still. */
+/** What is further down is cut off. */
+const LONGEST = 9000;
+
+/** All figures of a section in view drawn, and the page still. */
 async function settled(page, id) {
-  const isDrawn = (target) => document.querySelectorAll(`#${target} :is(.plot, canvas):not([data-drawn])`).length === 0;
+  const isDrawn = (target) =>
+    [...document.querySelectorAll(`#${target} :is(.plot, canvas):not([data-drawn])`)].every(
+      (figure) => figure.getBoundingClientRect().top > innerHeight,
+    );
   await page.waitForFunction(isDrawn, { timeout: 60000 }, id).catch(() => console.error(`${id}: not all is drawn`));
   await pause(300);
 }
@@ -27,13 +33,13 @@ async function shoot(browser, width, dark) {
     content: ".bar { position: static !important; } html { scroll-behavior: auto !important; }",
   });
   for (const id of await page.$$eval("main > section", (sections) => sections.map((section) => section.id))) {
-    await page.setViewport({ width, height: 4000 });
+    await page.setViewport({ width, height: id === "study" ? LONGEST : 4000 });
     await page.evaluate((target) => document.getElementById(target).scrollIntoView(), id);
     if (id !== "gallery") await settled(page, id);
     else await pause(4000);
     const clip = await page.$eval(`#${id}`, (part) => {
       const { top, height } = part.getBoundingClientRect();
-      return { x: 0, y: top + scrollY, height: Math.min(height, 4000) };
+      return { x: 0, y: top + scrollY, height: Math.min(height, innerHeight) };
     });
     await page.screenshot({ path: join(folder, `${id}-${look}.png`), clip: { ...clip, width } });
   }

@@ -13,7 +13,8 @@ export const MEASURE_NAMES: Record<AtlasMeasure, string> = {
 /** Below so many judged answers a cell is shown as uncertain. */
 export const FEW = 20;
 
-const SCALES = {
+/** From little to much. */
+export const SCALES = {
   light: ["#e2ecf5", "#b3cfe6", "#7dafd6", "#478bc0", "#20639b", "#0a3a66"],
   dark: ["#22384c", "#2a5478", "#3576a8", "#4f9bd3", "#8cc3ec", "#d9eefc"],
 };

@@ -1,4 +1,4 @@
-import type { Playback, Report, Run } from "../data";
+import type { Playback, Report, Run, Study } from "../data";
 import { h } from "../dom";
 import { count, number } from "../numbers";
 
@@ -25,17 +25,30 @@ function cutShort({ name, end }: Playback): HTMLElement | null {
 const sceneLine = ({ name, scene, bodies, times }: Playback): string =>
   `${name}: scene ${scene}, ${count(bodies.length)} bodies, ${count(times.length)} frames to t = ${number(times.at(-1))}`;
 
+function studyLine({ groups, commit }: Study): string {
+  const words = groups.length > 0 ? `${count(groups.length)} groups of pairs, ` : "";
+  return `study: ${words}commit ${commit}`;
+}
+
+function studyCutShort(study: Study | null): HTMLElement | null {
+  if (!study?.interrupted) return null;
+  const words = h("strong", {}, "The study is incomplete. ");
+  return h("div", { class: "alarm", role: "alert" }, words, "It was interrupted: it shows only what was done.");
+}
+
 export function header(report: Report): HTMLElement {
   const runs = report.runs.map(
     (run) => `${run.name}: ${count(run.cases)} cases, seed ${run.seed}, commit ${run.commit}`,
   );
+  const lines = [...runs, ...report.playbacks.map(sceneLine), ...(report.study ? [studyLine(report.study)] : [])];
   return h(
     "header",
     { class: "top" },
     h("p", { class: "brand" }, "plumb report"),
     h("h1", {}, "Does the contact normal stand true?"),
-    h("ul", { class: "runs" }, ...[...runs, ...report.playbacks.map(sceneLine)].map((text) => h("li", {}, text))),
+    h("ul", { class: "runs" }, ...lines.map((text) => h("li", {}, text))),
     ...report.runs.map(alarm),
     ...report.playbacks.map(cutShort),
+    studyCutShort(report.study),
   );
 }

@@ -40,6 +40,7 @@ const NAMES: Record<string, string> = {
   precision: "Precision",
   atlas: "Atlas",
   ladders: "Ladders",
+  study: "Study",
   gallery: "Gallery",
   playback: "Playback",
   compare: "Compare",

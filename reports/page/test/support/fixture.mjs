@@ -291,6 +291,7 @@ export function makeReport(options = {}) {
     comparisons: runs.slice(1).map((run) => compare(first, run, options.sameCases ?? true)),
     precision,
     stability: options.stability === false ? null : makeStability(stream(17), METHODS),
+    study: options.study ?? null,
     playbacks: options.playbacks ?? [],
     findings: FINDINGS,
     laws: LAWS,
