@@ -1,10 +1,12 @@
 // The programs themselves: what they print, the one line on stderr, the exit code.
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 
 #include "corpus/solver.hpp"
 #include "properties/tests/corpus/programs.hpp"
+#include "properties/tests/interrupting.hpp"
 
 namespace plumb {
 namespace {
@@ -188,12 +190,16 @@ TEST_F(Commands, LibrariesThatAreNoSolversAreRefused) {
 }
 
 TEST_F(Commands, CtrlCEndsAWaitingCommandWith130) {
-  (void)file("a.jsonl", sample_case() + "\n");
-  const Ran ran =
-      plumb("--version >/dev/null; (cat a.jsonl; sleep 3) | timeout --foreground --preserve-status -s INT 1 " +
-            plumb_program + "solve - --json");
-  EXPECT_EQ(ran.code, 130);
-  EXPECT_EQ(lines_of(ran.out).size(), 1U);
+  const fs::path input = path_ / "input", answers = path_ / "answers";
+  ASSERT_EQ(mkfifo(input.c_str(), 0600), 0);
+  // Open in both directions, so that it stays open while the command waits for more.
+  std::fstream feeder(input, std::ios::in | std::ios::out);
+  feeder << sample_case() << '\n' << std::flush;
+  const pid_t child =
+      start_command("exec " + plumb_program + "solve - --json <" + input.string() + " >" + answers.string());
+  const auto has_answered = [&](pid_t) { return fs::exists(answers) && fs::file_size(answers) > 0; };
+  EXPECT_EQ(interrupt_when(child, has_answered), 130);
+  EXPECT_EQ(lines_of(read("answers")).size(), 1U);
 }
 
 TEST_F(Commands, PlumbAloneListsItsCommands) {

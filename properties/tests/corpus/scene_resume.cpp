@@ -9,6 +9,7 @@
 
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/corpus/scene_sample.hpp"
+#include "properties/tests/interrupting.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -117,12 +118,12 @@ TEST_F(SceneResume, AfterAFullDisk) {
 TEST_F(SceneResume, AfterCtrlC) {
   const std::string slow = sample_scene_with(R"("duration": 0.5)", R"("duration": 5000)");
   (void)file("slow.json", slow);
-  const std::string command = plumb_program + "scene slow.json --out slow";
-  const Ran ran = run("cd " + path_.string() + " && timeout --foreground --preserve-status -s INT 0.2 " + command +
-                      " 2>&1 >/dev/null");
-  EXPECT_EQ(ran.code, 130);
-  EXPECT_TRUE(ran.out.starts_with("interrupted at step ") && ran.out.ends_with("; --resume goes on from here\n"))
-      << ran.out;
+  const pid_t child = start_command("cd " + path_.string() + " && exec " + plumb_program +
+                                    "scene slow.json --out slow --checkpoint 100 2>said >/dev/null");
+  const fs::path first_checkpoint = path_ / "slow/checkpoint.bin";
+  EXPECT_EQ(interrupt_when(child, [&](pid_t) { return fs::exists(first_checkpoint); }), 130);
+  const std::string said = read("said");
+  EXPECT_TRUE(said.starts_with("interrupted at step ") && said.ends_with("; --resume goes on from here\n")) << said;
   const Json left = json("slow/run.json");
   EXPECT_EQ(left["complete"], false);
   EXPECT_GT(left["totals"]["steps"].get<int>(), 0);

@@ -6,16 +6,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "corpus/case.hpp"
+#include "properties/tests/interrupting.hpp"
 
 namespace plumb {
 namespace {
@@ -225,9 +223,7 @@ TEST(Commands, InterruptKeepsWhatIsDone) {
   const pid_t child = start(
       {"campaign", "--family", "spheroid", "--cases", "100000000", "--method", "original_cn", "--out", out.string()},
       folder / "stderr");
-  std::this_thread::sleep_for(std::chrono::seconds(2));
-  ASSERT_EQ(kill(child, SIGINT), 0);
-  EXPECT_EQ(exit_of(child), 130);
+  EXPECT_EQ(interrupt_when(child, [](pid_t process) { return processor_seconds(process) > 2; }), 130);
   const Json summary = summary_in(out);
   EXPECT_EQ(summary.at("incomplete"), true);
   EXPECT_GT(summary.at("cases").get<int>(), 0);

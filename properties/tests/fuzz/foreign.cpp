@@ -211,9 +211,11 @@ TEST_F(Foreign, WhatCannotBeLoadedIsRefused) {
   expect_refusal(campaign + kLibrary, kLibrary + ": cannot be loaded: ended by signal 11 (Segmentation fault)");
 }
 
+constexpr int patience = 6000;  // times 10 ms, for what happens at once on an idle machine
+
 /// The process that a program started, once it runs the host.
 std::optional<int> host_of(const std::string& program) {
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < patience; ++i) {
     const std::string child = run("cat /proc/" + program + "/task/*/children 2>/dev/null").out;
     const std::string number = child.substr(0, child.find(' '));
     if (!number.empty() && run("cat /proc/" + number + "/comm").out.starts_with("plumb-solver-ho"))
@@ -225,7 +227,7 @@ std::optional<int> host_of(const std::string& program) {
 
 /// Nothing is left of it but, where nobody waits for orphans, its number.
 bool ends(int process) {
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < patience; ++i) {
     const std::string state = run("cut -d' ' -f3 /proc/" + std::to_string(process) + "/stat 2>/dev/null").out;
     if (state.empty() || state.starts_with("Z")) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "properties/tests/corpus/programs.hpp"
+#include "properties/tests/interrupting.hpp"
 
 namespace plumb {
 namespace {
@@ -156,10 +157,11 @@ TEST_F(Precision, WhatItCannotDoIsOneLineAndTwo) {
 }
 
 TEST_F(Precision, CtrlCKeepsTheSetsThatAreDone) {
-  const Ran ran = run("cd " + path_.string() + " && timeout --foreground --preserve-status -s INT 3 " + plumb_program +
-                      "report-precision --method auto --cases 30 --repeat 1000 --json --out a.jsonl 2>said; echo $?");
-  EXPECT_NE(ran.out.find("130\n"), std::string::npos);
-  const std::string said = run("cat " + (path_ / "said").string()).out;
+  const pid_t child =
+      start_command("cd " + path_.string() + " && exec " + plumb_program +
+                    "report-precision --method auto --cases 30 --repeat 1000 --json --out a.jsonl 2>said >/dev/null");
+  EXPECT_EQ(interrupt_when(child, catches_interrupts), 130);
+  const std::string said = read("said");
   EXPECT_EQ(said.rfind("interrupted: incomplete, without ", 0), 0U) << said;
   EXPECT_TRUE(fs::exists(path_ / "a.jsonl"));
 }
