@@ -9,28 +9,10 @@
 #include "corpus/solver.hpp"
 #include "corpus/solver_library.hpp"
 #include "corpus/solver_pool.hpp"
+#include "solver/c/door.hpp"
 
 namespace plumb {
 namespace {
-
-plumb_body body_of(const Body& body) {
-  const Superellipsoid<double>& shape = body.shape;
-  plumb_body out{};
-  std::copy_n(shape.semi_axes.data(), 3, out.semi_axes);
-  out.exponents[0] = shape.n1;
-  out.exponents[1] = shape.n2;
-  std::copy_n(body.position.data(), 3, out.position);
-  std::copy_n(body.quaternion.data(), 4, out.quaternion_wxyz);
-  return out;
-}
-
-plumb_pair c_pair(const Pair& pair) {
-  return {{body_of(pair.body1), body_of(pair.body2)}};
-}
-
-Vec3<double> vector_of(const double (&v)[3]) {
-  return {v[0], v[1], v[2]};
-}
 
 // The library may write any integer; what is no status vouches for nothing.
 Status status_of(int status) {
@@ -54,10 +36,10 @@ Contact<double> read_contact(const plumb_contact& answer) {
   out.status = status_of(answer.status);
   out.verdict = read_verdict(answer.verdict);
   out.overlap = answer.overlap;
-  out.normal = vector_of(answer.normal);
-  out.point1 = vector_of(answer.points[0]);
-  out.point2 = vector_of(answer.points[1]);
-  out.contact_point = vector_of(answer.contact_point);
+  out.normal = Vec3<double>::Map(answer.normal);
+  out.point1 = Vec3<double>::Map(answer.points[0]);
+  out.point2 = Vec3<double>::Map(answer.points[1]);
+  out.contact_point = Vec3<double>::Map(answer.contact_point);
   out.iterations = answer.iterations;
   out.evaluations = answer.evaluations;
   return out;
@@ -71,28 +53,12 @@ Contact<double> contact_of(bool refused, const plumb_contact& answer, const std:
   return out;
 }
 
-plumb_contact c_contact(const Contact<double>& contact) {
-  static_assert(static_cast<int>(Status::invalid_input) == PLUMB_INVALID_INPUT);
-  static_assert(static_cast<int>(Verdict::separated) == PLUMB_SEPARATED);
-  plumb_contact out{};
-  out.status = static_cast<int>(contact.status);
-  out.verdict = static_cast<int>(contact.verdict);
-  out.overlap = contact.overlap;
-  std::copy_n(contact.normal.data(), 3, out.normal);
-  std::copy_n(contact.point1.data(), 3, out.points[0]);
-  std::copy_n(contact.point2.data(), 3, out.points[1]);
-  std::copy_n(contact.contact_point.data(), 3, out.contact_point);
-  out.iterations = contact.iterations;
-  out.evaluations = contact.evaluations;
-  return out;
-}
-
 TimedContact ask_pool(SolverPool& pool, const Pair& pair, const Contact<double>* last) {
   wire::Request request;
-  request.pair = c_pair(pair);
+  request.pair = door::c_pair(pair);
   if (last != nullptr) {
     request.kind = wire::Request::Kind::solve_warm;
-    request.last = c_contact(*last);
+    request.last = door::c_contact(*last);
   }
   const wire::Reply reply = pool.ask(request);
   return {contact_of(reply.kind == wire::Reply::Kind::refused, reply.contact, pool.name()), reply.nanoseconds};
@@ -104,8 +70,8 @@ struct InProcess {
 };
 
 Contact<double> ask_in_process(const InProcess& solver, const Pair& pair, const Contact<double>* last) {
-  const plumb_pair input = c_pair(pair);
-  const plumb_contact start = last == nullptr ? silent_contact() : c_contact(*last);
+  const plumb_pair input = door::c_pair(pair);
+  const plumb_contact start = last == nullptr ? silent_contact() : door::c_contact(*last);
   plumb_contact answer{};
   const int refused = ask(solver.library, input, last == nullptr ? nullptr : &start, answer);
   return contact_of(refused != 0, answer, solver.name);
@@ -205,7 +171,7 @@ bool is_given_up(const Solver& solver) {
 std::optional<Leak> find_leak(const Solver& solver, std::span<const Pair> pairs) {
   if (!solver.pool) return std::nullopt;
   std::vector<plumb_pair> asked;
-  for (const Pair& pair : pairs) asked.push_back(c_pair(pair));
+  for (const Pair& pair : pairs) asked.push_back(door::c_pair(pair));
   return solver.pool->find_leak(std::move(asked));
 }
 

@@ -79,7 +79,7 @@ void write_distance(const SignedDistance& found, const PlacedPair<double>& place
 
 int plumb_solver_solve(const plumb_pair* input, plumb_contact* contact) {
   using namespace plumb;
-  const Pair pair = peers::pair_of(*input);
+  const Pair pair = door::pair_of(*input);
   if (!peers::is_ellipsoid(pair.body1.shape) || !peers::is_ellipsoid(pair.body2.shape)) return 1;
   const auto placed = place<double>(pair);
   contact->evaluations = 0;

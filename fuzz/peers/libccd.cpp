@@ -61,7 +61,7 @@ void write_missing(int code, plumb_contact& contact) {
 }  // namespace
 
 int solve_with_libccd(const plumb_pair& input, Penetration penetration, plumb_contact& contact) {
-  const Pair pair = pair_of(input);
+  const Pair pair = door::pair_of(input);
   const auto placed = place<double>(pair);
   const Convex body1{placed.body1, contact.evaluations}, body2{placed.body2, contact.evaluations};
   contact.evaluations = 0;

@@ -1,12 +1,10 @@
-// What the peers share on their side of the C door: the pair in plumb's words and frame, and the answer out of that frame.
+// What the peers share on their side of the C door: the answer out of the pair's frame.
 #pragma once
 
-#include "solver/plumb_solver.h"
+#include "solver/c/door.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb::peers {
-
-[[nodiscard]] Pair pair_of(const plumb_pair& pair);
 
 /// An answer in the pair's frame: world axes, origin at body 1, lengths divided by 2^exponent.
 struct Found {

@@ -1,12 +1,12 @@
 // exp and log of a register: SLEEF's (Boost licence), below 1 unit in the last place. The functions are called by the name of
 // one instruction set, not through SLEEF's own dispatch, and are those without fused multiply-adds (`cinz`): so the
-// answers of every instruction set are the same bits on every machine.
+// answers of every instruction set are the same bits on every machine. A build without SLEEF takes the C library's, lane by lane.
 #pragma once
 
 #include <cmath>
 #include <experimental/simd>
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) && defined(PLUMB_SLEEF)
 #include <sleef.h>
 #endif
 
@@ -14,9 +14,9 @@ namespace plumb {
 
 template <class P>
 [[nodiscard, gnu::always_inline]] inline P exp_of(const P& x) {
-#if defined(__AVX__)
+#if defined(__AVX__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_expd4_u10avx(static_cast<__m256d>(x)));
-#elif defined(__SSE2__)
+#elif defined(__SSE2__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_expd2_u10sse2(static_cast<__m128d>(x)));
 #else
   return P([&](auto lane) { return std::exp(double(x[lane])); });
@@ -26,9 +26,9 @@ template <class P>
 /// x > 0.
 template <class P>
 [[nodiscard, gnu::always_inline]] inline P log_of(const P& x) {
-#if defined(__AVX__)
+#if defined(__AVX__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_logd4_u10avx(static_cast<__m256d>(x)));
-#elif defined(__SSE2__)
+#elif defined(__SSE2__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_logd2_u10sse2(static_cast<__m128d>(x)));
 #else
   return P([&](auto lane) { return std::log(double(x[lane])); });

@@ -1,0 +1,267 @@
+// The C API, plumb.h, but for certificates. Thin: what is solved, and how, is the library's.
+#include "solver/plumb.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <span>
+
+#include "solver/batch/batch.hpp"
+#include "solver/c/auto_door.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Options as this library knows them: a caller of an older header has fewer of them, and the rest are the defaults.
+plumb_options options_of(const plumb_options* given) {
+  plumb_options out = PLUMB_OPTIONS;
+  if (given != nullptr) std::memcpy(&out, given, std::min(given->size, sizeof out));
+  return out;
+}
+
+constexpr unsigned all_wants = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES;
+
+bool are_legal(const plumb_options& options) {
+  return options.size >= sizeof options.size && (options.want & ~all_wants) == 0 && options.iteration_limit > 0 &&
+         options.tolerance >= 0 && std::isfinite(options.tolerance) && Vec3<double>::Map(options.motion).allFinite();
+}
+
+Want want_of(const plumb_options& options) {
+  const auto is_wanted = [&](unsigned bit) { return (options.want & bit) != 0; };
+  return {.overlap = is_wanted(PLUMB_WANT_OVERLAP),
+          .normal = is_wanted(PLUMB_WANT_NORMAL),
+          .points = is_wanted(PLUMB_WANT_POINTS),
+          .curvature = is_wanted(PLUMB_WANT_CURVATURE),
+          .derivatives = is_wanted(PLUMB_WANT_DERIVATIVES),
+          .iteration_limit = options.iteration_limit,
+          .tolerance = options.tolerance};
+}
+
+/// plumb_context::state: both charts, both points, the normal, and whether there is anything.
+struct ContextState {
+  Eigen::Map<Eigen::Matrix<double, 3, 5>> vectors;
+  double& is_set;
+};
+
+ContextState state_of(plumb_context& context) {
+  return {Eigen::Map<Eigen::Matrix<double, 3, 5>>(context.state), context.state[15]};
+}
+
+Contact<double> last_of(plumb_context& context) {
+  const auto& from = state_of(context).vectors;
+  Contact<double> out;
+  out.chart1 = from.col(0);
+  out.chart2 = from.col(1);
+  out.point1 = from.col(2);
+  out.point2 = from.col(3);
+  out.normal = from.col(4);
+  return out;
+}
+
+/// Where a solve ended without an answer the next one starts cold.
+void keep(const Contact<double>& found, plumb_context& context) {
+  ContextState state = state_of(context);
+  state.is_set = found.status == Status::converged ? 1 : 0;
+  state.vectors << found.chart1, found.chart2, found.point1, found.point2, found.normal;
+}
+
+template <class Matrix, std::size_t N>
+void write_rows(const Matrix& from, double (&to)[N][3]) {
+  for (std::size_t row = 0; row < N; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+      to[row][column] = from(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+}
+
+void write_curvature(const PrincipalCurvature<double>& from, double (&radii)[2], double (&directions)[2][3]) {
+  radii[0] = from.radius1;
+  radii[1] = from.radius2;
+  Vec3<double>::Map(directions[0]) = from.direction1;
+  Vec3<double>::Map(directions[1]) = from.direction2;
+}
+
+PoseDerivative<double> no_derivative() {
+  return {not_valid<double>(), not_valid<double>(), Mat3<double>::Constant(nan), Mat3<double>::Constant(nan)};
+}
+
+plumb_details details_of(const Contact<double>& found, std::size_t size) {
+  plumb_details out{};
+  out.size = size;
+  out.method = found.method.empty() ? "" : found.method.data();  // of a literal, which ends with a zero
+  const auto derivatives = found.derivatives.value_or(std::array{no_derivative(), no_derivative()});
+  for (std::size_t body = 0; body < 2; ++body) {
+    write_curvature(found.curvature[body], out.radii[body], out.directions[body]);
+    Vec3<double>::Map(out.overlap_by_shift[body]) = derivatives[body].overlap_by_shift;
+    Vec3<double>::Map(out.overlap_by_turn[body]) = derivatives[body].overlap_by_turn;
+    write_rows(derivatives[body].normal_by_shift, out.normal_by_shift[body]);
+    write_rows(derivatives[body].normal_by_turn, out.normal_by_turn[body]);
+  }
+  return out;
+}
+
+void write_details(const Contact<double>& found, plumb_details& details) {
+  const plumb_details all = details_of(found, details.size);
+  std::memcpy(&details, &all, std::min(details.size, sizeof all));
+}
+
+/// `length` entries of an array, or none where there is no array.
+template <class T>
+std::span<T> part(T* array, std::size_t begin, std::size_t length) {
+  return array == nullptr ? std::span<T>() : std::span<T>(array + begin, length);
+}
+
+template <std::size_t N>
+std::array<std::span<const double>, N> parts(const double* const (&arrays)[N], std::size_t begin, std::size_t length) {
+  std::array<std::span<const double>, N> out;
+  for (std::size_t i = 0; i < N; ++i) out[i] = part(arrays[i], begin, length);
+  return out;
+}
+
+std::array<std::span<double>, 3> parts(double* const (&arrays)[3], std::size_t begin, std::size_t length) {
+  return {part(arrays[0], begin, length), part(arrays[1], begin, length), part(arrays[2], begin, length)};
+}
+
+BodyArrays body_part(const plumb_body_arrays& body, std::size_t begin, std::size_t length) {
+  return {parts(body.semi_axes, begin, length), part(body.exponents[0], begin, length),
+          part(body.exponents[1], begin, length), parts(body.position, begin, length),
+          parts(body.quaternion_wxyz, begin, length)};
+}
+
+/// Status and Verdict are written here first: to C they are int.
+struct Codes {
+  static constexpr std::size_t length = 512;
+  std::array<Status, length> status;
+  std::array<Verdict, length> verdict;
+
+  void copy_to(const plumb_contact_arrays& contacts, std::size_t begin, std::size_t count) const {
+    for (std::size_t i = 0; contacts.status != nullptr && i < count; ++i)
+      contacts.status[begin + i] = static_cast<int>(status[i]);
+    for (std::size_t i = 0; contacts.verdict != nullptr && i < count; ++i)
+      contacts.verdict[begin + i] = static_cast<int>(verdict[i]);
+  }
+};
+
+ContactArrays contact_part(const plumb_contact_arrays& contacts, Codes& codes, std::size_t begin, std::size_t length) {
+  return {.status = part(contacts.status != nullptr ? codes.status.data() : nullptr, 0, length),
+          .verdict = part(contacts.verdict != nullptr ? codes.verdict.data() : nullptr, 0, length),
+          .overlap = part(contacts.overlap, begin, length),
+          .normal = parts(contacts.normal, begin, length),
+          .point1 = parts(contacts.points[0], begin, length),
+          .point2 = parts(contacts.points[1], begin, length),
+          .contact_point = parts(contacts.contact_point, begin, length),
+          .iterations = part(contacts.iterations, begin, length),
+          .evaluations = part(contacts.evaluations, begin, length)};
+}
+
+template <std::size_t N>
+bool are_all(const double* const (&arrays)[N], bool there) {
+  for (const double* array : arrays)
+    if ((array != nullptr) != there) return false;
+  return true;
+}
+
+bool is_complete(const plumb_body_arrays& body) {
+  return are_all(body.semi_axes, true) && are_all(body.position, true) && are_all(body.quaternion_wxyz, true) &&
+         (are_all(body.exponents, true) || are_all(body.exponents, false));
+}
+
+const char* c_text(std::string_view literal) {
+  return literal.data();
+}
+
+}  // namespace
+}  // namespace plumb
+
+using namespace plumb;
+
+extern "C" {
+
+const char* plumb_version(void) {
+  return PLUMB_LIBRARY_VERSION;
+}
+
+const char* plumb_error_text(int error) {
+  switch (error) {
+    case PLUMB_OK: return "no error";
+    case PLUMB_ERROR_ARGUMENT: return "an argument is null or out of its range";
+    case PLUMB_ERROR_METHOD: return "there is no such method";
+    case PLUMB_ERROR_MEMORY: return "out of memory";
+    default: return "no error of plumb's";
+  }
+}
+
+const char* plumb_status_name(int status) {
+  const bool is_one = status >= PLUMB_CONVERGED && status <= PLUMB_INVALID_INPUT;
+  return is_one ? c_text(name(static_cast<Status>(status))) : "";
+}
+
+const char* plumb_verdict_name(int verdict) {
+  const bool is_one = verdict >= PLUMB_UNDECIDED && verdict <= PLUMB_SEPARATED;
+  return is_one ? c_text(name(static_cast<Verdict>(verdict))) : "";
+}
+
+const char* plumb_method_name(size_t index) {
+  return index < methods().size() ? c_text(methods()[index].name) : nullptr;
+}
+
+int plumb_describe_input(const plumb_pair* pair, char* text, size_t size) {
+  if (pair == nullptr || text == nullptr || size == 0) return PLUMB_ERROR_ARGUMENT;
+  const InputError error = find_input_error(door::pair_of(*pair));
+  text[0] = '\0';
+  if (!error.reason.empty())
+    (void)std::snprintf(text, size, "bodies[%d].%s: %s", error.body, c_text(error.field), c_text(error.reason));
+  return PLUMB_OK;
+}
+
+int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_context* context, plumb_contact* contact,
+                plumb_details* details) {
+  const plumb_options chosen = options_of(options);
+  if (pair == nullptr || contact == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
+  const Method* method = find_method(chosen.method == nullptr ? "auto" : chosen.method);
+  if (method == nullptr) return PLUMB_ERROR_METHOD;
+  Pair bodies = door::pair_of(*pair);
+  bodies.motion = Vec3<double>::Map(chosen.motion);
+  const bool is_warm = context != nullptr && state_of(*context).is_set == 1;
+  const Contact<double> last = is_warm ? last_of(*context) : Contact<double>{};
+  const Contact<double> found = method->solve(bodies, want_of(chosen), is_warm ? &last : nullptr);
+  *contact = door::c_contact(found);
+  if (context != nullptr) keep(found, *context);
+  if (details != nullptr) write_details(found, *details);
+  return PLUMB_OK;
+}
+
+int plumb_solve_batch(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
+                      const plumb_contact_arrays* contacts) {
+  const plumb_options chosen = options_of(options);
+  if (bodies == nullptr || contacts == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
+  if (n > 0 && !(is_complete(bodies[0]) && is_complete(bodies[1]))) return PLUMB_ERROR_ARGUMENT;
+  if (chosen.method != nullptr && std::string_view(chosen.method) != "auto") return PLUMB_ERROR_METHOD;
+  Codes codes;
+  for (std::size_t begin = 0; begin < n; begin += Codes::length) {
+    const std::size_t length = std::min(Codes::length, n - begin);
+    const PairArrays pairs{body_part(bodies[0], begin, length), body_part(bodies[1], begin, length)};
+    if (solve_batch(pairs, want_of(chosen), contact_part(*contacts, codes, begin, length)).error != BatchError::none)
+      return PLUMB_ERROR_ARGUMENT;
+    codes.copy_to(*contacts, begin, length);
+  }
+  return PLUMB_OK;
+}
+
+// The library is itself a solver behind the C door: plumb campaign --solver libplumb.so.
+PLUMB_API int plumb_solver_version(void) {
+  return PLUMB_SOLVER_VERSION;
+}
+
+PLUMB_API int plumb_solver_solve(const plumb_pair* pair, plumb_contact* contact) {
+  return door::solve(*pair, *contact);
+}
+
+PLUMB_API int plumb_solver_solve_warm(const plumb_pair* pair, const plumb_contact* last, plumb_contact* contact) {
+  return door::solve_warm(*pair, *last, *contact);
+}
+
+}  // extern "C"

@@ -1,0 +1,150 @@
+/* plumb's C API: the contact of two superellipsoids by their common normal.
+ *
+ *     plumb_pair pair = {{{{1, 1, 0.5}, {2, 2}, {0, 0, 0}, {1, 0, 0, 0}}, {{1, 1, 0.5}, {2, 2}, {0, 0, 0.9}, {1, 0, 0, 0}}}};
+ *     plumb_contact contact;
+ *     if (plumb_solve(&pair, NULL, NULL, &contact, NULL) == PLUMB_OK && contact.status == PLUMB_CONVERGED) ..
+ *
+ * Types     plumb_body, plumb_pair, plumb_contact, enum plumb_status and enum plumb_verdict: plumb_solver.h
+ * Frames    world frame throughout; a body's quaternion takes body axes to world axes
+ * Units     lengths in the caller's own unit, angles in radians
+ * Signs     overlap > 0: the bodies penetrate by that length; < 0: they are -overlap apart; the normal points from body 1 to body 2
+ * Validity  a number that was not asked for, or could not be found, is NaN - never a zero
+ * Errors    functions return enum plumb_error and write no answer unless it is PLUMB_OK. A pair that cannot be solved is an answer
+ *           (contact.status), not an error. Nothing is thrown, printed or kept; all functions may be called from any number of threads
+ * Link      cc main.c $(pkg-config --cflags --libs plumb); plumb_certify alone is in another library: pkg-config plumb-certify
+ * ABI       structs grow at their end only, those with `size` without a new soname
+ */
+#ifndef PLUMB_H
+#define PLUMB_H
+
+#include <stddef.h>
+
+#include "plumb_solver.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define PLUMB_API __attribute__((visibility("default")))
+#else
+#define PLUMB_API
+#endif
+
+enum plumb_error {
+  PLUMB_OK = 0,
+  PLUMB_ERROR_ARGUMENT = 1, /* a pointer that must not be null is, or a number is out of its range */
+  PLUMB_ERROR_METHOD = 2,   /* there is no such method, or not for this function */
+  PLUMB_ERROR_MEMORY = 3    /* plumb_certify alone */
+};
+
+/* "0.1.0": of the library; a string that is never freed, as all that these functions return. */
+PLUMB_API const char* plumb_version(void);
+PLUMB_API const char* plumb_error_text(int error);
+PLUMB_API const char* plumb_status_name(int status);   /* "converged", ..; "" for no status */
+PLUMB_API const char* plumb_verdict_name(int verdict); /* "overlapping", ..; "" for no verdict */
+/* The name of method `index`, NULL beyond the last; `auto` is among them. */
+PLUMB_API const char* plumb_method_name(size_t index);
+
+/* What is wrong with a pair that is answered PLUMB_INVALID_INPUT: "bodies[1].shape.superellipsoid.semi_axes[0]: must be finite and
+ * above 0", cut to `size` bytes with the closing zero; "" when it is legal. */
+PLUMB_API int plumb_describe_input(const plumb_pair* pair, char* text, size_t size);
+
+/* What is paid for. Nothing at all is a yes or no: the verdict, which may end at the first proof of it. */
+enum plumb_want {
+  PLUMB_WANT_OVERLAP = 1,
+  PLUMB_WANT_NORMAL = 2,
+  PLUMB_WANT_POINTS = 4,
+  PLUMB_WANT_CURVATURE = 8, /* into plumb_details; by `auto` alone, as derivatives */
+  PLUMB_WANT_DERIVATIVES = 16,
+  PLUMB_WANT_CONTACT = 7 /* overlap, normal and points */
+};
+
+typedef struct plumb_options {
+  size_t size;         /* sizeof(plumb_options) */
+  const char* method;  /* NULL: "auto" */
+  unsigned want;       /* of enum plumb_want */
+  int iteration_limit; /* of each local solve, > 0 */
+  double tolerance; /* residual, relative to the pair's size, at which a method may stop; 0: all that rounding allows */
+  double motion[3]; /* of body 2 relative to body 1, any unit and length, for method first_touch; 0, 0, 0: not known */
+} plumb_options;
+
+/* What a null pointer to options stands for: plumb_options options = PLUMB_OPTIONS; options.want = .. */
+#define PLUMB_OPTIONS {sizeof(plumb_options), NULL, PLUMB_WANT_CONTACT, 100, 0, {0, 0, 0}}
+
+/* Where a contact's last solve ended, for the next one to start from when the bodies have moved a little: numbers to be kept and
+ * copied, not to be read. All zero: not solved yet. The answer is the same to rounding, cold or warm. */
+typedef struct plumb_context {
+  double state[16];
+} plumb_context;
+
+/* NaN where it was not wanted; body 1's first. Matrices by rows. */
+typedef struct plumb_details {
+  size_t size;        /* sizeof(plumb_details), set by the caller */
+  const char* method; /* the method that answered; "" for PLUMB_INVALID_INPUT */
+  double radii[2][2]; /* of principal curvature at the surface point: length, infinite on a flat, 0 on an edge */
+  double directions[2][2][3];    /* of these curvatures: unit, tangent */
+  double overlap_by_shift[2][3]; /* d overlap = . dx, the body shifted by dx */
+  double
+      overlap_by_turn[2]
+                     [3]; /* d overlap = . dw, the body turned by the rotation vector dw about its position; length */
+  double normal_by_shift[2][3][3]; /* d normal = . dx, 1 / length */
+  double normal_by_turn[2][3][3];  /* d normal = . dw */
+} plumb_details;
+
+/* Solves a pair. options, context and details may be NULL: the options above, a cold start, nothing more than the contact. */
+PLUMB_API int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_context* context,
+                          plumb_contact* contact, plumb_details* details);
+
+/* One body of each of n pairs: entry i of each array is of pair i. */
+typedef struct plumb_body_arrays {
+  const double* semi_axes[3];
+  const double* exponents[2]; /* both NULL: 2 for all, ellipsoids */
+  const double* position[3];
+  const double* quaternion_wxyz[4];
+} plumb_body_arrays;
+
+/* Where the answers of n pairs go, as in plumb_contact; NULL: not wanted, which costs nothing. NaN where the status is not
+ * PLUMB_CONVERGED. No array may overlap another, of these or of the input's. */
+typedef struct plumb_contact_arrays {
+  int* status;
+  int* verdict;
+  double* overlap;
+  double* normal[3];
+  double* points[2][3];
+  double* contact_point[3];
+  int* iterations;
+  int* evaluations;
+} plumb_contact_arrays;
+
+/* Solves n pairs by `auto`, cold, several side by side in vector registers: each answer depends on its own pair alone. The same
+ * bits as plumb_solve's for ellipsoids, the same to rounding for other exponents. Of options the iteration limit and the tolerance.
+ * Many threads: a range of the arrays each. */
+PLUMB_API int plumb_solve_batch(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
+                                const plumb_contact_arrays* contacts);
+
+enum plumb_claim { PLUMB_OPEN = 0, PLUMB_PROVED = 1, PLUMB_DISPROVED = 2 };
+
+/* What is proved of a pair's contact, by interval arithmetic from its doubles on. Bounds are rounded outwards. */
+typedef struct plumb_certificate {
+  size_t size;                         /* sizeof(plumb_certificate), set by the caller */
+  int verdict;                         /* enum plumb_verdict; PLUMB_UNDECIDED only where 0 lies within the bounds */
+  int global;                          /* enum plumb_claim: no direction has a lower overlap than the bounds say */
+  int unique;                          /* enum plumb_claim: no other common normal has as low an overlap */
+  double overlap_lower, overlap_upper; /* the true overlap lies between them */
+  double normal[3];                    /* NaN, as the points, where no common normal is proved */
+  double normal_radius;                /* the true normal lies within this of `normal`; rad */
+  double points[2][3];
+  double points_radius; /* and each true point within this of its own; length */
+  double condition_overlap, condition_normal,
+      condition_points; /* by how much a relative change of the input can grow */
+} plumb_certificate;
+
+/* Certifies the contact of lowest overlap. Milliseconds: a judge, not a solver. */
+PLUMB_API int plumb_certify(const plumb_pair* pair, plumb_certificate* certificate);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
