@@ -1,7 +1,6 @@
 # What other projects get: cmake --install BUILD --component development, or all of it. find_package(plumb COMPONENTS ..) and
 # pkg-config plumb find it there; the headers are <plumb/...>, the sources' own "solver/..." written anew.
 include(CMakePackageConfigHelpers)
-include(GNUInstallDirs)
 
 # A component's public headers are those named here and all that they include.
 function(plumb_closure out)
@@ -49,8 +48,9 @@ function(plumb_install_library component)
           COMPONENT development)
 endfunction()
 
-# plumb_install_pkgconfig(NAME LIBRARY DESCRIPTION) for the C libraries.
+# plumb_install_pkgconfig(NAME LIBRARY DESCRIPTION) for the C libraries; the tree may be moved as a whole.
 function(plumb_install_pkgconfig name library description)
+  file(RELATIVE_PATH plumb_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   configure_file(plumb.pc.in ${name}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endfunction()

@@ -61,7 +61,7 @@ std::string inert(std::string json) {
 
 std::string page_of(const std::string& json) {
   constexpr std::string_view place = "<!-- plumb:data -->";
-  const fs::path path = program_folder().parent_path() / "share" / "plumb" / "report.html";
+  const fs::path path = data_file("report.html");
   std::string page = text_of(path);
   const std::size_t at = page.find(place);
   if (at == std::string::npos) throw InputFailure(path.string(), 0, "", fmt::format("holds no {}", place));

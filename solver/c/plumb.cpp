@@ -20,7 +20,9 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Options as this library knows them: a caller of an older header has fewer of them, and the rest are the defaults.
 plumb_options options_of(const plumb_options* given) {
   plumb_options out = PLUMB_OPTIONS;
-  if (given != nullptr) std::memcpy(&out, given, std::min(given->size, sizeof out));
+  if (given == nullptr) return out;
+  std::memcpy(&out, given, std::min(given->size, sizeof out));
+  out.size = given->size;
   return out;
 }
 

@@ -1,0 +1,5 @@
+# The C API as others link it: by its shared libraries.
+target_link_libraries(test_c_api PRIVATE plumb_c plumb_certify)
+target_sources(test_c_api PRIVATE ${folder}/header.c)
+set_source_files_properties(${folder}/header.c PROPERTIES COMPILE_OPTIONS "-std=c99" SKIP_UNITY_BUILD_INCLUSION ON)
+target_compile_definitions(test_c_api PRIVATE PLUMB_C_LIBRARY="$<TARGET_FILE:plumb_c>" PLUMB_CERTIFY_LIBRARY="$<TARGET_FILE:plumb_certify>")

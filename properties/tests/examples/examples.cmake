@@ -1,0 +1,21 @@
+# What users copy: each example runs in a folder of its own beside nothing but the installed tree, as a user's would.
+set(plumb_installed ${PROJECT_BINARY_DIR}/installed)
+add_test(NAME install/tree COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR} -D PREFIX=${plumb_installed}
+                                   -P ${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+set_tests_properties(install/tree PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
+
+# add_example(NAME FOLDER [VARIABLE=VALUE..]): FOLDER/run in a copy of FOLDER; it must print FOLDER/expected.
+function(add_example name folder)
+  add_test(NAME install/${name} COMMAND env ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/check
+                                        ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${folder} ${PROJECT_BINARY_DIR}/examples/${name} ${plumb_installed})
+  set_tests_properties(install/${name} PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 300)
+endfunction()
+
+add_example(cpp.g++ cpp CXX=g++)
+add_example(c.gcc c CC=gcc)
+find_program(PLUMB_CLANG NAMES clang++-19 clang++)
+if(PLUMB_CLANG)
+  string(REPLACE clang++ clang clang ${PLUMB_CLANG})
+  add_example(cpp.clang cpp CXX=${PLUMB_CLANG})
+  add_example(c.clang c CC=${clang})
+endif()
