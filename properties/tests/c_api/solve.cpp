@@ -1,8 +1,8 @@
 // plumb.h gives what the C++ functions under it give, to the bit, and refuses what it must.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "properties/columns.hpp"
 #include "properties/families.hpp"
@@ -14,9 +14,14 @@ namespace plumb {
 namespace {
 
 /// NaN equals NaN; zeros of either sign differ.
-template <class T>
-bool same_bytes(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+template <class T, std::size_t N>
+bool same_bits(const T (&a)[N], const T (&b)[N]) {
+  for (std::size_t i = 0; i < N; ++i)
+    if (!same_bits(a[i], b[i])) return false;
+  return true;
 }
 
 void expect_same(const plumb_contact& found, const Contact<double>& expected, const std::string& what) {
@@ -25,8 +30,8 @@ void expect_same(const plumb_contact& found, const Contact<double>& expected, co
   EXPECT_EQ(found.verdict, c.verdict) << what;
   EXPECT_EQ(found.iterations, c.iterations) << what;
   EXPECT_EQ(found.evaluations, c.evaluations) << what;
-  EXPECT_TRUE(same_bytes(found.overlap, c.overlap) && same_bytes(found.normal, c.normal) &&
-              same_bytes(found.points, c.points) && same_bytes(found.contact_point, c.contact_point))
+  EXPECT_TRUE(same_bits(found.overlap, c.overlap) && same_bits(found.normal, c.normal) &&
+              same_bits(found.points, c.points) && same_bits(found.contact_point, c.contact_point))
       << what;
 }
 
@@ -90,7 +95,7 @@ TEST_P(CSolve, BatchIsSolve) {
     EXPECT_EQ(status[i], static_cast<int>(want.status[i])) << i;
     EXPECT_EQ(verdict[i], static_cast<int>(want.verdict[i])) << i;
     EXPECT_EQ(to.evaluations[i], want.evaluations[i]) << i;
-    EXPECT_TRUE(same_bytes(to.overlap[i], want.overlap[i]) && same_bytes(to.normal[2][i], want.normal[2][i])) << i;
+    EXPECT_TRUE(same_bits(to.overlap[i], want.overlap[i]) && same_bits(to.normal[2][i], want.normal[2][i])) << i;
   }
 }
 
