@@ -19,3 +19,6 @@ if(PLUMB_CLANG)
   add_example(cpp.clang cpp CXX=${PLUMB_CLANG})
   add_example(c.clang c CC=${clang})
 endif()
+
+add_test(NAME install/packages COMMAND ${CMAKE_CURRENT_LIST_DIR}/packages ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/examples/packages)
+set_tests_properties(install/packages PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 300)
