@@ -11,6 +11,7 @@ declare -A plumb_packages=(
   [fuzz]="clang-19 libclang-rt-19-dev"
   [coverage]="clang-19 llvm-19"
   [engines]="clang-19 libclang-rt-19-dev llvm-19 zip unzip afl++ libclang-rt-14-dev"
+  [python]="python3 python3-dev python3-numpy pybind11-dev python3-matplotlib python3-pip mypy"
   [check]="git clang-format-19 clang-tidy-19 python3-yaml"
   [record]="git"
 )
