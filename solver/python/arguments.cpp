@@ -14,7 +14,36 @@ namespace {
   return std::string_view("fiu").find(type.kind()) != std::string_view::npos && type.itemsize() <= 8;
 }
 
+[[nodiscard]] std::string type_of(py::handle value) {
+  return std::string(py::str(py::type::handle_of(value).attr("__name__")));
+}
+
+/// What Python itself would raise, with the argument's name.
+[[noreturn]] void refuse_type(py::handle value, std::string_view argument, const char* wanted) {
+  PyErr_Clear();
+  throw py::type_error(std::string(argument) + ": must be " + wanted + ", not " + type_of(value));
+}
+
 }  // namespace
+
+const Body& body_of(py::handle value, std::string_view argument) {
+  if (!py::isinstance<Body>(value)) refuse_type(value, argument, "a plumb.Body");
+  return value.cast<const Body&>();
+}
+
+int count_of(py::handle value, std::string_view argument) {
+  if (PyIndex_Check(value.ptr()) == 0) refuse_type(value, argument, "a whole number");
+  const py::ssize_t count = PyNumber_AsSsize_t(value.ptr(), nullptr);  // without an exception: clipped
+  if (count < 1) throw py::value_error(std::string(argument) + ": must be at least 1");
+  return static_cast<int>(std::min<py::ssize_t>(count, std::numeric_limits<int>::max()));
+}
+
+double tolerance_of(py::handle value, std::string_view argument) {
+  const double tolerance = PyFloat_AsDouble(value.ptr());
+  if (PyErr_Occurred() != nullptr) refuse_type(value, argument, "a number");
+  if (!(tolerance >= 0)) throw py::value_error(std::string(argument) + ": must be 0 or more");
+  return tolerance;
+}
 
 void read_numbers(py::handle value, std::string_view argument, std::span<double> to) {
   const std::string name(argument), wanted = "(" + std::to_string(to.size()) + ",)";

@@ -31,6 +31,13 @@ template <std::size_t N>
   return {v[0], v[1], v[2]};
 }
 
+/// TypeError where it is no plumb.Body.
+[[nodiscard]] const Body& body_of(py::handle value, std::string_view argument);
+/// At least 1; ValueError below, TypeError where it is no whole number.
+[[nodiscard]] int count_of(py::handle value, std::string_view argument);
+/// 0 or more; ValueError below, TypeError where it is no number.
+[[nodiscard]] double tolerance_of(py::handle value, std::string_view argument);
+
 /// A new array of the numbers, shaped.
 [[nodiscard]] py::array_t<double> array_of(std::span<const double> values, const std::vector<py::ssize_t>& shape);
 [[nodiscard]] py::array_t<double> array_of(const Vec3<double>& v);

@@ -1,5 +1,7 @@
 #include "solver/python/strided_batch.hpp"
 
+#include <algorithm>
+
 #include "solver/python/arguments.hpp"
 #include "solver/python/bindings.hpp"
 
@@ -68,14 +70,16 @@ template <class T>
 }
 
 [[nodiscard]] std::size_t solve_arrays(const py::tuple& body1, const py::tuple& body2, const py::tuple& contacts,
-                                       std::size_t size, int iteration_limit, double tolerance, int threads) {
+                                       std::size_t size, const py::object& iteration_limit, const py::object& tolerance,
+                                       const py::object& threads) {
   StridedBatch batch{size, body_columns(body1), body_columns(body2), contact_columns(contacts), {}};
-  batch.want.iteration_limit = iteration_limit;
-  batch.want.tolerance = tolerance;
+  batch.want.iteration_limit = count_of(iteration_limit, "iteration_limit");
+  batch.want.tolerance = tolerance_of(tolerance, "tolerance");
+  const int workers = std::min(count_of(threads, "threads"), 1024);
   BatchRun run;
   {
     const py::gil_scoped_release unlocked;
-    run = solve_strided(batch, threads, no_signal);
+    run = solve_strided(batch, workers, no_signal);
   }
   if (!run.complete) throw py::error_already_set();
   return run.alone;

@@ -73,9 +73,11 @@ Words<Verdict, 3> verdict_words;
       .format(std::string(answer.method), status(answer), verdict(answer), answer.overlap);
 }
 
-[[nodiscard]] py::tuple diagnosis(const Body& body1, const Body& body2, const Answer& answer) {
-  const int sign = answer.overlap < 0 ? -1 : 1;
-  const Diagnosis found = diagnose({body1, body2}, answer.point1, answer.point2, sign);
+[[nodiscard]] py::tuple diagnosis(const py::object& body1, const py::object& body2, const py::object& contact) {
+  if (!py::isinstance<Answer>(contact)) throw py::type_error("contact: must be a plumb.Contact");
+  const auto& answer = contact.cast<const Answer&>();
+  const Pair pair{body_of(body1, "body1"), body_of(body2, "body2")};
+  const Diagnosis found = diagnose(pair, answer.point1, answer.point2, answer.overlap < 0 ? -1 : 1);
   return py::make_tuple(found.d_n1, found.d_n2, found.n1_n2, array_of(found.residues, {5}));
 }
 

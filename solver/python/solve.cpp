@@ -5,7 +5,8 @@
 namespace plumb::python {
 namespace {
 
-[[nodiscard]] const Method& method_of(const std::string& name) {
+[[nodiscard]] const Method& method_of(const py::object& word) {
+  const auto name = std::string(py::str(word));
   if (const Method* found = find_method(name)) return *found;
   std::string known;
   for (const Method& method : methods()) known += (known.empty() ? "" : ", ") + std::string(method.name);
@@ -21,25 +22,36 @@ namespace {
   throw py::value_error("want: no '" + std::string(word) + "' among overlap, normal, points, curvature, derivatives");
 }
 
-[[nodiscard]] Want want_of(const py::sequence& words, int iteration_limit, double tolerance) {
+[[nodiscard]] Want want_of(const py::sequence& words, const py::object& iteration_limit, const py::object& tolerance) {
   Want want{.overlap = false, .normal = false, .points = false};
-  for (const py::handle word : words) flag_of(want, word.cast<std::string>()) = true;
-  if (iteration_limit < 1) throw py::value_error("iteration_limit: must be at least 1");
-  if (!(tolerance >= 0)) throw py::value_error("tolerance: must be 0 or more");
-  want.iteration_limit = iteration_limit;
-  want.tolerance = tolerance;
+  for (const py::handle word : words) flag_of(want, std::string(py::str(word))) = true;
+  want.iteration_limit = count_of(iteration_limit, "iteration_limit");
+  want.tolerance = tolerance_of(tolerance, "tolerance");
   return want;
 }
 
-[[nodiscard]] Contact<double> solve(const Body& body1, const Body& body2, const std::string& method,
-                                    const py::sequence& want, const py::object& motion, const Contact<double>* last,
-                                    int iteration_limit, double tolerance) {
+[[nodiscard]] Vec3<double> motion_of(const py::object& motion) {
+  if (motion.is_none()) return Vec3<double>::Zero();
+  const Vec3<double> out = vector(motion, "motion");
+  if (!out.allFinite()) throw py::value_error("motion: must be finite");
+  return out;
+}
+
+[[nodiscard]] const Contact<double>* last_of(const py::object& last) {
+  if (last.is_none()) return nullptr;
+  if (!py::isinstance<Contact<double>>(last)) throw py::type_error("last: must be a plumb.Contact");
+  return &last.cast<const Contact<double>&>();
+}
+
+[[nodiscard]] Contact<double> solve(const py::object& body1, const py::object& body2, const py::object& method,
+                                    const py::sequence& want, const py::object& motion, const py::object& last,
+                                    const py::object& iteration_limit, const py::object& tolerance) {
+  const Pair pair{body_of(body1, "body1"), body_of(body2, "body2"), motion_of(motion)};
   const Method& chosen = method_of(method);
   const Want asked = want_of(want, iteration_limit, tolerance);
-  const Vec3<double> moved = motion.is_none() ? Vec3<double>(Vec3<double>::Zero()) : vector(motion, "motion");
-  if (!moved.allFinite()) throw py::value_error("motion: must be finite");
+  const Contact<double>* const start = last_of(last);
   const py::gil_scoped_release unlocked;
-  return chosen.solve({body1, body2, moved}, asked, last);
+  return chosen.solve(pair, asked, start);
 }
 
 [[nodiscard]] py::list list_methods() {

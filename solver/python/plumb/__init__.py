@@ -6,31 +6,51 @@
 
 One pair       Body, solve, diagnose, methods
 Many pairs     Bodies, solve_batch
-Proved         certify, certify_all: bounds that are proved, 50 digits
-The harness    campaign, scene, check, replay, shrink: the program `plumb`, in a process of its own
+Proved         certify, certify_all: rigorous bounds, 50 digits
+The harness    campaign, check, shrink, replay, scene, scene_plan, named_scene, case, bodies_of
 
 Lengths in one unit of the caller's own, world frame, quaternions (w, x, y, z) that take body axes to the world's. overlap > 0: the
 bodies penetrate by that length; < 0: they are -overlap apart. The normal points from body 1 to body 2.
 """
 
 from ._batch import Bodies, Contacts, solve_batch
+from ._case import bodies_of, case
+from ._certify import Bounds, Certificate, certify, certify_all
+from ._harness import Campaign, Replay, campaign, check, named_scene, replay, scene, scene_plan, shrink
 from ._native import Body, Contact, PoseDerivative, __version__
+from ._program import find_program
 from ._solve import Diagnosis, Method, diagnose, methods, solve
 from ._words import Status, Verdict
 
 __all__ = [
     "Bodies",
     "Body",
+    "Bounds",
+    "Campaign",
+    "Certificate",
     "Contact",
     "Contacts",
     "Diagnosis",
     "Method",
     "PoseDerivative",
+    "Replay",
     "Status",
     "Verdict",
     "__version__",
+    "bodies_of",
+    "campaign",
+    "case",
+    "certify",
+    "certify_all",
+    "check",
     "diagnose",
+    "find_program",
     "methods",
+    "named_scene",
+    "replay",
+    "scene",
+    "scene_plan",
+    "shrink",
     "solve",
     "solve_batch",
 ]

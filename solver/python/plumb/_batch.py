@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._native import Body
+from ._words import words_of
 
 _Floats = NDArray[np.float64]
 _Ints = NDArray[np.int32]
@@ -133,7 +134,7 @@ class Contacts:
 
     @classmethod
     def empty(
-        cls, size: int, want: Iterable[str] = ("overlap", "normal", "points"), order: str = "C"
+        cls, size: int, want: str | Iterable[str] = ("overlap", "normal", "points"), order: str = "C"
     ) -> Contacts:
         """Arrays for ``solve_batch(..., out=)``, not filled in.
 
@@ -156,8 +157,8 @@ for _field in fields(Contacts):
     _TYPES[_field.name] = np.int32 if "_Ints" in str(_field.type) else np.float64
 
 
-def _array_names(want: Iterable[str]) -> list[str]:
-    words = want.split(",") if isinstance(want, str) else list(want)
+def _array_names(want: str | Iterable[str]) -> list[str]:
+    words = words_of(want, "want")
     known = ("overlap", "normal", "points", "iterations", "evaluations")
     for word in words:
         if word not in known:
@@ -185,6 +186,9 @@ def _check_out(out: Contacts, size: int, inputs: tuple[_Floats | None, ...]) -> 
 
 
 def _size_of(bodies1: Bodies, bodies2: Bodies) -> int:
+    for bodies, name in ((bodies1, "bodies1"), (bodies2, "bodies2")):
+        if not isinstance(bodies, Bodies):
+            raise TypeError(f"{name}: must be plumb.Bodies, not {type(bodies).__name__}")
     size = len(bodies2) if bodies1._is_one() else len(bodies1)
     for bodies, name in ((bodies1, "bodies1"), (bodies2, "bodies2")):
         if not bodies._is_one() and len(bodies) != size:
@@ -196,7 +200,7 @@ def solve_batch(
     bodies1: Bodies,
     bodies2: Bodies,
     *,
-    want: Iterable[str] | None = None,
+    want: str | Iterable[str] | None = None,
     out: Contacts | None = None,
     threads: int = 1,
     iteration_limit: int = 100,
@@ -208,7 +212,7 @@ def solve_batch(
     want              of overlap, normal, points (with contact_point), iterations, evaluations, or "overlap,normal";
                       without it overlap, normal and points
     out               where the answers go, ``Contacts.empty`` or an earlier answer; it takes the place of ``want``
-    threads           of the processor; the answers are the same bits whatever the number
+    threads           1 or more, at most 1024 are used; the answers are the same bits whatever the number
     iteration_limit   of each local solve
     tolerance         residual relative to the size at which a solve may stop; 0: all that rounding allows
 
@@ -224,16 +228,12 @@ def solve_batch(
     inputs = bodies1._columns(size), bodies2._columns(size)
     if out is None:
         out = Contacts.empty(size, ("overlap", "normal", "points") if want is None else want)
+    elif not isinstance(out, Contacts):
+        raise TypeError(f"out: must be plumb.Contacts, not {type(out).__name__}")
     elif want is not None:
         raise ValueError("want: must not be given with out, whose arrays say it")
     else:
         _check_out(out, size, inputs[0] + inputs[1])
-    if not 1 <= threads <= 1024:
-        raise ValueError("threads: must be 1 to 1024")
-    if iteration_limit < 1:
-        raise ValueError("iteration_limit: must be at least 1")
-    if not tolerance >= 0:
-        raise ValueError("tolerance: must be 0 or more")
     arrays = tuple(getattr(out, field.name) for field in fields(out))
     _native.solve_batch(*inputs, arrays, size, iteration_limit, tolerance, threads)
     return out

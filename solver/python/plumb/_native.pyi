@@ -67,7 +67,7 @@ def solve(
     body1: Body,
     body2: Body,
     method: str,
-    want: list[str] | tuple[str, ...],
+    want: list[str],
     motion: ArrayLike | None,
     last: Contact | None,
     iteration_limit: int,

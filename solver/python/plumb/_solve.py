@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._native import Body, Contact
+from ._words import words_of
 
 
 class Method(NamedTuple):
@@ -43,7 +44,7 @@ def solve(
     body2: Body,
     method: str = "auto",
     *,
-    want: Iterable[str] = ("overlap", "normal", "points"),
+    want: str | Iterable[str] = ("overlap", "normal", "points"),
     motion: ArrayLike | None = None,
     last: Contact | None = None,
     iteration_limit: int = 100,
@@ -69,8 +70,7 @@ def solve(
     >>> contact.normal
     array([1., 0., 0.])
     """
-    words = want.split(",") if isinstance(want, str) else tuple(want)
-    return _native.solve(body1, body2, method, words, motion, last, iteration_limit, tolerance)
+    return _native.solve(body1, body2, method, words_of(want, "want"), motion, last, iteration_limit, tolerance)
 
 
 def diagnose(body1: Body, body2: Body, contact: Contact) -> Diagnosis:

@@ -1,8 +1,9 @@
-"""The words of an answer; the numbers are those of the C API."""
+"""The words of an answer, whose numbers are those of the C API, and lists of words as arguments."""
 
 from __future__ import annotations
 
 import enum
+from collections.abc import Iterable
 
 
 class Status(enum.IntEnum):
@@ -28,3 +29,16 @@ class Verdict(enum.IntEnum):
 
     def __str__(self) -> str:
         return self.name
+
+
+def words_of(value: str | Iterable[str], argument: str) -> list[str]:
+    """Names as a list, or with commas as on the command line; TypeError names the argument that is neither."""
+    if isinstance(value, str):
+        return value.split(",") if value else []
+    try:
+        words = list(value)
+    except TypeError:
+        words = [None]
+    if not all(isinstance(word, str) for word in words):
+        raise TypeError(f"{argument}: must be names, as a list or with commas")
+    return words

@@ -1,0 +1,12 @@
+"""python3 -m plumb COMMAND ...: the program plumb that the package runs."""
+
+import os
+import sys
+
+from ._program import find_program
+
+try:
+    program = find_program()
+except FileNotFoundError as error:
+    sys.exit(f"plumb: {error}")
+os.execv(program, ["plumb", *sys.argv[1:]])

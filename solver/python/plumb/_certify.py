@@ -1,0 +1,116 @@
+"""What is proved of a pair."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any, NamedTuple
+
+from numpy.typing import ArrayLike
+
+from ._case import case
+from ._native import Body
+from ._program import options, run, to_json
+from ._words import Verdict
+
+Decimals = tuple[Decimal, Decimal, Decimal]
+
+
+class Bounds(NamedTuple):
+    """The true value lies between the two; rounded outwards."""
+
+    lower: Decimal
+    upper: Decimal
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What is proved, for these very doubles; None where it is not. ``numpy.array(c.normal, float)`` has the digits of a float."""
+
+    verdict: Verdict | None  #: None where the problem has no proved answer
+    overlap: Bounds  #: a length, signed as Contact.overlap; infinite where there is no bound
+    normal: Decimals | None  #: unit, from body 1 to body 2
+    normal_radius: Decimal | None  #: the true normal lies within this angle of ``normal``; rad
+    points: tuple[Decimals, Decimals] | None  #: on body 1 and on body 2, world frame
+    points_radius: Decimal | None  #: each true point lies within this of its own; a length
+    unique: str  #: proved, disproved or open: no other common normal has as low an overlap
+    global_: str | None  #: proved or open: no direction has a lower overlap; None for other problems
+    tied: list[dict[str, Any]]  #: other common normals of the same overlap, as ``json`` has them
+    reason: str | None  #: what is not proved, and why
+    digits: int  #: significant digits of the decimals
+    condition: dict[str, Any] | None  #: by which factor a change of the input grows in overlap, normal and points
+    json: dict[str, Any]  #: all that `plumb certify --json` said
+
+
+def certify(
+    body1: Body,
+    body2: Body,
+    *,
+    digits: int = 50,
+    problem: str = "common_normal",
+    motion: ArrayLike | None = None,
+    effort: str | None = None,
+    all: bool = False,
+) -> Certificate:
+    """Proves overlap, verdict, common normal and points of a pair; a hundredth of a second for most.
+
+    digits   1 to 50, of the decimals
+    problem  common_normal, or another that a method answers: deepest_points, midway, first_touch
+    motion   (3,) velocity of body 2 relative to body 1, for first_touch
+    effort   bounds (trusts the machine's pow), proof (19 digits), digits (50); without it as the digits need
+    all      also every other common normal: in ``json``, "stationary" and "complete"
+
+    Runs the program plumb (``find_program``). ValueError for an argument that is not legal.
+
+    >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
+    >>> certificate = plumb.certify(ball, plumb.Body((1, 1, 2), (1.5, 0, 0)), digits=10)
+    >>> print(certificate.unique, certificate.overlap.lower, certificate.overlap.upper)
+    proved 0.5000000000 0.5000000000
+    """
+    pair = case(body1, body2, motion=motion)
+    return _certify([pair], digits=digits, problem=problem, effort=effort, all=all)[0]
+
+
+def certify_all(
+    pairs: Iterable[tuple[Body, Body]], *, digits: int = 50, problem: str = "common_normal", effort: str | None = None
+) -> list[Certificate]:
+    """Certificates of many pairs, in their order, by one run of the program; arguments as ``certify`` has them."""
+    cases = [case(body1, body2) for body1, body2 in pairs]
+    return _certify(cases, digits=digits, problem=problem, effort=effort, all=False) if cases else []
+
+
+def _certify(cases: list[dict[str, Any]], **given: Any) -> list[Certificate]:
+    lines = "".join(to_json(one) + "\n" for one in cases)
+    _, printed = run(["certify", "-", "--json", *options(given)], lines)
+    return [_certificate(json.loads(line)) for line in printed.splitlines()]
+
+
+def _certificate(said: dict[str, Any]) -> Certificate:
+    overlap = said.get("overlap", {})
+    points = said.get("points")
+    return Certificate(
+        verdict=Verdict[said["verdict"]] if "verdict" in said else None,
+        overlap=Bounds(Decimal(overlap.get("lower", "-Infinity")), Decimal(overlap.get("upper", "Infinity"))),
+        normal=_decimals(said["normal"]) if "normal" in said else None,
+        normal_radius=_decimal(said, "normal_radius"),
+        points=(_decimals(points[0]), _decimals(points[1])) if points else None,
+        points_radius=_decimal(said, "points_radius"),
+        unique=said["unique"],
+        global_=said.get("global"),
+        tied=said.get("tied", []),
+        reason=said.get("reason"),
+        digits=said["digits"],
+        condition=said.get("condition"),
+        json=said,
+    )
+
+
+def _decimal(said: Mapping[str, Any], field: str) -> Decimal | None:
+    return Decimal(said[field]) if field in said else None
+
+
+def _decimals(texts: list[str]) -> Decimals:
+    x, y, z = map(Decimal, texts)
+    return x, y, z

@@ -1,0 +1,214 @@
+"""The harness from Python: each call runs the program ``plumb`` in a process of its own and gives what it wrote."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import tempfile
+from collections.abc import Iterable, Mapping
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ._case import case as case_of
+from ._native import Body, Contact
+from ._program import options, run, to_json
+from ._words import words_of
+
+StrPath = str | os.PathLike[str]
+Json = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """What a campaign found."""
+
+    summary: Json  #: summary.json: by method the findings, angles, overlap errors and iterations
+    failures: list[Json]  #: the simplest and the worst case of each kind of failure; ``bodies_of`` has their bodies
+    found: bool  #: a finding of ``auto``, of the reference or of ``solver``; the other methods' are its result
+    table: str  #: for people
+
+
+@dataclass(frozen=True)
+class Replay:
+    """Whether kept cases still give what they expect."""
+
+    differs: bool
+    table: str  #: for people, a line a case
+
+
+def campaign(
+    family: str | Iterable[str],
+    cases: int,
+    *,
+    seed: int = 1,
+    method: str | Iterable[str] | None = None,
+    solver: StrPath | None = None,
+    threads: int | None = None,
+    shard: str | None = None,
+    shrink: bool = False,
+    cache: StrPath | None = None,
+    out: StrPath | None = None,
+) -> Campaign:
+    """Random pairs by the thousand, every method's answer judged by every law.
+
+    family   spheroid, ellipsoid, superquadric, hard, several of them, or "all"
+    cases    of each family
+    seed     same seed, same cases and results, whatever the number of threads
+    method   names, or "all", which is the default without ``solver``
+    solver   a shared library behind plumb_solver.h, in processes of its own
+    threads  default: one for each processor
+    shard    "i/n": the i-th of n parts; `plumb merge` puts their folders together
+    shrink   then shrink each failure to a simpler one
+    cache    folder that keeps the references for the next campaign
+    out      folder that keeps summary.json, campaign.bins and failures/
+
+    ValueError for what is not legal. Ctrl-C: ``out`` has what was done, marked incomplete.
+
+    >>> result = plumb.campaign("spheroid", 10, method=["auto", "original_cn"])
+    >>> result.summary["methods"]["auto"]["findings"]
+    {'none': 10}
+    """
+    with ExitStack() as stack:
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory()) if out is None else out)
+        given = {
+            "family": ",".join(words_of(family, "family")),
+            "cases": cases,
+            "seed": seed,
+            "method": None if method is None else ",".join(words_of(method, "method")),
+            "solver": solver,
+            "threads": threads,
+            "shard": shard,
+            "shrink": shrink,
+            "cache": cache,
+            "out": folder,
+        }
+        found, table = run(["campaign", *options(given)])
+        failures = [_read(path) for path in sorted((folder / "failures").glob("*.json"))]
+        return Campaign(_read(folder / "summary.json"), failures, found, table)
+
+
+def scene(
+    scene: Mapping[str, Any] | StrPath,
+    *,
+    out: StrPath | None = None,
+    resume: bool = False,
+    record: bool = False,
+    threads: int | None = None,
+    accuracy: float | None = None,
+) -> Json:
+    """Simulates a scene of bodies: the effects that it calls for, and nothing else.
+
+    scene     a scene as a dict (format plumb/scene-1), or its file
+    out       folder for what the scene writes, its checkpoints and run.json
+    resume    go on with the run in ``out``
+    record    keep hard contacts as cases in ``out``
+    accuracy  instead of the scene's own
+
+    Gives run.json: the plan, what each part cost, and the measures. ValueError for what is not legal. Ctrl-C: ``out`` has what was
+    done, and ``resume`` goes on.
+
+    >>> run = plumb.scene(plumb.named_scene("impact"))
+    >>> run["complete"]
+    True
+    """
+    given = {"out": out, "resume": resume, "record": record, "threads": threads, "accuracy": accuracy}
+    return _run_scene(scene, given)
+
+
+def scene_plan(scene: Mapping[str, Any] | StrPath) -> Json:
+    """Which effects of a scene run, why, and what each costs; nothing is simulated.
+
+    >>> plan = plumb.scene_plan(plumb.named_scene("impact"))
+    >>> [effect["name"] for effect in plan["effects"] if effect["on"]]
+    ['linear']
+    """
+    return _run_scene(scene, {"plan": True})
+
+
+def named_scene(name: str, bodies: int | None = None) -> Json:
+    """One of the scenes that come with plumb (`plumb scenes` lists them), with so many bodies where that may be chosen."""
+    return _loads(run(["scenes", name, *options({"bodies": bodies})])[1])
+
+
+def check(body1: Body, body2: Body, answer: Contact | Mapping[str, Any], *, motion: Any = None) -> Json:
+    """Judges anybody's answer by the certified reference.
+
+    answer  a Contact, or the fields of `plumb solve --json`: "overlap", "normal", "points", ...; "method" says which problem
+            it answers
+
+    Gives "finding" ("none" where nothing is wrong), "severity" (error over what the condition number allows), "angle_error_deg" and
+    more.
+
+    >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
+    >>> other = plumb.Body((1, 1, 2), (1.5, 0, 0))
+    >>> plumb.check(ball, other, {"status": "converged", "overlap": 0.4, "normal": [1, 0, 0],
+    ...                           "points": [[1, 0, 0], [0.6, 0, 0]]})["finding"]
+    'off_surface'
+    """
+    said = _answer(answer) if isinstance(answer, Contact) else {"name": "python", **answer}
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "case.json")
+        file.write_text(to_json(case_of(body1, body2, motion=motion)), encoding="utf-8")
+        return _loads(run(["check", str(file), "--answer", "-"], to_json(said))[1])
+
+
+def shrink(case: Mapping[str, Any], *, method: str | None = None, solver: StrPath | None = None) -> Json:
+    """The simplest case with the same finding and at least half its severity: "finding", "severity" and "case".
+
+    case    one of ``Campaign.failures``, or ``plumb.case`` of a pair
+    method  instead of the one that the case names
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "case.json")
+        file.write_text(to_json(case), encoding="utf-8")
+        return _loads(run(["shrink", str(file), "--json", *options({"method": method, "solver": solver})])[1])
+
+
+def replay(
+    paths: StrPath | Iterable[StrPath],
+    *,
+    method: str | None = None,
+    solver: StrPath | None = None,
+    threads: int | None = None,
+) -> Replay:
+    """Runs case files, and folders of them, against what they expect."""
+    files = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    given = {"method": method, "solver": solver, "threads": threads}
+    return Replay(*run(["replay", *map(os.fspath, files), *options(given)]))
+
+
+def _run_scene(scene: Mapping[str, Any] | StrPath, given: Mapping[str, Any]) -> Json:
+    if isinstance(scene, Mapping):
+        return _loads(run(["scene", "-", "--json", *options(given)], to_json(scene))[1])
+    return _loads(run(["scene", os.fspath(scene), "--json", *options(given)])[1])
+
+
+def _answer(contact: Contact) -> Json:
+    """As `plumb solve` writes it: what is not valid is absent."""
+    out: Json = {
+        "name": "python",
+        "method": contact.method,
+        "status": contact.status.name,
+        "verdict": contact.verdict.name,
+        "iterations": contact.iterations,
+        "evaluations": contact.evaluations,
+    }
+    if math.isfinite(contact.overlap):
+        out["overlap"] = contact.overlap
+    for field in ("normal", "points", "contact_point"):
+        values = getattr(contact, field).tolist()
+        if math.isfinite(math.fsum(map(math.fsum, values) if field == "points" else values)):
+            out[field] = values
+    return out
+
+
+def _loads(text: str) -> Json:
+    loaded: Json = json.loads(text)
+    return loaded
+
+
+def _read(path: Path) -> Json:
+    return _loads(path.read_text(encoding="utf-8"))
