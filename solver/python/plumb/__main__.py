@@ -5,8 +5,9 @@ import sys
 
 from ._program import find_program
 
-try:
-    program = find_program()
-except FileNotFoundError as error:
-    sys.exit(f"plumb: {error}")
-os.execv(program, ["plumb", *sys.argv[1:]])
+if __name__ == "__main__":
+    try:
+        program = find_program()
+    except FileNotFoundError as error:
+        sys.exit(f"plumb: {error}")
+    os.execv(program, ["plumb", *sys.argv[1:]])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -134,7 +134,7 @@ class Contacts:
 
     @classmethod
     def empty(
-        cls, size: int, want: str | Iterable[str] = ("overlap", "normal", "points"), order: str = "C"
+        cls, size: int, want: str | Iterable[str] = ("overlap", "normal", "points"), order: Literal["C", "F"] = "C"
     ) -> Contacts:
         """Arrays for ``solve_batch(..., out=)``, not filled in.
 
@@ -146,7 +146,7 @@ class Contacts:
         names = _array_names(want)
         if order not in ("C", "F"):
             raise ValueError(f"order: must be 'C' or 'F', not {order!r}")
-        arrays = {name: np.empty((size, *_TAILS[name]), _TYPES[name], order) for name in names}
+        arrays: dict[str, Any] = {name: np.empty((size, *_TAILS[name]), _TYPES[name], order) for name in names}
         return cls(**arrays)
 
 

@@ -7,7 +7,6 @@ import math
 import os
 import tempfile
 from collections.abc import Iterable, Mapping
-from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -71,23 +70,22 @@ def campaign(
     >>> result.summary["methods"]["auto"]["findings"]
     {'none': 10}
     """
-    with ExitStack() as stack:
-        folder = Path(stack.enter_context(tempfile.TemporaryDirectory()) if out is None else out)
-        given = {
-            "family": ",".join(words_of(family, "family")),
-            "cases": cases,
-            "seed": seed,
-            "method": None if method is None else ",".join(words_of(method, "method")),
-            "solver": solver,
-            "threads": threads,
-            "shard": shard,
-            "shrink": shrink,
-            "cache": cache,
-            "out": folder,
-        }
-        found, table = run(["campaign", *options(given)])
-        failures = [_read(path) for path in sorted((folder / "failures").glob("*.json"))]
-        return Campaign(_read(folder / "summary.json"), failures, found, table)
+    given = {
+        "family": ",".join(words_of(family, "family")),
+        "cases": cases,
+        "seed": seed,
+        "method": None if method is None else ",".join(words_of(method, "method")),
+        "solver": solver,
+        "threads": threads,
+        "shard": shard,
+        "shrink": shrink,
+        "cache": cache,
+    }
+    if out is not None:
+        return _run_campaign(given, Path(out))
+    with tempfile.TemporaryDirectory() as folder:
+        result = _run_campaign(given, Path(folder))
+    return result
 
 
 def scene(
@@ -177,7 +175,13 @@ def replay(
     """Runs case files, and folders of them, against what they expect."""
     files = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     given = {"method": method, "solver": solver, "threads": threads}
-    return Replay(*run(["replay", *map(os.fspath, files), *options(given)]))
+    return Replay(*run(["replay", *(os.fspath(file) for file in files), *options(given)]))
+
+
+def _run_campaign(given: Mapping[str, Any], out: Path) -> Campaign:
+    found, table = run(["campaign", *options({**given, "out": out})])
+    failures = [_read(path) for path in sorted((out / "failures").glob("*.json"))]
+    return Campaign(_read(out / "summary.json"), failures, found, table)
 
 
 def _run_scene(scene: Mapping[str, Any] | StrPath, given: Mapping[str, Any]) -> Json:

@@ -35,10 +35,7 @@ def words_of(value: str | Iterable[str], argument: str) -> list[str]:
     """Names as a list, or with commas as on the command line; TypeError names the argument that is neither."""
     if isinstance(value, str):
         return value.split(",") if value else []
-    try:
-        words = list(value)
-    except TypeError:
-        words = [None]
-    if not all(isinstance(word, str) for word in words):
+    words = list(value) if isinstance(value, Iterable) else None
+    if words is None or not all(isinstance(word, str) for word in words):
         raise TypeError(f"{argument}: must be names, as a list or with commas")
     return words

@@ -1,0 +1,122 @@
+"""One exception for each thing that is not legal; it names the argument."""
+
+import dataclasses
+import decimal
+import unittest
+
+import numpy as np
+
+import plumb
+from drawn import pairs
+
+LONG = np.ones(3, np.longdouble)
+
+
+class Refusals(unittest.TestCase):
+    def expect(self, kind, text, call, *arguments, **named):
+        with self.assertRaises(kind) as raised:
+            call(*arguments, **named)
+        self.assertEqual(str(raised.exception), text)
+
+    def test_bodies_one_by_one(self):
+        origin = (0, 0, 0)
+        number = "must be of real numbers that fit in float64, not of "
+        for kind, text, arguments in (
+            (ValueError, "semi_axes: must have shape (3,), not (2,)", ((1, 1), origin)),
+            (ValueError, "semi_axes: must have shape (3,), not (1, 3)", ([(1, 1, 1)], origin)),
+            (ValueError, "semi_axes: must be an array of shape (3,)", ([1, [2, 3], 3], origin)),
+            (ValueError, "semi_axes[1]: must be finite and above 0", ((1, 0, 1), origin)),
+            (ValueError, "semi_axes[2]: must be finite and above 0", ((1, 1, np.nan), origin)),
+            (TypeError, f"semi_axes: {number}{LONG.dtype}", (LONG, origin)),
+            (TypeError, f"semi_axes: {number}complex128", ((1, 1, 1j), origin)),
+            (TypeError, f"semi_axes: {number}object", ((decimal.Decimal(1),) * 3, origin)),
+            (TypeError, f"semi_axes: {number}<U1", (("a", "b", "c"), origin)),
+            (ValueError, "position: must be finite", ((1, 1, 1), (0, np.inf, 0))),
+            (ValueError, "quaternion: must not be zero", ((1, 1, 1), origin, (0, 0, 0, 0))),
+            (ValueError, "quaternion: must have shape (4,), not (3,)", ((1, 1, 1), origin, (0, 0, 0))),
+            (ValueError, "exponents[0]: must be finite and above 1", ((1, 1, 1), origin, (1, 0, 0, 0), (1, 2))),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, plumb.Body, *arguments)
+
+    def test_solve(self):
+        ball = plumb.Body((1, 1, 1), (0, 0, 0))
+        names = ", ".join(method.name for method in plumb.methods())
+        wanted = "overlap, normal, points, curvature, derivatives"
+        for kind, text, named in (
+            (TypeError, "body2: must be a plumb.Body, not NoneType", {"body2": None}),
+            (ValueError, f"method: no 'best' among {names}", {"method": "best"}),
+            (ValueError, f"want: no 'depth' among {wanted}", {"want": "overlap,depth"}),
+            (TypeError, "want: must be names, as a list or with commas", {"want": 3}),
+            (ValueError, "motion: must have shape (3,), not (2,)", {"motion": (1, 2)}),
+            (ValueError, "motion: must be finite", {"motion": (1, 2, np.nan)}),
+            (TypeError, "last: must be a plumb.Contact", {"last": ball}),
+            (ValueError, "iteration_limit: must be at least 1", {"iteration_limit": 0}),
+            (TypeError, "iteration_limit: must be a whole number, not float", {"iteration_limit": 1.5}),
+            (ValueError, "tolerance: must be 0 or more", {"tolerance": np.nan}),
+            (TypeError, "tolerance: must be a number, not str", {"tolerance": "small"}),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, plumb.solve, **{"body1": ball, "body2": ball, **named})
+        self.expect(TypeError, "contact: must be a plumb.Contact", plumb.diagnose, ball, ball, ball)
+
+    def test_arrays_of_bodies(self):
+        rows = np.ones((5, 3))
+        number = "must be of real numbers that fit in float64, not of "
+        for kind, text, arguments in (
+            (ValueError, "semi_axes: must have shape (n, 3) or (3,), not (5, 4)", (np.ones((5, 4)), rows)),
+            (ValueError, "semi_axes: must have shape (n, 3) or (3,), not ()", (1.0, rows)),
+            (ValueError, "semi_axes: must be an array of shape (n, 3)", ([[1, 2, 3], [1, 2]], rows)),
+            (ValueError, "position: must have 5 rows as semi_axes has, not 4", (rows, rows[:4])),
+            (TypeError, f"position: {number}{LONG.dtype}", (rows, rows.astype(np.longdouble))),
+            (TypeError, f"quaternion: {number}object", (rows, rows, [None] * 4)),
+            (ValueError, "exponents: must have shape (n, 2) or (2,), not (3,)", (rows, rows, (1, 0, 0, 0), (2, 2, 2))),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, plumb.Bodies, *arguments)
+        self.assertRaises(IndexError, lambda: plumb.Bodies(rows, rows)[5])
+
+    def test_batch(self):
+        bodies1, bodies2 = pairs(5)
+        wanted = "overlap, normal, points, iterations, evaluations"
+        empty = plumb.Contacts.empty
+        for kind, text, named in (
+            (TypeError, "bodies1: must be plumb.Bodies, not Body", {"bodies1": bodies1[0]}),
+            (ValueError, "bodies2: must be 5 as bodies1 are, not 4", {"bodies2": pairs(4)[1]}),
+            (ValueError, f"want: no 'curvature' among {wanted}", {"want": ["curvature"]}),
+            (ValueError, "want: must not be given with out, whose arrays say it", {"want": (), "out": empty(5)}),
+            (TypeError, "out: must be plumb.Contacts, not dict", {"out": {}}),
+            (ValueError, "out.status: must have shape (5,), not (4,)", {"out": empty(4)}),
+            (ValueError, "threads: must be at least 1", {"threads": 0}),
+            (TypeError, "threads: must be a whole number, not str", {"threads": "all"}),
+            (ValueError, "iteration_limit: must be at least 1", {"iteration_limit": 0}),
+            (ValueError, "tolerance: must be 0 or more", {"tolerance": -1}),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, plumb.solve_batch, **{"bodies1": bodies1, "bodies2": bodies2, **named})
+        self.expect(ValueError, "order: must be 'C' or 'F', not 'A'", empty, 5, order="A")
+
+    def test_where_answers_go(self):
+        bodies1, bodies2 = pairs(5)
+        locked = np.empty((5, 3))
+        locked.flags.writeable = False
+        twice = np.empty((5, 3))
+        for kind, text, changed in (
+            (TypeError, "out.overlap: must be an array of float64", {"overlap": np.empty(5, np.float32)}),
+            (TypeError, "out.status: must be an array of int32", {"status": None}),
+            (ValueError, "out.points: must have shape (5, 2, 3), not (5, 6)", {"points": np.empty((5, 6))}),
+            (ValueError, "out.normal: must be writeable and aligned", {"normal": locked}),
+            (ValueError, "out.normal: shares memory with another array of the call", {"normal": bodies1.position}),
+            (
+                ValueError,
+                "out.contact_point: shares memory with another array of the call",
+                {"normal": twice, "contact_point": twice[::-1]},
+            ),
+        ):
+            out = dataclasses.replace(plumb.Contacts.empty(5), **changed)
+            with self.subTest(text):
+                self.expect(kind, text, plumb.solve_batch, bodies1, bodies2, out=out)
+
+
+if __name__ == "__main__":
+    unittest.main()
