@@ -166,6 +166,14 @@ def _array_names(want: str | Iterable[str]) -> list[str]:
     return ["status", "verdict", *words, *(["contact_point"] if "points" in words else [])]
 
 
+def _share_memory(one: NDArray[Any], other: NDArray[Any]) -> bool:
+    """True as well where numpy finds the question too hard, as it may be for layouts that nobody has."""
+    try:
+        return np.shares_memory(one, other, max_work=10**5)
+    except Exception:  # np.TooHardError, which numpy 2 keeps elsewhere
+        return True
+
+
 def _check_out(out: Contacts, size: int, inputs: tuple[_Floats | None, ...]) -> None:
     """ValueError, TypeError: not the shape, the type or the memory to write answers to."""
     arrays = {field.name: getattr(out, field.name) for field in fields(out)}
@@ -180,7 +188,7 @@ def _check_out(out: Contacts, size: int, inputs: tuple[_Floats | None, ...]) -> 
             raise ValueError(f"out.{name}: must have shape {_shape_text(shape)}, not {_shape_text(array.shape)}")
         if not (array.flags.writeable and array.flags.aligned and _by_whole_numbers(array)):
             raise ValueError(f"out.{name}: must be writeable and aligned")
-        if size and any(np.shares_memory(array, other) for other in seen):
+        if any(_share_memory(array, other) for other in seen):
             raise ValueError(f"out.{name}: shares memory with another array of the call")
         seen.append(array)
 

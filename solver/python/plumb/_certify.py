@@ -81,7 +81,9 @@ def certify_all(
     return _certify(cases, digits=digits, problem=problem, effort=effort, all=False) if cases else []
 
 
-def _certify(cases: list[dict[str, Any]], **given: Any) -> list[Certificate]:
+def _certify(cases: list[dict[str, Any]], *, problem: str, **given: Any) -> list[Certificate]:
+    if problem != "common_normal":
+        given["problem"] = problem
     lines = "".join(to_json(one) + "\n" for one in cases)
     _, printed = run(["certify", "-", "--json", *options(given)], lines)
     return [_certificate(json.loads(line)) for line in printed.splitlines()]

@@ -93,7 +93,7 @@ def _stop(process: subprocess.Popen[str]) -> None:
 def _judge(code: int, command: str, complaint: str) -> bool:
     last = (complaint.strip().splitlines() or ["it said nothing"])[-1]
     if code == 2:
-        raise ValueError(f"plumb {command}: {last}")
+        raise ValueError(last if last.startswith("plumb ") else f"plumb {command}: {last}")
     if code == 130:
         raise KeyboardInterrupt
     if code not in (0, 1):

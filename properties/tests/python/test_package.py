@@ -1,0 +1,67 @@
+"""The package as others see it: the examples in its texts, its types, its public names."""
+
+import doctest
+import importlib
+import inspect
+import os
+import pathlib
+import pkgutil
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+import plumb
+
+FOLDER = pathlib.Path(plumb.__file__).absolute().parent
+
+# pybind11 gives its classes a metaclass of its own, and those that only the module makes an __init__ that refuses.
+ALLOWED = r"""plumb._native.(Body|Contact|PoseDerivative)
+plumb._native.(Contact|PoseDerivative).__init__
+"""
+
+
+def modules():
+    names = [name for _, name, _ in pkgutil.iter_modules([str(FOLDER)])]
+    return [plumb, *(importlib.import_module(f"plumb.{name}") for name in names)]
+
+
+class Package(unittest.TestCase):
+    def test_examples_in_the_texts(self):
+        tried = 0
+        finder = doctest.DocTestFinder()
+        texts = [text for module in modules() for text in finder.find(module)]
+        for text in [*texts, *finder.find(plumb.Body, "Body")]:
+            text.globs.update(plumb=plumb, np=np)
+            result = doctest.DocTestRunner().run(text)
+            self.assertEqual(result.failed, 0, text.name)
+            tried += result.attempted
+        self.assertGreater(tried, 25)
+
+    def test_every_public_name_has_a_text(self):
+        for name in plumb.__all__:
+            thing = getattr(plumb, name)
+            self.assertTrue(isinstance(thing, str) or inspect.getdoc(thing), name)
+            if inspect.isclass(thing) and thing.__module__ == "plumb":
+                for member, value in vars(thing).items():
+                    self.assertTrue(member.startswith("_") or value.__doc__, f"{name}.{member}")
+
+    @unittest.skipUnless(shutil.which("stubtest"), "needs mypy")
+    def test_types(self):
+        environment = {**os.environ, "MYPYPATH": str(FOLDER.parent), "PYTHONPATH": str(FOLDER.parent)}
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "allowed").write_text(ALLOWED)
+            pathlib.Path(folder, "mypy.ini").write_text(f"[mypy]\nstrict = True\ncache_dir = {folder}/cache\n")
+            for command in (
+                ["mypy", "--config-file", "mypy.ini", "--python-executable", sys.executable, "-p", "plumb"],
+                ["stubtest", "plumb._native", "--mypy-config-file", "mypy.ini", "--allowlist", "allowed"],
+            ):
+                ran = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
+                self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
