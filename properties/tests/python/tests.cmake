@@ -10,5 +10,5 @@ foreach(file IN LISTS plumb_python_tests)
   add_test(NAME python/${name} COMMAND ${Python_EXECUTABLE} -B -m unittest --verbose test_${name}
            WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR})
   set_tests_properties(python/${name} PROPERTIES TIMEOUT 300 ENVIRONMENT
-                       "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PLUMB_SOURCE_DIR=${PROJECT_SOURCE_DIR};MPLBACKEND=Agg")
+                       "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PLUMB_SOURCE_DIR=${PROJECT_SOURCE_DIR};PLUMB_BINARY_DIR=${PROJECT_BINARY_DIR};MPLBACKEND=Agg")
 endforeach()
