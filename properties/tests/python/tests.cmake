@@ -4,10 +4,11 @@ if(NOT TARGET python)
   set_tests_properties(python/package PROPERTIES SKIP_REGULAR_EXPRESSION "not built")
   return()
 endif()
+get_target_property(interpreter python PLUMB_INTERPRETER)
 file(GLOB plumb_python_tests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/test_*.py)
 foreach(file IN LISTS plumb_python_tests)
   string(REGEX REPLACE "^test_(.+)[.]py$" "\\1" name ${file})
-  add_test(NAME python/${name} COMMAND ${Python_EXECUTABLE} -B -m unittest --verbose test_${name}
+  add_test(NAME python/${name} COMMAND ${interpreter} -B -m unittest --verbose test_${name}
            WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR})
   set_tests_properties(python/${name} PROPERTIES TIMEOUT 300 ENVIRONMENT
                        "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PLUMB_SOURCE_DIR=${PROJECT_SOURCE_DIR};PLUMB_BINARY_DIR=${PROJECT_BINARY_DIR};MPLBACKEND=Agg")
