@@ -1,0 +1,883 @@
+/* The flight recorder: a foreign contact loop calls it with shapes, poses and its OWN answer; it judges the answer in tens of
+ * nanoseconds and keeps what is wrong as case files that `plumb replay FOLDER` reads. Nothing but the C library, POSIX and
+ * libm; C99 or C++ with the __atomic builtins of gcc and clang. In one source file:
+ *
+ *     #define PLUMB_RECORDER_IMPLEMENTATION
+ *     #include <plumb/plumb_recorder.h>
+ *
+ * and in the loop
+ *
+ *     plumb_recorder* recorder = plumb_recorder_open("wrong-contacts", NULL);
+ *     ...
+ *     plumb_recorder_begin(recorder, &body1, &body2);            optional: a crash or a hang of the next line leaves a case
+ *     touching = my_contact(...);
+ *     plumb_record(recorder, &body1, &body2, &answer);           0, or the number of what is wrong
+ *     ...
+ *     plumb_recorder_close(recorder);
+ *
+ * What it sees     not_finite, false_contact, missed_contact, misaligned, off_surface, overlap_error; wrong_branch where the
+ *                  overlap is above the depth along the line of centres. What it says is wrong is wrong: no guess.
+ * What it cannot   a common normal that is not the lowest otherwise (wrong_branch); contacts missed where the line of centres
+ *                  shows none; without points, which of overlap and normal is off. What it could not decide is counted as not
+ *                  judged, and sample_every keeps answers for `plumb replay` to judge in full.
+ * What it keeps    the first of each bucket (finding, shapes, depth), across all runs and processes that share the folder.
+ * Any thread may call plumb_record and plumb_recorder_begin: no lock, no allocation. A null recorder is legal and does nothing.
+ */
+#ifndef PLUMB_RECORDER_H
+#define PLUMB_RECORDER_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 in body axes; the rotation quaternion / |quaternion| takes them to the world's. */
+typedef struct plumb_recorder_body {
+  double shape[5]; /* a, b, c > 0; n1, n2 > 1 */
+  double pose[7];  /* x, y, z; w, x, y, z of the quaternion, of any non-zero length */
+} plumb_recorder_body;
+
+/* World frame, the caller's unit. Without contact each field is judged where it is finite: leave NaN what there is not. */
+typedef struct plumb_recorder_answer {
+  int touching;        /* 1 or 0 */
+  double overlap;      /* > 0: penetration depth; < 0: minus the distance */
+  double normal[3];    /* unit, from body 1 to body 2 */
+  double points[2][3]; /* on body 1, on body 2: points[0] - points[1] = overlap * normal */
+} plumb_recorder_answer;
+
+enum plumb_recorder_finding {
+  PLUMB_FOUND_NOTHING,
+  PLUMB_FOUND_CRASH,
+  PLUMB_FOUND_NOT_FINITE,
+  PLUMB_FOUND_FALSE_CONTACT,
+  PLUMB_FOUND_MISSED_CONTACT,
+  PLUMB_FOUND_WRONG_BRANCH,
+  PLUMB_FOUND_MISALIGNED,
+  PLUMB_FOUND_OFF_SURFACE,
+  PLUMB_FOUND_OVERLAP_ERROR,
+  PLUMB_FINDINGS
+};
+
+/* Fields that the foreign code never gives; in any other a NaN in a contact is not_finite. */
+enum plumb_recorder_lacks { PLUMB_LACKS_OVERLAP = 1, PLUMB_LACKS_NORMAL = 2, PLUMB_LACKS_POINTS = 4 };
+
+typedef struct plumb_recorder_options {
+  double
+      tolerance; /* error that is no news: angles in rad, lengths relative to the larger body; 0: what rounding allows */
+  unsigned lacks;        /* of enum plumb_recorder_lacks, added */
+  unsigned max_files;    /* case files that this recorder writes, and as many samples */
+  uint64_t sample_every; /* every so many calls of a thread the answer becomes a file, whatever it is; 0: none */
+  int sync;              /* 1: a file outlives a loss of power as well (fsync) */
+} plumb_recorder_options;
+
+typedef struct plumb_recorder_counts {
+  uint64_t calls, not_judged, wrong; /* the others look right */
+  uint64_t findings[PLUMB_FINDINGS];
+  uint64_t files, samples, unwritten; /* unwritten: attempts that failed, see plumb_recorder_problem */
+} plumb_recorder_counts;
+
+typedef struct plumb_recorder plumb_recorder;
+
+/* 1e-6, nothing lacking, 100 files, no samples, no fsync. */
+plumb_recorder_options plumb_recorder_defaults(void);
+/* Makes the folder where it is not there, and keeps as `crash` what runs that ended inside the foreign solver left in it. Null
+ * options: the defaults. A folder that cannot be written leaves a recorder that judges and counts; null: no memory. */
+plumb_recorder* plumb_recorder_open(const char* folder, const plumb_recorder_options* options);
+/* The pair that is solved next on this thread, until plumb_record: of what ends the process meanwhile a trace stays. */
+void plumb_recorder_begin(plumb_recorder* recorder, const plumb_recorder_body* body1, const plumb_recorder_body* body2);
+/* 0 when nothing looks wrong, otherwise of enum plumb_recorder_finding. */
+int plumb_record(plumb_recorder* recorder, const plumb_recorder_body* body1, const plumb_recorder_body* body2,
+                 const plumb_recorder_answer* answer);
+/* The word of plumb's contract; "none" for 0. */
+const char* plumb_recorder_finding_name(int finding);
+plumb_recorder_counts plumb_recorder_counted(const plumb_recorder* recorder);
+/* The first thing that went wrong with the folder, "FILE: REASON"; "" when nothing did. */
+const char* plumb_recorder_problem(const plumb_recorder* recorder);
+/* After the last call of any thread. */
+void plumb_recorder_close(plumb_recorder* recorder);
+/* What plumb_recorder_open does with traces of runs that have ended, alone: how many there were; -1: the folder is of no use. */
+int plumb_recorder_recover(const char* folder);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* PLUMB_RECORDER_H */
+
+#if defined(PLUMB_RECORDER_IMPLEMENTATION) && !defined(PLUMB_RECORDER_IMPLEMENTED)
+#define PLUMB_RECORDER_IMPLEMENTED
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#ifndef O_CLOEXEC /* strict C99 */
+#define O_CLOEXEC 0
+#endif
+
+enum {
+  plumb__stripes = 64, /* of counters, so that threads do not share one */
+  plumb__slots = 64,   /* of pairs that are being solved */
+  plumb__classes = 24, /* shape kinds times slenderness */
+  plumb__regimes = 6,
+  plumb__buckets = PLUMB_FINDINGS * plumb__classes * plumb__regimes,
+  plumb__text = 4096,
+  plumb__path = 1280
+};
+
+typedef struct plumb__slot {
+  int state; /* 0 free, 1 claimed, 2 a pair in flight */
+  plumb_recorder_body bodies[2];
+  char spare[56];
+} plumb__slot;
+
+struct plumb_recorder {
+  plumb_recorder_options options;
+  struct {
+    uint64_t calls, not_judged;
+    char spare[112];
+  } stripes[plumb__stripes];
+  uint64_t counts[plumb__buckets];
+  char kept[plumb__buckets]; /* 0 no, 1 being written, 2 yes */
+  unsigned files, samples;
+  uint64_t unwritten, temporaries;
+  int has_problem; /* 1: being written, 2: there */
+  char problem[plumb__path + 128], folder[1024], flight[plumb__path];
+  int flight_file;
+  plumb__slot* slots;
+};
+
+static __thread struct {
+  unsigned stripe; /* from 1 */
+  plumb__slot* slot;
+} plumb__thread;
+
+/* ---- shapes. F = (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1, gauge = F^(1/n1) ---- */
+
+typedef struct plumb__placed {
+  const double* shape;
+  const double* centre;
+  double axes[3][3]; /* body axes in the world frame, one a row */
+} plumb__placed;
+
+typedef struct plumb__pair {
+  plumb__placed body[2];
+  double apart[3], distance; /* from centre to centre */
+  double size, least;        /* the longest and the shortest semi-axis of both */
+  double far_out;            /* from the origin */
+} plumb__pair;
+
+static double plumb__dot(const double* a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Of a NaN neither says anything; fmin and fmax are calls. */
+static double plumb__min(double a, double b) {
+  return a < b ? a : b;
+}
+
+static double plumb__max(double a, double b) {
+  return a > b ? a : b;
+}
+
+static double plumb__max3(const double* v) {
+  return plumb__max(fabs(v[0]), plumb__max(fabs(v[1]), fabs(v[2])));
+}
+
+static void plumb__to_body(const plumb__placed* body, const double* v, double* out) {
+  for (int i = 0; i < 3; ++i) out[i] = plumb__dot(body->axes[i], v);
+}
+
+static void plumb__place(plumb__placed* body, const plumb_recorder_body* given) {
+  double w = given->pose[3], x = given->pose[4], y = given->pose[5], z = given->pose[6];
+  double square = w * w + x * x + y * y + z * z;
+  if (!(square > 1e-200 && square < 1e200)) { /* out of range, or no number at all */
+    const double largest = plumb__max(fabs(w), plumb__max3(&given->pose[4]));
+    w /= largest, x /= largest, y /= largest, z /= largest;
+    square = w * w + x * x + y * y + z * z;
+  }
+  const double s = 2 / square;
+  const double axes[3][3] = {{1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)},
+                             {s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x)},
+                             {s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y)}};
+  memcpy(body->axes, axes, sizeof axes);
+  body->shape = given->shape;
+  body->centre = given->pose;
+}
+
+static double plumb__least(const double* shape) {
+  return plumb__min(shape[0], plumb__min(shape[1], shape[2]));
+}
+
+static void plumb__place_pair(plumb__pair* pair, const plumb_recorder_body* body1, const plumb_recorder_body* body2) {
+  plumb__place(&pair->body[0], body1);
+  plumb__place(&pair->body[1], body2);
+  for (int i = 0; i < 3; ++i) pair->apart[i] = body2->pose[i] - body1->pose[i];
+  pair->distance = sqrt(plumb__dot(pair->apart, pair->apart));
+  pair->size = plumb__max(plumb__max3(body1->shape), plumb__max3(body2->shape));
+  pair->least = plumb__min(plumb__least(body1->shape), plumb__least(body2->shape));
+  pair->far_out = plumb__max(plumb__max3(body1->pose), plumb__max3(body2->pose));
+}
+
+static int plumb__is_round(const double* shape) {
+  return shape[3] == 2 && shape[4] == 2;
+}
+
+/* F at x in body axes, and its gradient over n1: both from the same powers. */
+static double plumb__level(const double* shape, const double* x, double* gradient) {
+  const double u[3] = {x[0] / shape[0], x[1] / shape[1], x[2] / shape[2]};
+  if (plumb__is_round(shape)) {
+    for (int i = 0; i < 3; ++i) gradient[i] = u[i] / shape[i];
+    return plumb__dot(u, u);
+  }
+  const double n1 = shape[3], n2 = shape[4];
+  const double p[3] = {pow(fabs(u[0]), n2), pow(fabs(u[1]), n2), pow(fabs(u[2]), n1)};
+  const double flat = p[0] + p[1], round = n1 == n2 ? flat : pow(flat, n1 / n2);
+  const double of_flat = flat > 0 ? round / flat : 0;
+  gradient[0] = x[0] == 0 ? 0 : of_flat * p[0] / x[0];
+  gradient[1] = x[1] == 0 ? 0 : of_flat * p[1] / x[1];
+  gradient[2] = x[2] == 0 ? 0 : p[2] / x[2];
+  return round + p[2];
+}
+
+/* The gauge and its gradient, for points however far out. */
+static double plumb__gauge(const double* shape, const double* x, double* gradient) {
+  const double u[3] = {x[0] / shape[0], x[1] / shape[1], x[2] / shape[2]}, scale = plumb__max3(u);
+  gradient[0] = gradient[1] = gradient[2] = 0;
+  if (!(scale > 0)) return scale;
+  const double scaled[3] = {x[0] / scale, x[1] / scale, x[2] / scale};
+  const double level = plumb__level(shape, scaled, gradient), root = pow(level, 1 / shape[3]);
+  for (int i = 0; i < 3; ++i) gradient[i] *= root / level;
+  return scale * root;
+}
+
+/* The largest x.u over the body: the gauge of the body with reciprocal axes and exponents n/(n-1). */
+static double plumb__support(const plumb__placed* body, const double* world) {
+  const double* s = body->shape;
+  const double dual[5] = {1 / s[0], 1 / s[1], 1 / s[2], s[3] / (s[3] - 1), s[4] / (s[4] - 1)};
+  double u[3], point[3];
+  plumb__to_body(body, world, u);
+  return plumb__gauge(dual, u, point);
+}
+
+/* No less than the support, and no power in it: that of the ellipsoid up to exponents of 2, of the box beyond. */
+static double plumb__support_bound(const plumb__placed* body, const double* world) {
+  double u[3];
+  plumb__to_body(body, world, u);
+  for (int i = 0; i < 3; ++i) u[i] *= body->shape[i];
+  if (body->shape[3] <= 2 && body->shape[4] <= 2) return sqrt(plumb__dot(u, u));
+  return fabs(u[0]) + fabs(u[1]) + fabs(u[2]);
+}
+
+/* How deep the bodies are in each other along a unit vector: the lowest over all of them is the overlap. */
+static double plumb__depth(const plumb__pair* pair, const double* n) {
+  return plumb__support(&pair->body[0], n) + plumb__support(&pair->body[1], n) - plumb__dot(pair->apart, n);
+}
+
+/* ---- judgement: > 0 a finding, 0 looks right, -1 not judged ---- */
+
+typedef struct plumb__allowed {
+  double angle, length; /* of a point, which far from the origin is rounded the more */
+  double depth;         /* of an overlap */
+} plumb__allowed;
+
+static plumb__allowed plumb__allow(const plumb__pair* pair, double tolerance) {
+  const double few = 32 * DBL_EPSILON, own = tolerance * pair->size;
+  const plumb__allowed out = {tolerance + few, own + few * (pair->size + pair->far_out),
+                              own + few * (pair->size + pair->distance)};
+  return out;
+}
+
+static int plumb__is_finite(const double* v, int count) {
+  double zero = 0;
+  for (int i = 0; i < count; ++i) zero += v[i] * 0;
+  return zero == 0;
+}
+
+static int plumb__is_legal(const plumb_recorder_body* body) {
+  const double *s = body->shape, *q = &body->pose[3];
+  return plumb__is_finite(s, 5) && plumb__is_finite(body->pose, 7) && s[0] > 0 && s[1] > 0 && s[2] > 0 && s[3] > 1 &&
+         s[4] > 1 && (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0);
+}
+
+/* Whether the point is on the body within `length`, and its normal along `sign` times n within `angle`; n unit, all but. */
+static int plumb__fits(const plumb__placed* body, const double* point, const double* n, double sign,
+                       const plumb__allowed* allowed) {
+  const double from_centre[3] = {point[0] - body->centre[0], point[1] - body->centre[1], point[2] - body->centre[2]};
+  double x[3], u[3], g[3];
+  plumb__to_body(body, from_centre, x);
+  plumb__to_body(body, n, u);
+  const double excess = (plumb__level(body->shape, x, g) - 1) / body->shape[3], square = plumb__dot(g, g);
+  const double across[3] = {g[1] * u[2] - g[2] * u[1], g[2] * u[0] - g[0] * u[2], g[0] * u[1] - g[1] * u[0]};
+  return excess * excess <= allowed->length * allowed->length * square && sign * plumb__dot(g, u) > 0 &&
+         plumb__dot(across, across) <= allowed->angle * allowed->angle * square;
+}
+
+/* The quick way: a whole answer that fits. Whatever is no number fails a comparison. */
+static int plumb__is_right(const plumb__pair* pair, const plumb_recorder_answer* a, const plumb__allowed* allowed) {
+  const double *p1 = a->points[0], *p2 = a->points[1], *n = a->normal;
+  if (!(fabs(plumb__dot(n, n) - 1) <= 2 * allowed->angle)) return 0;
+  double off[3];
+  for (int i = 0; i < 3; ++i) off[i] = p1[i] - p2[i] - a->overlap * n[i];
+  if (!(plumb__dot(off, off) <= allowed->length * allowed->length)) return 0;
+  if (!plumb__fits(&pair->body[0], p1, n, 1, allowed) || !plumb__fits(&pair->body[1], p2, n, -1, allowed)) return 0;
+  if (!a->touching) return a->overlap < 0; /* two planes between the bodies */
+  const double* d = pair->apart;           /* not a unit vector: all lengths times the distance */
+  const double most =
+      plumb__support_bound(&pair->body[0], d) + plumb__support_bound(&pair->body[1], d) - plumb__dot(d, d);
+  return a->overlap >= -allowed->depth && a->overlap * pair->distance <= most + allowed->depth * pair->distance;
+}
+
+static int plumb__is_apart_at_once(const plumb__pair* pair) {
+  const double* d = pair->apart;
+  return plumb__support_bound(&pair->body[0], d) + plumb__support_bound(&pair->body[1], d) <
+         plumb__dot(d, d) * (1 - 32 * DBL_EPSILON);
+}
+
+/* The quick way squares lengths and divides them by each other. */
+static int plumb__is_in_range(const plumb__pair* pair) {
+  return pair->least > 1e-75 && pair->size < 1e75 && pair->far_out < 1e75;
+}
+
+/* What a point shows: its distance from the surface, the normal there, and how far that turns within `half` of the point. */
+typedef struct plumb__seen {
+  double gap, normal[3], turn;
+} plumb__seen;
+
+static double plumb__angle(const double* a, const double* b) {
+  const double length = sqrt(plumb__dot(a, a) * plumb__dot(b, b));
+  const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return atan2(sqrt(plumb__dot(cross, cross)) / length, plumb__dot(a, b) / length);
+}
+
+static plumb__seen plumb__see(const plumb__placed* body, const double* point, double half) {
+  const double from_centre[3] = {point[0] - body->centre[0], point[1] - body->centre[1], point[2] - body->centre[2]};
+  plumb__seen seen = {0, {0, 0, 0}, 0};
+  double x[3], g[3], at_corner[3];
+  plumb__to_body(body, from_centre, x);
+  const double value = plumb__gauge(body->shape, x, g), slope = sqrt(plumb__dot(g, g));
+  seen.gap = fabs(value - 1) / slope;
+  int is_near = 0; /* on a tip the slope says nothing of what is beside it */
+  for (int i = 0; i < 8; ++i) {
+    const double corner[3] = {x[0] + (i & 1 ? half : -half), x[1] + (i & 2 ? half : -half),
+                              x[2] + (i & 4 ? half : -half)};
+    is_near |= plumb__gauge(body->shape, corner, at_corner) >= 1;
+    seen.turn = plumb__max(seen.turn, plumb__angle(g, at_corner));
+  }
+  if (value < 1 && is_near) seen.gap = plumb__min(seen.gap, half);
+  for (int i = 0; i < 3; ++i)
+    seen.normal[i] = (g[0] * body->axes[0][i] + g[1] * body->axes[1][i] + g[2] * body->axes[2][i]) / slope;
+  return seen;
+}
+
+/* Of the points, with the normal and the overlap where they are finite; in the order of the contract. */
+static int plumb__judge_points(const plumb__pair* pair, const plumb_recorder_answer* a, const plumb__allowed* allowed) {
+  const plumb__seen at1 = plumb__see(&pair->body[0], a->points[0], allowed->length);
+  const plumb__seen at2 = plumb__see(&pair->body[1], a->points[1], allowed->length);
+  const double *p1 = a->points[0], *p2 = a->points[1], *n = plumb__is_finite(a->normal, 3) ? a->normal : at1.normal;
+  const double d[3] = {p1[0] - p2[0], p1[1] - p2[1], p1[2] - p2[2]}, length = sqrt(plumb__dot(d, d));
+  const double minus_n[3] = {-n[0], -n[1], -n[2]}, along = plumb__dot(d, n), turn = 2 * plumb__max(at1.turn, at2.turn);
+  const double slack = 2 * allowed->length, overlap = plumb__is_finite(&a->overlap, 1) ? a->overlap : along;
+  double off_line[3], off[3];
+  for (int i = 0; i < 3; ++i) off_line[i] = d[i] - along * n[i], off[i] = d[i] - overlap * n[i];
+  const int is_off = !(sqrt(plumb__dot(off, off)) <= slack), is_long = !(fabs(length - fabs(overlap)) <= slack);
+  if (!(fabs(sqrt(plumb__dot(n, n)) - 1) <= allowed->angle) ||
+      !(plumb__angle(at1.normal, n) <= allowed->angle + turn) ||
+      !(plumb__angle(at2.normal, minus_n) <= allowed->angle + turn) ||
+      !(sqrt(plumb__dot(off_line, off_line)) <= slack + length * (allowed->angle + turn)) || (is_off && !is_long))
+    return PLUMB_FOUND_MISALIGNED;
+  if (!(at1.gap <= allowed->length) || !(at2.gap <= allowed->length)) return PLUMB_FOUND_OFF_SURFACE;
+  return is_off ? PLUMB_FOUND_OVERLAP_ERROR : PLUMB_FOUND_NOTHING;
+}
+
+static void plumb__line(const plumb__pair* pair, double* line) {
+  for (int i = 0; i < 3; ++i) line[i] = pair->distance > 0 ? pair->apart[i] / pair->distance : (i == 0);
+}
+
+/* A plane between the bodies: across the answer's normal or the line of centres. */
+static int plumb__is_apart(const plumb__pair* pair, const double* normal, const plumb__allowed* allowed) {
+  double line[3];
+  plumb__line(pair, line);
+  const double length = sqrt(plumb__dot(normal, normal));
+  const double n[3] = {normal[0] / length, normal[1] / length, normal[2] / length};
+  return plumb__depth(pair, n) < -allowed->depth || plumb__depth(pair, line) < -allowed->depth;
+}
+
+/* A ball about a point of the line of centres that is in both bodies; its radius, from the least semi-axis, bounds the depth. */
+static int plumb__is_overlapping(const plumb__pair* pair, const plumb__allowed* allowed) {
+  double gauge[2], least[2], x[3], gradient[3];
+  for (int k = 0; k < 2; ++k) {
+    const double* s = pair->body[k].shape;
+    plumb__to_body(&pair->body[k], pair->apart, x);
+    gauge[k] = plumb__gauge(s, x, gradient);
+    least[k] = plumb__least(s) / sqrt(3);
+  }
+  const double from = plumb__max(0, 1 - 1 / gauge[1]), to = plumb__min(1, 1 / gauge[0]), t = (from + to) / 2;
+  return from < to && (1 - t * gauge[0]) * least[0] + (1 - (1 - t) * gauge[1]) * least[1] > allowed->depth;
+}
+
+static int plumb__judge_contact(const plumb__pair* pair, const plumb_recorder_answer* a,
+                                const plumb__allowed* allowed) {
+  const int has_points = plumb__is_finite(a->points[0], 6), has_normal = plumb__is_finite(a->normal, 3);
+  const int has_overlap = plumb__is_finite(&a->overlap, 1);
+  if (plumb__is_apart(pair, a->normal, allowed)) return PLUMB_FOUND_FALSE_CONTACT;
+  const int of_points = has_points ? plumb__judge_points(pair, a, allowed) : PLUMB_FOUND_NOTHING;
+  if (of_points != PLUMB_FOUND_NOTHING) return of_points;
+  if (has_normal && !(fabs(sqrt(plumb__dot(a->normal, a->normal)) - 1) <= allowed->angle))
+    return PLUMB_FOUND_MISALIGNED;
+  if (!has_points && has_normal && has_overlap && !(fabs(plumb__depth(pair, a->normal) - a->overlap) <= allowed->depth))
+    return PLUMB_FOUND_OVERLAP_ERROR;
+  double line[3];
+  plumb__line(pair, line);
+  if (has_overlap && a->overlap > plumb__depth(pair, line) + allowed->depth)
+    return has_points ? PLUMB_FOUND_WRONG_BRANCH : PLUMB_FOUND_OVERLAP_ERROR;
+  if (has_points || (has_normal && has_overlap) || plumb__is_overlapping(pair, allowed)) return PLUMB_FOUND_NOTHING;
+  return -1;
+}
+
+static int plumb__judge_apart(const plumb__pair* pair, const plumb_recorder_answer* a, const plumb__allowed* allowed) {
+  const plumb__allowed nothing = plumb__allow(pair, 0);
+  if (plumb__is_overlapping(pair, allowed)) return PLUMB_FOUND_MISSED_CONTACT;
+  const int of_points = plumb__is_finite(a->points[0], 6) ? plumb__judge_points(pair, a, allowed) : PLUMB_FOUND_NOTHING;
+  if (of_points != PLUMB_FOUND_NOTHING) return of_points;
+  return plumb__is_apart(pair, a->normal, &nothing) ? PLUMB_FOUND_NOTHING : -1;
+}
+
+/* The answer without the fields that the foreign code never gives. */
+static plumb_recorder_answer plumb__given(const plumb_recorder_answer* a, unsigned lacks) {
+  plumb_recorder_answer out = *a;
+  if (lacks & PLUMB_LACKS_OVERLAP) out.overlap = NAN;
+  for (int i = 0; i < 3; ++i) {
+    if (lacks & PLUMB_LACKS_NORMAL) out.normal[i] = NAN;
+    if (lacks & PLUMB_LACKS_POINTS) out.points[0][i] = out.points[1][i] = NAN;
+  }
+  return out;
+}
+
+/* Fields that are half there, or infinite, or in a contact not there at all though the code gives them. */
+static int plumb__is_broken(const plumb_recorder_answer* a, unsigned lacks) {
+  const double* values[3] = {&a->overlap, a->normal, a->points[0]};
+  const int counts[3] = {1, 3, 6};
+  for (int k = 0; k < 3; ++k) {
+    int missing = 0;
+    if (lacks & (1u << k)) continue;
+    for (int i = 0; i < counts[k]; ++i) missing += isnan(values[k][i]) ? 1 : 0;
+    if (plumb__is_finite(values[k], counts[k])) continue;
+    if (a->touching || missing != counts[k]) return 1;
+  }
+  return 0;
+}
+
+static int plumb__judge(const plumb_recorder_options* options, const plumb_recorder_body* body1,
+                        const plumb_recorder_body* body2, const plumb_recorder_answer* a) {
+  plumb__pair pair;
+  plumb__place_pair(&pair, body1, body2);
+  const plumb__allowed allowed = plumb__allow(&pair, options->tolerance), rounding = plumb__allow(&pair, 0);
+  if (!plumb__is_in_range(&pair)) return -1;
+  if (!a->touching && isnan(a->points[0][0]) && plumb__is_apart_at_once(&pair)) return PLUMB_FOUND_NOTHING;
+  if (!options->lacks && plumb__is_right(&pair, a, &allowed)) return PLUMB_FOUND_NOTHING;
+  if (!plumb__is_legal(body1) || !plumb__is_legal(body2)) return -1;
+  const plumb_recorder_answer given = plumb__given(a, options->lacks);
+  if (plumb__is_broken(a, options->lacks)) return PLUMB_FOUND_NOT_FINITE;
+  int (*const judge)(const plumb__pair*, const plumb_recorder_answer*, const plumb__allowed*) =
+      a->touching ? plumb__judge_contact : plumb__judge_apart;
+  const int found = judge(&pair, &given, &allowed), named = found > 0 ? judge(&pair, &given, &rounding) : found;
+  return named > 0
+             ? named
+             : found; /* wrong by the tolerance; in words, the first that is wrong by rounding, as plumb's laws say it */
+}
+
+/* ---- buckets and files ---- */
+
+const char* plumb_recorder_finding_name(int finding) {
+  static const char* const names[PLUMB_FINDINGS] = {"none",          "crash",          "not_finite",
+                                                    "false_contact", "missed_contact", "wrong_branch",
+                                                    "misaligned",    "off_surface",    "overlap_error"};
+  return finding >= 0 && finding < PLUMB_FINDINGS ? names[finding] : "unknown";
+}
+
+/* The kind of shape in corpus/shape_class.hpp's order, times 4; 1 for a needle and 2 for a disc are added by the caller. */
+static int plumb__kind(const double* s) {
+  const int equal = (s[0] == s[1]) + (s[1] == s[2]) + (s[0] == s[2]);
+  if (plumb__is_round(s)) return equal == 3 ? 0 : (equal == 1 ? 4 : 8);
+  if (plumb__min(s[3], s[4]) < 2) return 20;
+  return plumb__max(s[3], s[4]) <= 4 ? 12 : 16;
+}
+
+static int plumb__slenderness(const double* s) {
+  const double least = plumb__least(s), most = plumb__max3(s);
+  const double middle = plumb__max(plumb__min(s[0], s[1]), plumb__min(plumb__max(s[0], s[1]), s[2]));
+  return (most >= 10 * middle ? 1 : 0) | (middle >= 10 * least ? 2 : 0);
+}
+
+static int plumb__regime(double ratio) {
+  if (isnan(ratio)) return 0;
+  if (fabs(ratio) < 1e-9) return 1;
+  if (ratio < 0) return 2;
+  return ratio < 1e-2 ? 3 : (ratio < 1e-1 ? 4 : 5);
+}
+
+static int plumb__bucket(int finding, const plumb_recorder_body* body1, const plumb_recorder_body* body2,
+                         double overlap) {
+  const int kind1 = plumb__kind(body1->shape), kind2 = plumb__kind(body2->shape);
+  const int slender = plumb__slenderness(body1->shape) | plumb__slenderness(body2->shape);
+  const int shape = (kind1 > kind2 ? kind1 : kind2) | slender;
+  const int regime = plumb__regime(overlap / plumb__min(plumb__max3(body1->shape), plumb__max3(body2->shape)));
+  return (finding * plumb__classes + shape) * plumb__regimes + regime;
+}
+
+static void plumb__bucket_name(int bucket, char* out, size_t size) {
+  static const char* const kinds[6] = {
+      "spheres", "spheroids", "ellipsoids", "round_superquadrics", "blocky_superquadrics", "pointed_superquadrics"};
+  static const char* const slender[4] = {"", "-needle", "-disc", "-needle-and-disc"};
+  static const char* const regimes[plumb__regimes] = {"unknown", "touching", "separated",
+                                                      "shallow", "moderate", "deep"};
+  const int shape = bucket / plumb__regimes % plumb__classes;
+  (void)snprintf(out, size, "%s-%s%s-%s", plumb_recorder_finding_name(bucket / plumb__regimes / plumb__classes),
+                 kinds[shape / 4], slender[shape % 4], regimes[bucket % plumb__regimes]);
+}
+
+typedef struct plumb__writer {
+  char text[plumb__text];
+  size_t used;
+} plumb__writer;
+
+static void plumb__put(plumb__writer* out, const char* text) {
+  const size_t length = strlen(text), room = sizeof out->text - 1 - out->used;
+  memcpy(out->text + out->used, text, length < room ? length : room);
+  out->used += length < room ? length : room;
+  out->text[out->used] = 0;
+}
+
+/* The shortest decimal that reads back, with a point whatever the locale writes. */
+static void plumb__put_number(plumb__writer* out, double value) {
+  char text[64], plain[64];
+  size_t used = 0;
+  for (int digits = 1; digits <= 17; ++digits) {
+    (void)snprintf(text, sizeof text, "%.*g", digits, value);
+    if (strtod(text, NULL) == value) break;
+  }
+  for (const char* c = text; *c; ++c) {
+    const int is_plain = (*c >= '0' && *c <= '9') || *c == '-' || *c == '+' || *c == 'e';
+    if (is_plain || used == 0 || plain[used - 1] != '.') plain[used++] = is_plain ? *c : '.';
+  }
+  plain[used] = 0;
+  plumb__put(out, plain);
+}
+
+static void plumb__put_numbers(plumb__writer* out, const char* before, const double* values, int count,
+                               const char* after) {
+  plumb__put(out, before);
+  for (int i = 0; i < count; ++i) {
+    if (i > 0) plumb__put(out, ", ");
+    plumb__put_number(out, values[i]);
+  }
+  plumb__put(out, after);
+}
+
+static void plumb__put_body(plumb__writer* out, const plumb_recorder_body* body) {
+  plumb__put_numbers(out, "{\"shape\": {\"superellipsoid\": {\"semi_axes\": [", body->shape, 3, "]");
+  plumb__put_numbers(out, ", \"exponents\": [", &body->shape[3], 2, "]}}");
+  plumb__put_numbers(out, ", \"position\": [", body->pose, 3, "]");
+  plumb__put_numbers(out, ", \"orientation\": {\"quaternion_wxyz\": [", &body->pose[3], 4, "]}}");
+}
+
+/* The fields of plumb solve; what is no number is left out, as JSON has none for it. */
+static void plumb__put_answer(plumb__writer* out, const plumb_recorder_answer* a, int finding) {
+  plumb__put(out, "{\"method\": \"recorded\", \"status\": ");
+  plumb__put(out, finding == PLUMB_FOUND_NOT_FINITE ? "\"not_finite\"" : "\"converged\"");
+  plumb__put(out, a->touching ? ", \"verdict\": \"overlapping\"" : ", \"verdict\": \"separated\"");
+  if (plumb__is_finite(&a->overlap, 1)) plumb__put_numbers(out, ", \"overlap\": ", &a->overlap, 1, "");
+  if (plumb__is_finite(a->normal, 3)) plumb__put_numbers(out, ", \"normal\": [", a->normal, 3, "]");
+  if (plumb__is_finite(a->points[0], 6)) {
+    plumb__put_numbers(out, ", \"points\": [[", a->points[0], 3, "]");
+    plumb__put_numbers(out, ", [", a->points[1], 3, "]]");
+  }
+  plumb__put(out, "}");
+}
+
+/* A case; without an answer its solver gave none. */
+static void plumb__put_case(plumb__writer* out, const char* name, int finding, uint64_t call,
+                            const plumb_recorder_options* options, const plumb_recorder_body* const bodies[2],
+                            const plumb_recorder_answer* answer) {
+  char text[160];
+  plumb__put(out, "{\"format\": \"plumb/case-1\", \"name\": \"");
+  plumb__put(out, name);
+  plumb__put(out, "\",\n \"bodies\": [");
+  plumb__put_body(out, bodies[0]);
+  plumb__put(out, ",\n            ");
+  plumb__put_body(out, bodies[1]);
+  plumb__put(out, "],\n \"x_answer\": ");
+  if (answer) plumb__put_answer(out, answer, finding);
+  if (!answer)
+    plumb__put(
+        out,
+        "{\"method\": \"recorded\", \"x_finding\": \"crash\", \"x_detail\": \"the process ended inside the solver\"}");
+  (void)snprintf(text, sizeof text, ",\n \"expect\": {\"finding\": \"%s\"}", plumb_recorder_finding_name(finding));
+  if (finding != PLUMB_FOUND_NOTHING) plumb__put(out, text);
+  (void)snprintf(text, sizeof text, ",\n \"provenance\": {\"recorder\": 1, \"call\": %llu", (unsigned long long)call);
+  plumb__put(out, text);
+  plumb__put_numbers(out, ", \"tolerance\": ", &options->tolerance, 1, "}}\n");
+}
+
+/* The first problem is kept: a full disk is told once. */
+static int plumb__fail(plumb_recorder* recorder, const char* path, int error) {
+  int none = 0;
+  (void)__atomic_fetch_add(&recorder->unwritten, 1, __ATOMIC_RELAXED);
+  if (!__atomic_compare_exchange_n(&recorder->has_problem, &none, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return 0;
+  (void)snprintf(recorder->problem, sizeof recorder->problem, "%s: %s", path, strerror(error));
+  __atomic_store_n(&recorder->has_problem, 2, __ATOMIC_RELEASE);
+  return 0;
+}
+
+static int plumb__write_all(int file, const char* text, size_t size) {
+  while (size > 0) {
+    const ssize_t written = write(file, text, size);
+    if (written < 0 && errno != EINTR) return 0;
+    if (written > 0) text += written, size -= (size_t)written;
+  }
+  return 1;
+}
+
+/* By way of a temporary beside it, so that what has the name is whole. A file of that name is left as it is. */
+static int plumb__write_file(plumb_recorder* recorder, const char* name, const plumb__writer* text) {
+  char path[plumb__path], beside[plumb__path + 64];
+  const uint64_t number = __atomic_fetch_add(&recorder->temporaries, 1, __ATOMIC_RELAXED);
+  (void)snprintf(path, sizeof path, "%s/%s.json", recorder->folder, name);
+  (void)snprintf(beside, sizeof beside, "%s.%ld.%llu.tmp", path, (long)getpid(), (unsigned long long)number);
+  if (access(path, F_OK) == 0) return 1;
+  const int file = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) return plumb__fail(recorder, path, errno);
+  int is_written = plumb__write_all(file, text->text, text->used) && (!recorder->options.sync || fsync(file) == 0);
+  int error = errno;
+  if (close(file) != 0 && is_written) is_written = 0, error = errno;
+  if (is_written && rename(beside, path) == 0) return 1;
+  if (is_written) error = errno;
+  (void)unlink(beside);
+  return plumb__fail(recorder, path, error);
+}
+
+/* One of max_files. */
+static int plumb__take(unsigned* taken, unsigned most) {
+  unsigned now = __atomic_load_n(taken, __ATOMIC_RELAXED);
+  while (now < most)
+    if (__atomic_compare_exchange_n(taken, &now, now + 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return 1;
+  return 0;
+}
+
+/* Counts it, and writes the first of its bucket; after a failure again at the 2nd, 4th, 8th.. */
+static void plumb__keep(plumb_recorder* recorder, int finding, uint64_t call,
+                        const plumb_recorder_body* const bodies[2], const plumb_recorder_answer* answer) {
+  const int bucket = plumb__bucket(finding, bodies[0], bodies[1], answer ? answer->overlap : NAN);
+  const uint64_t count = __atomic_add_fetch(&recorder->counts[bucket], 1, __ATOMIC_RELAXED);
+  char* const kept = &recorder->kept[bucket];
+  char name[128], no = 0;
+  plumb__writer text;
+  if ((count & (count - 1)) != 0 || __atomic_load_n(kept, __ATOMIC_RELAXED) != 0) return;
+  if (!__atomic_compare_exchange_n(kept, &no, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return;
+  int is_kept = 0;
+  if (plumb__take(&recorder->files, recorder->options.max_files)) {
+    text.used = 0;
+    plumb__bucket_name(bucket, name, sizeof name);
+    plumb__put_case(&text, name, finding, call, &recorder->options, bodies, answer);
+    is_kept = plumb__write_file(recorder, name, &text);
+    if (!is_kept) (void)__atomic_fetch_sub(&recorder->files, 1, __ATOMIC_RELAXED);
+  }
+  __atomic_store_n(kept, is_kept ? 2 : 0, __ATOMIC_RELAXED);
+}
+
+static void plumb__sample(plumb_recorder* recorder, uint64_t call, const plumb_recorder_body* const bodies[2],
+                          const plumb_recorder_answer* answer) {
+  char name[128];
+  plumb__writer text;
+  if (!plumb__is_legal(bodies[0]) || !plumb__is_legal(bodies[1])) return;
+  if (!plumb__take(&recorder->samples, recorder->options.max_files)) return;
+  (void)snprintf(name, sizeof name, "sample-%u-%llu", plumb__thread.stripe, (unsigned long long)call);
+  text.used = 0;
+  plumb__put_case(&text, name, PLUMB_FOUND_NOTHING, call, &recorder->options, bodies, answer);
+  if (!plumb__write_file(recorder, name, &text)) (void)__atomic_fetch_sub(&recorder->samples, 1, __ATOMIC_RELAXED);
+}
+
+/* ---- pairs in flight: a file in memory, which the kernel keeps whatever ends the process ---- */
+
+static void plumb__recover_slot(plumb_recorder* recorder, const plumb__slot* slot) {
+  const plumb_recorder_body* const bodies[2] = {&slot->bodies[0], &slot->bodies[1]};
+  if (slot->state == 2 && plumb__is_legal(bodies[0]) && plumb__is_legal(bodies[1]))
+    plumb__keep(recorder, PLUMB_FOUND_CRASH, 0, bodies, NULL);
+}
+
+/* Of a process that has ended: a living one holds the lock. */
+static void plumb__recover_file(plumb_recorder* recorder, const char* name) {
+  char path[plumb__path];
+  plumb__slot slot;
+  if ((size_t)snprintf(path, sizeof path, "%s/%s", recorder->folder, name) >= sizeof path) return;
+  const int file = open(path, O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  if (flock(file, LOCK_EX | LOCK_NB) == 0) {
+    while (read(file, &slot, sizeof slot) == (ssize_t)sizeof slot) plumb__recover_slot(recorder, &slot);
+    if (recorder->unwritten == 0) (void)unlink(path);
+  }
+  (void)close(file);
+}
+
+static void plumb__recover_all(plumb_recorder* recorder) {
+  static const char prefix[] = "in-flight.";
+  DIR* const folder = opendir(recorder->folder);
+  if (!folder) return;
+  for (const struct dirent* entry = readdir(folder); entry; entry = readdir(folder))
+    if (strncmp(entry->d_name, prefix, sizeof prefix - 1) == 0) plumb__recover_file(recorder, entry->d_name);
+  (void)closedir(folder);
+}
+
+/* Locked and still there: between the two steps another process may have taken it for one that was left. */
+static int plumb__lock_new(const char* path) {
+  struct stat status;
+  const int file = open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0) return -1;
+  if (flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &status) == 0 && status.st_nlink == 1) return file;
+  (void)close(file);
+  errno = EEXIST;
+  return -1;
+}
+
+static void plumb__open_flight(plumb_recorder* recorder) {
+  static const char zero[plumb__slots * sizeof(plumb__slot)] = {0};
+  for (int i = 0; recorder->flight_file < 0 && i < 1000; ++i) {
+    (void)snprintf(recorder->flight, sizeof recorder->flight, "%s/in-flight.%ld.%d", recorder->folder, (long)getpid(),
+                   i);
+    recorder->flight_file = plumb__lock_new(recorder->flight);
+    if (recorder->flight_file < 0 && errno != EEXIST) break;
+  }
+  if (recorder->flight_file < 0) {
+    (void)plumb__fail(recorder, recorder->flight, errno);
+    return;
+  }
+  /* Written, not stretched: a mapped page that the disk has no room for would end the process. */
+  if (plumb__write_all(recorder->flight_file, zero, sizeof zero)) {
+    void* const at = mmap(NULL, sizeof zero, PROT_READ | PROT_WRITE, MAP_SHARED, recorder->flight_file, 0);
+    if (at != MAP_FAILED) recorder->slots = (plumb__slot*)at;
+  }
+  if (!recorder->slots) (void)plumb__fail(recorder, recorder->flight, errno);
+}
+
+static unsigned plumb__stripe(void) {
+  static unsigned threads;
+  if (plumb__thread.stripe == 0) plumb__thread.stripe = __atomic_add_fetch(&threads, 1, __ATOMIC_RELAXED);
+  return plumb__thread.stripe;
+}
+
+static void plumb__land(void) {
+  if (plumb__thread.slot) __atomic_store_n(&plumb__thread.slot->state, 0, __ATOMIC_RELEASE);
+  plumb__thread.slot = NULL;
+}
+
+void plumb_recorder_begin(plumb_recorder* recorder, const plumb_recorder_body* body1,
+                          const plumb_recorder_body* body2) {
+  plumb__land();
+  if (!recorder || !recorder->slots) return;
+  const unsigned first = plumb__stripe();
+  for (unsigned i = 0; i < plumb__slots; ++i) {
+    plumb__slot* const slot = &recorder->slots[(first + i) % plumb__slots];
+    int is_free = 0;
+    if (!__atomic_compare_exchange_n(&slot->state, &is_free, 1, 0, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED)) continue;
+    slot->bodies[0] = *body1;
+    slot->bodies[1] = *body2;
+    __atomic_store_n(&slot->state, 2, __ATOMIC_RELEASE);
+    plumb__thread.slot = slot;
+    return;
+  }
+}
+
+/* ---- the rest of the door ---- */
+
+int plumb_record(plumb_recorder* recorder, const plumb_recorder_body* body1, const plumb_recorder_body* body2,
+                 const plumb_recorder_answer* answer) {
+  if (!recorder) return PLUMB_FOUND_NOTHING;
+  plumb__land();
+  const unsigned stripe = plumb__stripe() % plumb__stripes;
+  const uint64_t call = __atomic_add_fetch(&recorder->stripes[stripe].calls, 1, __ATOMIC_RELAXED);
+  const uint64_t every = recorder->options.sample_every;
+  const plumb_recorder_body* const bodies[2] = {body1, body2};
+  const int found = plumb__judge(&recorder->options, body1, body2, answer);
+  if (found > 0) plumb__keep(recorder, found, call, bodies, answer);
+  if (found < 0) (void)__atomic_add_fetch(&recorder->stripes[stripe].not_judged, 1, __ATOMIC_RELAXED);
+  if (every > 0 && call % every == 0) plumb__sample(recorder, call, bodies, answer);
+  return found > 0 ? found : PLUMB_FOUND_NOTHING;
+}
+
+plumb_recorder_options plumb_recorder_defaults(void) {
+  const plumb_recorder_options out = {1e-6, 0, 100, 0, 0};
+  return out;
+}
+
+static plumb_recorder* plumb__open(const char* folder, const plumb_recorder_options* options) {
+  plumb_recorder* const recorder = (plumb_recorder*)calloc(1, sizeof(plumb_recorder));
+  if (!recorder) return NULL;
+  recorder->options = options ? *options : plumb_recorder_defaults();
+  recorder->flight_file = -1;
+  const size_t length = strlen(folder);
+  memcpy(recorder->folder, folder, length < sizeof recorder->folder ? length : sizeof recorder->folder - 1);
+  if (length >= sizeof recorder->folder)
+    (void)plumb__fail(recorder, "folder", ENAMETOOLONG);
+  else if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+    (void)plumb__fail(recorder, folder, errno);
+  plumb__recover_all(recorder);
+  return recorder;
+}
+
+plumb_recorder* plumb_recorder_open(const char* folder, const plumb_recorder_options* options) {
+  plumb_recorder* const recorder = plumb__open(folder, options);
+  if (recorder) plumb__open_flight(recorder);
+  return recorder;
+}
+
+int plumb_recorder_recover(const char* folder) {
+  plumb_recorder* const recorder = plumb__open(folder, NULL);
+  const int is_of_use = recorder && recorder->unwritten == 0;
+  const int crashes = is_of_use ? (int)plumb_recorder_counted(recorder).findings[PLUMB_FOUND_CRASH] : -1;
+  plumb_recorder_close(recorder);
+  return crashes;
+}
+
+plumb_recorder_counts plumb_recorder_counted(const plumb_recorder* recorder) {
+  plumb_recorder_counts out;
+  memset(&out, 0, sizeof out);
+  if (!recorder) return out;
+  for (int i = 0; i < plumb__stripes; ++i) {
+    out.calls += __atomic_load_n(&recorder->stripes[i].calls, __ATOMIC_RELAXED);
+    out.not_judged += __atomic_load_n(&recorder->stripes[i].not_judged, __ATOMIC_RELAXED);
+  }
+  for (int i = 0; i < plumb__buckets; ++i)
+    out.findings[i / plumb__regimes / plumb__classes] += __atomic_load_n(&recorder->counts[i], __ATOMIC_RELAXED);
+  for (int i = PLUMB_FOUND_NOT_FINITE; i < PLUMB_FINDINGS; ++i) out.wrong += out.findings[i];
+  out.files = __atomic_load_n(&recorder->files, __ATOMIC_RELAXED);
+  out.samples = __atomic_load_n(&recorder->samples, __ATOMIC_RELAXED);
+  out.unwritten = __atomic_load_n(&recorder->unwritten, __ATOMIC_RELAXED);
+  return out;
+}
+
+const char* plumb_recorder_problem(const plumb_recorder* recorder) {
+  return recorder && __atomic_load_n(&recorder->has_problem, __ATOMIC_ACQUIRE) == 2 ? recorder->problem : "";
+}
+
+void plumb_recorder_close(plumb_recorder* recorder) {
+  if (!recorder) return;
+  plumb__land();
+  if (recorder->slots) (void)munmap(recorder->slots, sizeof(plumb__slot) * plumb__slots);
+  if (recorder->flight_file >= 0) {
+    (void)unlink(recorder->flight);
+    (void)close(recorder->flight_file);
+  }
+  free(recorder);
+}
+
+#endif /* PLUMB_RECORDER_IMPLEMENTATION */
