@@ -118,6 +118,30 @@ GivenAnswer read_answer(const Field& answer) {
 
 }  // namespace
 
+namespace {
+
+RecordedAnswer read_recorded(const Field& answer) {
+  const auto finding = given(answer, "x_finding");
+  if (!finding) return {read_answer(answer)};
+  require_word(*finding, std::array<std::string_view, 2>{"crash", "slow"});
+  const auto detail = given(answer, "x_detail");
+  return {{"", "answer", {}}, Answer::None{finding->text(), detail ? detail->text() : ""}};
+}
+
+}  // namespace
+
+std::optional<RecordedAnswer> recorded_answer(const Case& c, const std::string& file, int line) {
+  const auto answer = c.extra.is_null() ? std::nullopt : Field(c.extra).find("x_answer");
+  if (!answer) return std::nullopt;
+  try {
+    RecordedAnswer out = read_recorded(*answer);
+    if (out.given.method == "answer") out.given.method = "recorded";
+    return out;
+  } catch (const FieldError& error) {
+    throw InputFailure(file, line, error.field, error.what());
+  }
+}
+
 int sign_of(double overlap) {
   return (overlap > 0) - (overlap < 0);
 }

@@ -44,6 +44,15 @@ struct GivenAnswer {
 /// there is nothing that could be judged.
 [[nodiscard]] GivenAnswer parse_answer(const std::string& text, const std::string& file, int line = 0);
 
+/// The answer that a case holds itself, under "x_answer": the flight recorder's (solver/plumb_recorder.h).
+struct RecordedAnswer {
+  GivenAnswer given;                   ///< of method "recorded" unless it says otherwise
+  std::optional<Answer::None> none{};  ///< "x_finding" in its place: there was no answer
+};
+
+/// nullopt when the case holds none; throws InputFailure.
+[[nodiscard]] std::optional<RecordedAnswer> recorded_answer(const Case& c, const std::string& file, int line = 0);
+
 /// The answers in a file, one after the other: one object, or one a line, whatever the file's name; "-" is standard input.
 class AnswerReader {
  public:

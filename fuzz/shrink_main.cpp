@@ -36,6 +36,9 @@ int shrink_files(const Arguments& args) {
   bool found = false;
   std::string kept;
   each_case(args.file, [&](const Case& c) {
+    if (!asked && c.extra.contains("x_answer"))
+      throw InputFailure(args.file, 0, "x_answer",
+                         "is a recorded answer: --method or --solver names who answers simpler cases");
     const Solver solver = asked ? *asked : solver_of_case(c, args.file);
     const Explained explained = shrink_and_explain(c.pair, solver);
     const bool failed = explained.shrunk.from.judgement.finding.kind != FindingKind::none;

@@ -11,7 +11,7 @@
 #include "corpus/interrupt.hpp"
 #include "corpus/reference_store.hpp"
 #include "corpus/solver.hpp"
-#include "properties/laws.hpp"
+#include "properties/judged_answer.hpp"
 #include "solver/reference/stationary.hpp"
 
 namespace plumb {
@@ -73,12 +73,6 @@ const Case& case_of(const std::string& name, const Cases& cases, const Place& pl
   }
   if (std::any_of(found + 1, cases.read.end(), named)) place.refuse_name(name, "names several cases");
   return *found;
-}
-
-Problem problem_of(const std::string& method) {
-  for (const Solver& solver : all_solvers())
-    if (solver.name == method) return solver.problem;
-  return Problem::common_normal;
 }
 
 void put(Json& out, const char* key, double value) {

@@ -45,6 +45,25 @@ JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solve
   return out;
 }
 
+Problem problem_of(const std::string& method) {
+  for (const Solver& solver : all_solvers())
+    if (solver.name == method) return solver.problem;
+  return Problem::common_normal;
+}
+
+JudgedAnswer judge_recorded(Judge& judge, const RecordedAnswer& recorded) {
+  JudgedAnswer out;
+  out.answer = recorded.given.contact;
+  if (!recorded.none) {
+    out.judgement = judge.judge(problem_of(recorded.given.method), out.answer);
+    return out;
+  }
+  out.judgement.finding = {finding_kind(recorded.none->finding).value_or(FindingKind::crash),
+                           std::numeric_limits<double>::infinity(), "returns", recorded.none->detail};
+  out.judgement.judged = true;
+  return out;
+}
+
 Finding finding_of(const NoAnswer& none) {
   const bool hung = none.how != NoAnswer::How::crashed;
   return {hung ? FindingKind::slow : FindingKind::crash, std::numeric_limits<double>::infinity(), "returns",

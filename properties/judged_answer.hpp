@@ -1,6 +1,7 @@
 // One answer, asked for and judged: what campaign, fuzzers, replay and shrinking have in common.
 #pragma once
 
+#include "corpus/answer.hpp"
 #include "corpus/solver.hpp"
 #include "properties/laws.hpp"
 
@@ -15,6 +16,12 @@ struct JudgedAnswer {
 /// Solves and judges. A solver that gives no answer has the finding `crash`, or `slow` where it does not come back: also when it
 /// is a related pair that a law asks for.
 [[nodiscard]] JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver);
+
+/// What a method of that name answers; the common normal where there is none of that name.
+[[nodiscard]] Problem problem_of(const std::string& method);
+
+/// An answer that is there already, judged by the laws that need no solver, as `plumb check` does; where there is none, its finding.
+[[nodiscard]] JudgedAnswer judge_recorded(Judge& judge, const RecordedAnswer& recorded);
 
 [[nodiscard]] Finding finding_of(const NoAnswer& none);
 

@@ -29,7 +29,8 @@ enum class Outcome { as_expected, differs, not_judged };
 /// Without a reference no finding is no news; a finding of the laws that need none, and what differs, count all the same.
 [[nodiscard]] Outcome outcome(const Replayed& replayed);
 
-/// By the method that the case names (auto when it names none), or by the one that is asked for instead. A case without
+/// By the answer that the case holds under "x_answer", which is judged as it stands; else by the method that it names (auto when it
+/// names none); or by the one that is asked for instead. A recorded finding is met by one that comes before it as well. A case without
 /// an expected finding expects none; what the folder asks of it (life.hpp) counts as expected, and in open/, where the answer
 /// is known to fail, the case's numbers do not. Another method than the case's own is not held to the case's status and finding, and
 /// to its numbers only when it answers the same problem. The references come from `source`. Throws InputFailure when there is

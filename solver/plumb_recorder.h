@@ -260,13 +260,20 @@ static double plumb__gauge(const double* shape, const double* x, double* gradien
   return scale * root;
 }
 
-/* The largest x.u over the body: the gauge of the body with reciprocal axes and exponents n/(n-1). */
-static double plumb__support(const plumb__placed* body, const double* world) {
+static void plumb__to_world(const plumb__placed* body, const double* v, double* out) {
+  for (int i = 0; i < 3; ++i) out[i] = v[0] * body->axes[0][i] + v[1] * body->axes[1][i] + v[2] * body->axes[2][i];
+}
+
+/* The largest x.n over the body, and the x, from its centre: gauge and gradient of the body with reciprocal axes and exponents
+ * n/(n-1). */
+static double plumb__support(const plumb__placed* body, const double* n, double* point) {
   const double* s = body->shape;
   const double dual[5] = {1 / s[0], 1 / s[1], 1 / s[2], s[3] / (s[3] - 1), s[4] / (s[4] - 1)};
-  double u[3], point[3];
-  plumb__to_body(body, world, u);
-  return plumb__gauge(dual, u, point);
+  double u[3], x[3];
+  plumb__to_body(body, n, u);
+  const double out = plumb__gauge(dual, u, x);
+  plumb__to_world(body, x, point);
+  return out;
 }
 
 /* No less than the support, and no power in it: that of the ellipsoid up to exponents of 2, of the box beyond. */
@@ -280,7 +287,9 @@ static double plumb__support_bound(const plumb__placed* body, const double* worl
 
 /* How deep the bodies are in each other along a unit vector: the lowest over all of them is the overlap. */
 static double plumb__depth(const plumb__pair* pair, const double* n) {
-  return plumb__support(&pair->body[0], n) + plumb__support(&pair->body[1], n) - plumb__dot(pair->apart, n);
+  double point[3];
+  return plumb__support(&pair->body[0], n, point) + plumb__support(&pair->body[1], n, point) -
+         plumb__dot(pair->apart, n);
 }
 
 /* ---- judgement: > 0 a finding, 0 looks right, -1 not judged ---- */
@@ -374,9 +383,13 @@ static plumb__seen plumb__see(const plumb__placed* body, const double* point, do
     seen.turn = plumb__max(seen.turn, plumb__angle(g, at_corner));
   }
   if (value < 1 && is_near) seen.gap = plumb__min(seen.gap, half);
-  for (int i = 0; i < 3; ++i)
-    seen.normal[i] = (g[0] * body->axes[0][i] + g[1] * body->axes[1][i] + g[2] * body->axes[2][i]) / slope;
+  for (int i = 0; i < 3; ++i) g[i] /= slope;
+  plumb__to_world(body, g, seen.normal);
   return seen;
+}
+
+static int plumb__has_unit_normal(const plumb_recorder_answer* a, const plumb__allowed* allowed) {
+  return fabs(sqrt(plumb__dot(a->normal, a->normal)) - 1) <= allowed->angle;
 }
 
 /* Of the points, with the normal and the overlap where they are finite; in the order of the contract. */
@@ -390,7 +403,7 @@ static int plumb__judge_points(const plumb__pair* pair, const plumb_recorder_ans
   double off_line[3], off[3];
   for (int i = 0; i < 3; ++i) off_line[i] = d[i] - along * n[i], off[i] = d[i] - overlap * n[i];
   const int is_off = !(sqrt(plumb__dot(off, off)) <= slack), is_long = !(fabs(length - fabs(overlap)) <= slack);
-  if (!(fabs(sqrt(plumb__dot(n, n)) - 1) <= allowed->angle) ||
+  if ((n == a->normal && !plumb__has_unit_normal(a, allowed)) ||
       !(plumb__angle(at1.normal, n) <= allowed->angle + turn) ||
       !(plumb__angle(at2.normal, minus_n) <= allowed->angle + turn) ||
       !(sqrt(plumb__dot(off_line, off_line)) <= slack + length * (allowed->angle + turn)) || (is_off && !is_long))
@@ -399,57 +412,98 @@ static int plumb__judge_points(const plumb__pair* pair, const plumb_recorder_ans
   return is_off ? PLUMB_FOUND_OVERLAP_ERROR : PLUMB_FOUND_NOTHING;
 }
 
-static void plumb__line(const plumb__pair* pair, double* line) {
-  for (int i = 0; i < 3; ++i) line[i] = pair->distance > 0 ? pair->apart[i] / pair->distance : (i == 0);
-}
-
-/* A plane between the bodies: across the answer's normal or the line of centres. */
-static int plumb__is_apart(const plumb__pair* pair, const double* normal, const plumb__allowed* allowed) {
-  double line[3];
-  plumb__line(pair, line);
+/* A plane between the bodies, across the answer's normal. */
+static int plumb__shows_gap(const plumb__pair* pair, const double* normal, double floor) {
   const double length = sqrt(plumb__dot(normal, normal));
   const double n[3] = {normal[0] / length, normal[1] / length, normal[2] / length};
-  return plumb__depth(pair, n) < -allowed->depth || plumb__depth(pair, line) < -allowed->depth;
+  return plumb__depth(pair, n) < -floor;
 }
 
-/* A ball about a point of the line of centres that is in both bodies; its radius, from the least semi-axis, bounds the depth. */
-static int plumb__is_overlapping(const plumb__pair* pair, const plumb__allowed* allowed) {
-  double gauge[2], least[2], x[3], gradient[3];
-  for (int k = 0; k < 2; ++k) {
-    const double* s = pair->body[k].shape;
-    plumb__to_body(&pair->body[k], pair->apart, x);
-    gauge[k] = plumb__gauge(s, x, gradient);
-    least[k] = plumb__least(s) / sqrt(3);
+static double plumb__gauge_at(const plumb__placed* body, const double* from_centre) {
+  double x[3], gradient[3];
+  plumb__to_body(body, from_centre, x);
+  return plumb__gauge(body->shape, x, gradient);
+}
+
+/* A ball of more than that radius in both bodies, about a point between x1 in body 1 and x2 in body 2, both from centre 1. */
+static int plumb__shares_ball(const plumb__pair* pair, const double* x1, const double* x2, double radius) {
+  const plumb__placed *body1 = &pair->body[0], *body2 = &pair->body[1];
+  const double *d = pair->apart, y1[3] = {x1[0] - d[0], x1[1] - d[1], x1[2] - d[2]},
+               y2[3] = {x2[0] - d[0], x2[1] - d[1], x2[2] - d[2]};
+  const double own1 = plumb__gauge_at(body1, x1), other1 = plumb__gauge_at(body1, x2);
+  const double own2 = plumb__gauge_at(body2, y2), other2 = plumb__gauge_at(body2, y1);
+  const double to = other1 <= 1 ? 1 : (1 - own1) / (other1 - own1),
+               back = other2 <= 1 ? 1 : (1 - own2) / (other2 - own2);
+  const double t = (to + 1 - back) / 2, left1 = 1 - own1 - t * (other1 - own1),
+               left2 = 1 - own2 - (1 - t) * (other2 - own2);
+  const double within1 = left1 * plumb__least(body1->shape), within2 = left2 * plumb__least(body2->shape);
+  return to + back > 1 && within1 + within2 > sqrt(3) * radius;
+}
+
+/* 1: deeper in each other than `deep`; -1: further apart than `apart`; 0: neither in a few steps of Gilbert's algorithm, which brings
+ * a point of each body nearer to the other. The first looks along the line of centres. */
+static int plumb__verdict(const plumb__pair* pair, double deep, double apart) {
+  enum { steps = 24 };
+  double x[2][3] = {{0, 0, 0}, {pair->apart[0], pair->apart[1], pair->apart[2]}}, to[2][3];
+  for (int k = 0; k < steps; ++k) {
+    if (plumb__shares_ball(pair, x[0], x[1], deep)) return 1;
+    const double v[3] = {x[1][0] - x[0][0], x[1][1] - x[0][1], x[1][2] - x[0][2]}, length = sqrt(plumb__dot(v, v));
+    if (!(length > 0)) return 0;
+    const double n[3] = {v[0] / length, v[1] / length, v[2] / length};
+    const double depth = plumb__support(&pair->body[0], n, to[0]) + plumb__support(&pair->body[1], n, to[1]) -
+                         plumb__dot(pair->apart, n);
+    if (depth < -apart) return -1;
+    double change[3];
+    for (int i = 0; i < 3; ++i) {
+      to[1][i] = pair->apart[i] - to[1][i];
+      change[i] = to[1][i] - to[0][i] - v[i];
+    }
+    const double step = plumb__min(1, -plumb__dot(v, change) / plumb__dot(change, change));
+    for (int i = 0; i < 3; ++i) x[0][i] += step * (to[0][i] - x[0][i]), x[1][i] += step * (to[1][i] - x[1][i]);
   }
-  const double from = plumb__max(0, 1 - 1 / gauge[1]), to = plumb__min(1, 1 / gauge[0]), t = (from + to) / 2;
-  return from < to && (1 - t * gauge[0]) * least[0] + (1 - (1 - t) * gauge[1]) * least[1] > allowed->depth;
+  return 0;
+}
+
+/* Of an answer without points: its own depth. */
+static int plumb__judge_normal(const plumb__pair* pair, const plumb_recorder_answer* a, const plumb__allowed* allowed) {
+  if (!plumb__is_finite(a->normal, 3)) return PLUMB_FOUND_NOTHING;
+  if (!plumb__has_unit_normal(a, allowed)) return PLUMB_FOUND_MISALIGNED;
+  if (!plumb__is_finite(&a->overlap, 1)) return PLUMB_FOUND_NOTHING;
+  return fabs(plumb__depth(pair, a->normal) - a->overlap) <= allowed->depth ? PLUMB_FOUND_NOTHING
+                                                                            : PLUMB_FOUND_OVERLAP_ERROR;
+}
+
+static int plumb__judge_geometry(const plumb__pair* pair, const plumb_recorder_answer* a,
+                                 const plumb__allowed* allowed) {
+  return (plumb__is_finite(a->points[0], 6) ? plumb__judge_points : plumb__judge_normal)(pair, a, allowed);
+}
+
+/* The depth along the line of centres bounds the lowest. */
+static int plumb__is_above_lowest(const plumb__pair* pair, double overlap, const plumb__allowed* allowed) {
+  const double* d = pair->apart;
+  const double line[3] = {d[0] / pair->distance, d[1] / pair->distance, d[2] / pair->distance};
+  return overlap > plumb__depth(pair, line) + allowed->depth;
 }
 
 static int plumb__judge_contact(const plumb__pair* pair, const plumb_recorder_answer* a,
                                 const plumb__allowed* allowed) {
-  const int has_points = plumb__is_finite(a->points[0], 6), has_normal = plumb__is_finite(a->normal, 3);
-  const int has_overlap = plumb__is_finite(&a->overlap, 1);
-  if (plumb__is_apart(pair, a->normal, allowed)) return PLUMB_FOUND_FALSE_CONTACT;
-  const int of_points = has_points ? plumb__judge_points(pair, a, allowed) : PLUMB_FOUND_NOTHING;
-  if (of_points != PLUMB_FOUND_NOTHING) return of_points;
-  if (has_normal && !(fabs(sqrt(plumb__dot(a->normal, a->normal)) - 1) <= allowed->angle))
-    return PLUMB_FOUND_MISALIGNED;
-  if (!has_points && has_normal && has_overlap && !(fabs(plumb__depth(pair, a->normal) - a->overlap) <= allowed->depth))
-    return PLUMB_FOUND_OVERLAP_ERROR;
-  double line[3];
-  plumb__line(pair, line);
-  if (has_overlap && a->overlap > plumb__depth(pair, line) + allowed->depth)
-    return has_points ? PLUMB_FOUND_WRONG_BRANCH : PLUMB_FOUND_OVERLAP_ERROR;
-  if (has_points || (has_normal && has_overlap) || plumb__is_overlapping(pair, allowed)) return PLUMB_FOUND_NOTHING;
-  return -1;
+  if (plumb__shows_gap(pair, a->normal, allowed->depth)) return PLUMB_FOUND_FALSE_CONTACT;
+  int found = plumb__judge_geometry(pair, a, allowed);
+  const int is_above = found == PLUMB_FOUND_NOTHING && plumb__is_above_lowest(pair, a->overlap, allowed);
+  if (is_above) found = plumb__is_finite(a->points[0], 6) ? PLUMB_FOUND_WRONG_BRANCH : PLUMB_FOUND_OVERLAP_ERROR;
+  const int has_some = plumb__is_finite(a->normal, 3) || plumb__is_finite(a->points[0], 6);
+  if (found == PLUMB_FOUND_NOTHING && has_some) return found;
+  const int verdict = plumb__verdict(pair, 0, allowed->depth);
+  if (verdict < 0) return PLUMB_FOUND_FALSE_CONTACT;
+  return found == PLUMB_FOUND_NOTHING && verdict == 0 ? -1 : found;
 }
 
 static int plumb__judge_apart(const plumb__pair* pair, const plumb_recorder_answer* a, const plumb__allowed* allowed) {
-  const plumb__allowed nothing = plumb__allow(pair, 0);
-  if (plumb__is_overlapping(pair, allowed)) return PLUMB_FOUND_MISSED_CONTACT;
-  const int of_points = plumb__is_finite(a->points[0], 6) ? plumb__judge_points(pair, a, allowed) : PLUMB_FOUND_NOTHING;
-  if (of_points != PLUMB_FOUND_NOTHING) return of_points;
-  return plumb__is_apart(pair, a->normal, &nothing) ? PLUMB_FOUND_NOTHING : -1;
+  const double floor = plumb__allow(pair, 0).depth;
+  const int verdict = plumb__shows_gap(pair, a->normal, floor) ? -1 : plumb__verdict(pair, allowed->depth, floor);
+  if (verdict > 0) return PLUMB_FOUND_MISSED_CONTACT;
+  const int found = plumb__judge_geometry(pair, a, allowed);
+  return found == PLUMB_FOUND_NOTHING && verdict == 0 ? -1 : found;
 }
 
 /* The answer without the fields that the foreign code never gives. */
@@ -490,10 +544,9 @@ static int plumb__judge(const plumb_recorder_options* options, const plumb_recor
   if (plumb__is_broken(a, options->lacks)) return PLUMB_FOUND_NOT_FINITE;
   int (*const judge)(const plumb__pair*, const plumb_recorder_answer*, const plumb__allowed*) =
       a->touching ? plumb__judge_contact : plumb__judge_apart;
+  /* Wrong by the tolerance; which word, by the first that is wrong by rounding, as plumb's laws say it. */
   const int found = judge(&pair, &given, &allowed), named = found > 0 ? judge(&pair, &given, &rounding) : found;
-  return named > 0
-             ? named
-             : found; /* wrong by the tolerance; in words, the first that is wrong by rounding, as plumb's laws say it */
+  return named > 0 ? named : found;
 }
 
 /* ---- buckets and files ---- */
