@@ -104,6 +104,11 @@ double DumpReader::number(std::string_view text, const std::string& field) const
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   if (error != std::errc() || end != text.data() + text.size() || text.empty() || !std::isfinite(out))
     fail(field, excerpt_of(text) + " is no finite number");
+  return out;
+}
+
+double DumpReader::length(std::string_view text, const std::string& field) const {
+  const double out = number(text, field);
   if (std::abs(out) > farthest) fail(field, excerpt_of(text) + " is beyond 1e100");
   return out;
 }
@@ -126,8 +131,8 @@ void DumpReader::read_box(Head& head, std::string_view words) {
     if (numbers.size() != width) fail("BOX BOUNDS", fmt::format("needs {} numbers a line", width));
     rows.row(k).setZero();
     for (std::size_t n = 0; n < std::min<std::size_t>(width, 3); ++n)
-      rows(k, static_cast<int>(n)) = number(numbers[n], "BOX BOUNDS");
-    if (is_general) box.origin[k] = number(numbers[3], "BOX BOUNDS");
+      rows(k, static_cast<int>(n)) = length(numbers[n], "BOX BOUNDS");
+    if (is_general) box.origin[k] = length(numbers[3], "BOX BOUNDS");
   }
   if (is_general) {
     box.edges = rows.transpose();
@@ -213,10 +218,10 @@ std::optional<Superellipsoid<double>> DumpReader::read_shape(const DumpColumns& 
   Superellipsoid<double> shape{Vec3<double>::Zero()};
   if (columns.shape)
     for (std::size_t k = 0; k < 3; ++k)
-      shape.semi_axes[static_cast<int>(k)] = number(row[(*columns.shape)[k]], names[k]);
+      shape.semi_axes[static_cast<int>(k)] = length(row[(*columns.shape)[k]], names[k]);
   if (shape.semi_axes.isZero(0)) {
     const char* const name = columns.radius_is_diameter ? "diameter" : "radius";
-    const double radius = columns.radius ? number(row[*columns.radius], name) : 0;
+    const double radius = columns.radius ? length(row[*columns.radius], name) : 0;
     if (radius < 0) fail(name, "must not be negative");
     if (radius == 0) return {};
     shape.semi_axes.setConstant(columns.radius_is_diameter ? radius / 2 : radius);
@@ -242,7 +247,7 @@ std::optional<DumpParticle> DumpReader::read_particle(const Head& head,
   const std::array<std::string, 3> names =
       columns.is_scaled ? std::array<std::string, 3>{"xs", "ys", "zs"} : std::array<std::string, 3>{"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k)
-    out.body.position[static_cast<int>(k)] = number(row[columns.position[k]], names[k]);
+    out.body.position[static_cast<int>(k)] = length(row[columns.position[k]], names[k]);
   if (columns.is_scaled) out.body.position = head.box->origin + head.box->edges * out.body.position;
   const auto shape = read_shape(columns, row);
   if (!shape) return {};

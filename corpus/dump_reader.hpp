@@ -46,6 +46,8 @@ class DumpReader {
   void note(const std::vector<std::string>& notes);
   [[nodiscard]] std::int64_t whole_number(std::string_view text, const std::string& field) const;
   [[nodiscard]] double number(std::string_view text, const std::string& field) const;
+  /// A number that is no larger than any length may be.
+  [[nodiscard]] double length(std::string_view text, const std::string& field) const;
   [[nodiscard]] std::optional<DumpParticle> read_particle(const Head& head,
                                                           const std::vector<std::string_view>& row) const;
   [[nodiscard]] std::optional<Superellipsoid<double>> read_shape(const DumpColumns& columns,

@@ -1,18 +1,16 @@
 // plumb import: the touching pairs of a dump, as cases.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-#include <map>
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
-#include "corpus/append_file.hpp"
 #include "corpus/case.hpp"
 #include "corpus/command.hpp"
 #include "corpus/dump_pairs.hpp"
 #include "corpus/dump_reader.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/line_sink.hpp"
 #include "corpus/number_text.hpp"
 
 namespace plumb {
@@ -65,24 +63,6 @@ DumpOptions options_of(const Arguments& arguments) {
   return out;
 }
 
-/// Where the cases go, a line each.
-class CaseSink {
- public:
-  explicit CaseSink(const std::string& file) {
-    if (!file.empty()) file_.emplace(file, 0);
-  }
-  void add(const Case& c) {
-    if (!file_) return print_line(format_case(c));
-    file_->add(format_case(c) + "\n");
-    if (++pending_ % 1024 == 0) file_->flush();
-  }
-  void flush() { file_ ? file_->flush() : flush_output(); }
-
- private:
-  std::optional<AppendFile> file_;
-  std::size_t pending_ = 0;
-};
-
 struct Counts {
   std::size_t frames = 0, particles = 0, points = 0, pairs = 0;
 };
@@ -107,14 +87,14 @@ Json provenance_of(const std::string& file, const DumpFrame& frame, const DumpPa
   return out;
 }
 
-void import_frame(const std::string& file, const DumpFrame& frame, double gap, CaseSink& sink, Counts& counts) {
+void import_frame(const std::string& file, const DumpFrame& frame, double gap, LineSink& sink, Counts& counts) {
   std::array<std::size_t, 2> last{frame.particles.size(), 0};
   std::size_t times = 0;
   try {
     each_touching_pair(frame, gap, [&](const DumpPair& pair) {
       times = last == std::array{pair.first, pair.second} ? times + 1 : 1;
       last = {pair.first, pair.second};
-      sink.add({name_of(frame, pair, times), pair.pair, {}, provenance_of(file, frame, pair), {}});
+      sink.add(format_case({name_of(frame, pair, times), pair.pair, {}, provenance_of(file, frame, pair), {}}));
       ++counts.pairs;
     });
   } catch (const std::invalid_argument& error) {
@@ -132,7 +112,7 @@ struct LastFrame {
   std::optional<DumpFrame> frame;
 };
 
-void read_file(DumpReader& reader, const Arguments& arguments, LastFrame& last, CaseSink& sink, Counts& counts) {
+void read_file(DumpReader& reader, const Arguments& arguments, LastFrame& last, LineSink& sink, Counts& counts) {
   const auto step = number_from<std::int64_t>(arguments.step);
   const bool keeps_last = arguments.step == "last";
   const auto is_wanted = [&](std::int64_t at) {
@@ -155,7 +135,7 @@ void report(const Counts& counts) {
 
 int import_files(const Arguments& arguments) {
   const DumpOptions options = options_of(arguments);
-  CaseSink sink(arguments.out);
+  LineSink sink(arguments.out);
   Counts counts;
   LastFrame last;
   for (const std::string& file : arguments.files) {

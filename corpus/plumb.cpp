@@ -22,7 +22,7 @@ struct Command {
 };
 
 // Every command of the contract; those that this build does not have are not listed.
-constexpr std::array<Command, 16> commands{{
+constexpr std::array<Command, 17> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
@@ -38,6 +38,7 @@ constexpr std::array<Command, 16> commands{{
     {"scene", "a scene of bodies: which effects run, why, what each costs"},
     {"scenes", "the named scenes, and each as a file"},
     {"import", "the pairs of a LAMMPS or LIGGGHTS dump that touch, as cases"},
+    {"export", "cases or a scene as a dump for LAMMPS, LIGGGHTS and OVITO"},
     {"report", "one page of HTML from campaigns"},
 }};
 
