@@ -35,8 +35,9 @@ Shard parse_shard(const std::string& text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   const auto number = number_from<std::uint64_t>(text.substr(0, slash));
   const auto count = number_from<std::uint64_t>(text.substr(std::min(slash + 1, text.size())));
-  if (!number || !count || *number < 1 || *number > *count)
-    throw InputFailure("plumb campaign", 0, "--shard", fmt::format("'{}' is not i/n with 1 <= i <= n", text));
+  if (!number || !count || *number < 1 || *number > *count || *count > kMostParts)
+    throw InputFailure("plumb campaign", 0, "--shard",
+                       fmt::format("'{}' is not i/n with 1 <= i <= n (at most 1e9)", text));
   return {*number, *count};
 }
 

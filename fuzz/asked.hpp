@@ -10,6 +10,11 @@
 
 namespace plumb {
 
+/// Case index i of each source belongs to the shard i % count + 1.
+struct Shard {
+  std::uint64_t number = 1, count = 1;
+};
+
 struct Asked {
   std::uint64_t seed = 0;
   std::map<std::string, std::uint64_t> cases;  ///< of each family, in all shards together

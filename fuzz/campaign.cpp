@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <exception>
-#include <thread>
+#include <mutex>
 
 #include "corpus/build_info.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/progress.hpp"
 #include "fuzz/judging.hpp"
+#include "fuzz/workers.hpp"
 #include "properties/families.hpp"
 
 namespace plumb {
@@ -88,33 +88,15 @@ void judge_answers(Round& round) {
   ++family.needed[static_cast<std::size_t>(reference.effort)];
 }
 
-/// The k-th case of the shard, over all sources.
-struct Work {
-  const Source* source;
-  std::uint64_t index;
-};
-
-std::vector<std::uint64_t> shard_sizes(const std::vector<Source>& sources, const Shard& shard) {
-  std::vector<std::uint64_t> sizes;
-  for (const Source& source : sources) sizes.push_back((source.cases + shard.count - shard.number) / shard.count);
-  return sizes;
+std::uint64_t cases_in(const Source& source, const Shard& shard) {
+  return source.cases < shard.number ? 0 : (source.cases - shard.number) / shard.count + 1;
 }
 
-Work work_at(const std::vector<Source>& sources, const std::vector<std::uint64_t>& sizes, const Shard& shard,
-             std::uint64_t k) {
-  std::size_t at = 0;
-  for (; k >= sizes[at]; ++at) k -= sizes[at];
-  return {&sources[at], k * shard.count + shard.number - 1};
-}
-
-Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& options) {
-  Asked asked;
-  asked.seed = options.seed;
-  for (const Source& source : sources) asked.cases[source.family] = source.cases;
-  for (const Solver& solver : options.solvers) asked.methods.insert(solver.name);
-  asked.shards = options.shard.count;
-  asked.done = {options.shard.number};
-  return asked;
+std::uint64_t cases_in(const std::vector<Source>& sources, const std::vector<Shard>& chunks) {
+  std::uint64_t total = 0;
+  for (const Shard& chunk : chunks)
+    for (const Source& source : sources) total += cases_in(source, chunk);
+  return total;
 }
 
 std::set<std::string> given_up(const CampaignOptions& options) {
@@ -122,10 +104,6 @@ std::set<std::string> given_up(const CampaignOptions& options) {
   for (const Solver& solver : options.solvers)
     if (is_given_up(solver)) names.insert(solver.name);
   return names;
-}
-
-bool is_over(const CampaignOptions& options) {
-  return interrupted() || std::any_of(options.solvers.begin(), options.solvers.end(), is_given_up);
 }
 
 /// The same in every shard, whatever its cases are: a solver leaks in all of them or in none.
@@ -146,11 +124,14 @@ void look_for_leaks(Results& results, const std::vector<Source>& sources, const 
   ++results.harness_errors[std::string("looking for leaks: ") + e.what()];
 }
 
-void wait_for(const std::atomic<std::uint64_t>& done, std::uint64_t total, const CampaignOptions& options,
-              Progress& progress) {
-  while (done.load() < total && !is_over(options)) {
-    progress.show(done.load());
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+/// What cannot be kept is still counted and reported.
+bool is_kept(const ChunkFolder& folder, const Shard& chunk, const Results& part) {
+  try {
+    folder.put(chunk, part);
+    return true;
+  } catch (const InputFailure& e) {
+    fmt::print(stderr, "{}; no chunk is kept from here on\n", e.what());
+    return false;
   }
 }
 
@@ -173,37 +154,80 @@ void judge_case(Results& results, const Source& source, std::uint64_t index, con
   }
 }
 
-Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options) {
-  const auto sizes = shard_sizes(sources, options.shard);
-  std::uint64_t total = 0;
-  for (const std::uint64_t size : sizes) total += size;
-  std::atomic<std::uint64_t> next{0}, done{0};
-  std::vector<Results> parts(std::max(1u, options.threads));
-  const auto worker = [&](Results& results) {
-    for (std::uint64_t k = next++; k < total && !is_over(options); k = next++) {
-      const Work work = work_at(sources, sizes, options.shard, k);
-      judge_case(results, *work.source, work.index, options);
-      ++done;
-    }
-  };
-  Progress progress("judging", total);
-  {
-    std::vector<std::jthread> threads;
-    for (Results& part : parts) threads.emplace_back(worker, std::ref(part));
-    wait_for(done, total, options, progress);
-  }
+bool is_over(const CampaignOptions& options) {
+  return interrupted() || std::any_of(options.solvers.begin(), options.solvers.end(), is_given_up);
+}
+
+Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& options) {
+  Asked asked;
+  asked.seed = options.seed;
+  for (const Source& source : sources) asked.cases[source.family] = source.cases;
+  for (const Solver& solver : options.solvers) asked.methods.insert(solver.name);
+  asked.shards = options.shard.count;
+  asked.done = {options.shard.number};
+  return asked;
+}
+
+std::vector<Shard> chunks_of(const std::vector<Source>& sources, const CampaignOptions& options) {
+  std::uint64_t most = 1;
+  for (const Source& source : sources) most = std::max(most, cases_in(source, options.shard));
+  return chunks_of(options.shard, std::min(options.chunks, most));
+}
+
+Results judge_chunk(const std::vector<Source>& sources, const CampaignOptions& options, const Shard& chunk,
+                    const std::function<bool()>& in_vain, std::atomic<std::uint64_t>& done) {
+  const auto start = std::chrono::steady_clock::now();
   Results results;
-  for (Results& part : parts) results.merge(std::move(part));
   results.asked = asked_of(sources, options);
+  results.asked.shards = chunk.count;
+  results.asked.done = {chunk.number};
   results.libraries = options.libraries;
   results.hosts = {host_json().dump()};
-  results.threads = static_cast<unsigned>(parts.size());
-  results.seconds = progress.seconds();
-  results.given_up = given_up(options);
-  results.interrupted = done.load() < total && results.given_up.empty();
-  progress.finish(done.load());
-  look_for_leaks(results, sources, options);
+  results.threads = 1;
+  for (const Source& source : sources)
+    for (std::uint64_t i = chunk.number - 1; i < source.cases && !results.interrupted; i += chunk.count) {
+      results.interrupted = is_over(options) || in_vain();
+      if (results.interrupted) break;
+      judge_case(results, source, i, options);
+      ++done;
+    }
+  results.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return results;
+}
+
+Results whole_campaign(Results parts, const std::vector<Source>& sources, const CampaignOptions& options,
+                       bool is_whole) {
+  parts.asked = asked_of(sources, options);
+  parts.libraries = options.libraries;
+  parts.given_up = given_up(options);
+  parts.interrupted = !is_whole && parts.given_up.empty();
+  parts.shards_missing = false;
+  look_for_leaks(parts, sources, options);
+  return parts;
+}
+
+Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options, const ChunkFolder* folder) {
+  const std::vector<Shard> chunks = folder == nullptr ? chunks_of(sources, options) : folder->missing();
+  Results all = folder == nullptr ? Results{} : folder->read();
+  const double before = all.seconds;
+  ChunkQueue queue(chunks);
+  std::mutex mutex;
+  bool keeps = folder != nullptr;
+  const auto take = [&](const Shard& chunk, Results&& part) {
+    const std::scoped_lock lock(mutex);
+    if (!part.interrupted && keeps) keeps = is_kept(*folder, chunk, part);
+    if (!part.interrupted) queue.done(chunk);
+    all.merge(std::move(part));
+  };
+  const std::uint64_t total = cases_in(sources, chunks);
+  Progress progress("judging", total);
+  Workers workers(sources, options, {[&] { return queue.next(); }, take, [](const Shard&) { return false; }});
+  workers.join([&](std::uint64_t done) { progress.show(done); });
+  progress.finish(workers.done());
+  const unsigned threads = std::max(1u, options.threads);
+  all.seconds = progress.seconds() + before / threads;
+  all.threads = threads;
+  return whole_campaign(std::move(all), sources, options, queue.left() == 0);
 }
 
 }  // namespace plumb

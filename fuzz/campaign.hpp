@@ -1,6 +1,7 @@
 // The campaign: every case of its sources, every solver's answer, every law.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -9,7 +10,7 @@
 
 #include "corpus/case.hpp"
 #include "corpus/solver.hpp"
-#include "fuzz/results.hpp"
+#include "fuzz/chunks.hpp"
 #include "properties/laws.hpp"
 
 namespace plumb {
@@ -22,11 +23,6 @@ struct Source {
   std::string command;                    ///< repeats this source's campaign; free of host, threads and shard
 };
 
-/// Case index i of each source belongs to the shard i % count + 1.
-struct Shard {
-  std::uint64_t number = 1, count = 1;
-};
-
 struct CampaignOptions {
   std::vector<Solver> solvers;
   std::uint64_t seed = 1;
@@ -34,6 +30,7 @@ struct CampaignOptions {
   Shard shard;
   std::map<std::string, std::string> libraries = {};  ///< foreign solver -> absolute path, for the commands that replay
   ReferenceSource references = {};
+  std::uint64_t chunks = kChunks;
 };
 
 /// `options`: what to append to the command that repeats this source's campaign, with a blank before each option.
@@ -43,7 +40,27 @@ struct CampaignOptions {
 /// Judges until all is done, interrupted() or a foreign solver is given up; shows its progress. A C++ exception is never passed
 /// on: out of a solver it counts as a finding (crash), out of anything else as an error of the harness. What a foreign solver
 /// does in its own process (solver.hpp) is a finding; what ends this one (a signal, a sanitizer) ends the campaign.
-[[nodiscard]] Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options);
+///
+/// Where there is a `folder`, what is done is kept there, and chunks that are there already are not judged again.
+[[nodiscard]] Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& options,
+                                   const ChunkFolder* folder = nullptr);
+
+/// What run_campaign() is asked for, and the chunks that it does that in: as many as were asked for, none without a case.
+[[nodiscard]] Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& options);
+[[nodiscard]] std::vector<Shard> chunks_of(const std::vector<Source>& sources, const CampaignOptions& options);
+
+/// The cases of one chunk, as one worker judges them; `done` counts them. Asks before each case whether it is in vain; what is
+/// stopped before its end is `interrupted`.
+[[nodiscard]] Results judge_chunk(const std::vector<Source>& sources, const CampaignOptions& options,
+                                  const Shard& chunk, const std::function<bool()>& in_vain,
+                                  std::atomic<std::uint64_t>& done);
+
+/// Whether there is nothing more to be judged here: Ctrl-C, or a foreign solver that is given up.
+[[nodiscard]] bool is_over(const CampaignOptions& options);
+
+/// The chunks' results, added up, as those of the campaign, with what is found out once in a campaign.
+[[nodiscard]] Results whole_campaign(Results parts, const std::vector<Source>& sources, const CampaignOptions& options,
+                                     bool is_whole);
 
 /// One case into the results, as each worker does it.
 void judge_case(Results& results, const Source& source, std::uint64_t index, const CampaignOptions& options);

@@ -25,17 +25,32 @@ double read_severity(const Json& json) {
 }
 
 /// A kept file is a case like any other, but it must say what orders it among the failures.
-Failure read_failure(const std::filesystem::path& path) {
+Failure checked_failure(Case c, const std::string& file, int line) {
   try {
-    std::optional<Case> c = CaseReader(path.string()).next();
-    if (!c) throw InputFailure(path.string(), 0, "", "holds no case");
-    for (const char* field : {"law", "detail", "family"}) (void)c->provenance.value(field, "");  // must be text
-    return failure_of(std::move(*c));
+    for (const char* field : {"law", "detail", "family"}) (void)c.provenance.value(field, "");  // must be text
+    return failure_of(std::move(c));
   } catch (const FieldError& e) {
-    throw InputFailure(path.string(), 0, e.field, e.what());
+    throw InputFailure(file, line, e.field, e.what());
   } catch (const Json::exception& e) {
-    throw InputFailure(path.string(), 0, "provenance", e.what());
+    throw InputFailure(file, line, "provenance", e.what());
   }
+}
+
+Failure read_failure(const std::filesystem::path& path) {
+  std::optional<Case> c = CaseReader(path.string()).next();
+  if (!c) throw InputFailure(path.string(), 0, "", "holds no case");
+  return checked_failure(std::move(*c), path.string(), 0);
+}
+
+/// The bucket whose file has that name; none where it is another file.
+std::optional<std::string> bucket_of(const std::string& file) {
+  for (const std::string_view suffix : {kSimplest, kWorst})
+    if (file.ends_with(suffix)) return file.substr(0, file.size() - suffix.size());
+  return std::nullopt;
+}
+
+std::string line_of(const std::string& file, const Failure& failure) {
+  return "{\"file\":" + Json(file).dump() + ",\"case\":" + format_case(failure.kept) + "}\n";
 }
 
 }  // namespace
@@ -99,12 +114,25 @@ void KeptFailures::write(const std::filesystem::path& folder) const {
 
 void KeptFailures::read(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder)) return;  // an empty one is lost on the way through many stores
-  for (const auto& path : find_case_files({folder.string()})) {
-    const std::string file = path.filename().string();
-    for (const std::string_view suffix : {kSimplest, kWorst}) {
-      if (!file.ends_with(suffix)) continue;
-      add(file.substr(0, file.size() - suffix.size()), read_failure(path));
-    }
+  for (const auto& path : find_case_files({folder.string()}))
+    if (const auto bucket = bucket_of(path.filename().string())) add(*bucket, read_failure(path));
+}
+
+std::string KeptFailures::format() const {
+  std::string text;
+  for (const auto& [bucket, kept] : buckets_)
+    text += line_of(bucket + std::string(kSimplest), kept.simplest) + line_of(bucket + std::string(kWorst), kept.worst);
+  return text;
+}
+
+void KeptFailures::add_line(const std::string& text, const std::string& file, int line) {
+  try {
+    const Json json = read_json(text);
+    const auto bucket = bucket_of(json.at("file").get<std::string>());
+    if (!bucket) throw InputFailure(file, line, "file", "is no name of a kept failure");
+    add(*bucket, checked_failure(parse_case(json.at("case").dump(), file, line), file, line));
+  } catch (const Json::exception& e) {
+    throw InputFailure(file, line, "", e.what());
   }
 }
 

@@ -46,6 +46,10 @@ class KeptFailures {
   void write(const std::filesystem::path& folder) const;
   /// Adds what write() left there.
   void read(const std::filesystem::path& folder);
+  /// What write() writes as lines: { "file": its name, "case": what is in it }.
+  [[nodiscard]] std::string format() const;
+  /// Adds one of these lines; `file` and `line` name it in errors. Throws InputFailure.
+  void add_line(const std::string& text, const std::string& file, int line);
 
  private:
   std::map<std::string, KeptBucket> buckets_;

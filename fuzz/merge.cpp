@@ -9,17 +9,27 @@ namespace plumb {
 namespace {
 
 std::string bins_in(const std::string& folder) {
+  if (std::filesystem::is_regular_file(folder)) return folder;
   return (std::filesystem::path(folder) / "campaign.bins").string();
 }
 
-/// All that was asked but the shards that are done must agree.
-void require_same_campaign(const Asked& first, const std::string& first_folder, const Asked& next,
-                           const std::string& folder) {
-  const Json one = first.to_json(), two = next.to_json();
-  for (const auto& [field, value] : one.items())
-    if (field != "done" && two.at(field) != value)
-      throw InputFailure(bins_in(folder), 0, "asked." + field,
-                         fmt::format("is {}, that of {} is {}", two.at(field).dump(), first_folder, value.dump()));
+constexpr const char* kWayOut = "run it again with --resume, or merge what is there with --partial";
+
+/// "2, 5 to 9 of 12": the shards that are not there.
+std::string missing_shards(const Asked& asked) {
+  std::string text;
+  std::uint64_t expected = 1;
+  const auto add = [&](std::uint64_t end) {  // those from `expected` to before `end`
+    if (end <= expected) return;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", expected);
+    if (end > expected + 1) text += fmt::format(" to {}", end - 1);
+  };
+  for (const std::uint64_t shard : asked.done) {
+    add(shard);
+    expected = shard + 1;
+  }
+  add(asked.shards + 1);
+  return fmt::format("{} of {}", text, asked.shards);
 }
 
 /// `taken`: each shard that was read, with its folder.
@@ -46,19 +56,32 @@ void require_same_ladders(const Results& all, const Results& next, const std::st
 
 }  // namespace
 
-Results merge_folders(const std::vector<std::string>& folders) {
+void require_same_campaign(const Asked& first, const std::string& first_name, const Asked& next,
+                           const std::filesystem::path& file) {
+  const Json one = first.to_json(), two = next.to_json();
+  for (const auto& [field, value] : one.items())
+    if (field != "done" && two.at(field) != value)
+      throw InputFailure(file.string(), 0, "asked." + field,
+                         fmt::format("is {}, that of {} is {}", two.at(field).dump(), first_name, value.dump()));
+}
+
+Results merge_folders(const std::vector<std::string>& folders, Gaps gaps) {
   Results all;
   std::map<std::uint64_t, std::string> taken;
   for (const std::string& folder : folders) {
     Results next = read_results(folder);
     if (taken.empty()) all.asked = next.asked;
-    require_same_campaign(all.asked, folders.front(), next.asked, folder);
+    require_same_campaign(all.asked, folders.front(), next.asked, bins_in(folder));
     take_shards(taken, next.asked, folder);
+    if (gaps == Gaps::refused && next.interrupted)
+      throw InputFailure(bins_in(folder), 0, "interrupted", std::string("is true; ") + kWayOut);
     all.asked.done.insert(next.asked.done.begin(), next.asked.done.end());
     require_same_ladders(all, next, folder);
     all.merge(std::move(next));
   }
   all.shards_missing = all.asked.done.size() < all.asked.shards;
+  if (gaps == Gaps::refused && all.shards_missing)
+    throw InputFailure("plumb merge", 0, "shards", fmt::format("missing: {}; {}", missing_shards(all.asked), kWayOut));
   return all;
 }
 

@@ -1,6 +1,7 @@
 // Shards of a campaign, put together from their folders.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,16 @@
 
 namespace plumb {
 
-/// What one run would have found. Throws InputFailure, which names the file, for what cannot be read, for parts of different
-/// campaigns and for a shard that is there twice. Without some of the shards the result is incomplete.
-[[nodiscard]] Results merge_folders(const std::vector<std::string>& folders);
+/// All that was asked but the shards that are done must agree; throws InputFailure, which names `file` and the field, and
+/// `first_name` as the place of what it is held against.
+void require_same_campaign(const Asked& first, const std::string& first_name, const Asked& next,
+                           const std::filesystem::path& file);
+
+/// Shards that are missing or were interrupted make the result incomplete, or are refused.
+enum class Gaps { counted, refused };
+
+/// What one run would have found, from folders and from parts (chunks.hpp). Throws InputFailure, which names the file, for what
+/// cannot be read, for parts of different campaigns and for a shard that is there twice.
+[[nodiscard]] Results merge_folders(const std::vector<std::string>& folders, Gaps gaps = Gaps::counted);
 
 }  // namespace plumb

@@ -242,7 +242,21 @@ void write_results(const Results& results, const fs::path& folder) {
   results.kept.write(folder / "failures");
 }
 
+std::string format_part(const Results& results) {
+  return format_bins(results) + results.kept.format();
+}
+
+Results read_part(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  if (!std::getline(in, line)) throw InputFailure(file.string(), 0, "", "holds no part of a campaign");
+  Results results = parse_bins(line, file.string());
+  for (int number = 2; std::getline(in, line); ++number) results.kept.add_line(line, file.string(), number);
+  return results;
+}
+
 Results read_results(const fs::path& folder) {
+  if (fs::is_regular_file(folder)) return read_part(folder);
   const fs::path path = folder / "campaign.bins";
   std::ifstream in(path);
   if (!in) throw InputFailure(path.string(), 0, "campaign.bins", "cannot be read: is this the folder of a campaign?");

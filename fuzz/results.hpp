@@ -3,6 +3,7 @@
 // DIR/summary.json   the contract's summary
 // DIR/campaign.bins  the counts behind it, for `plumb merge`
 // DIR/failures/      the simplest and the worst case of each bucket
+// FILE.part          the last two as one file (chunks.hpp)
 #pragma once
 
 #include <array>
@@ -79,11 +80,16 @@ struct Results {
 [[nodiscard]] std::string format_bins(const Results& results);
 [[nodiscard]] Results parse_bins(const std::string& text, const std::string& file);
 
+/// A campaign as one file: the text of campaign.bins, then a line for each file of failures/.
+[[nodiscard]] std::string format_part(const Results& results);
+/// Throws InputFailure, which names the file and the line.
+[[nodiscard]] Results read_part(const std::filesystem::path& file);
+
 /// Makes DIR and DIR/failures and tries to write there; throws InputFailure. Called before the work starts. What an earlier run
 /// left there is removed, so that a folder never shows one run's counts beside another's failures, or those of a run that died.
 void prepare_folder(const std::filesystem::path& folder);
 void write_results(const Results& results, const std::filesystem::path& folder);
-/// Throws InputFailure, which names the file.
+/// A folder, or a part as one file. Throws InputFailure, which names the file.
 [[nodiscard]] Results read_results(const std::filesystem::path& folder);
 
 }  // namespace plumb

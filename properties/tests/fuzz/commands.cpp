@@ -126,7 +126,7 @@ TEST(Commands, MergeOfOneShardTwice) {
                           folder / "stderr")),
             0);
   const std::string script =
-      "plumb merge shard shard --out twice; test $? = 2 && plumb merge shard --out half; exit $?";
+      "plumb merge shard shard --out twice; test $? = 2 && plumb merge shard --partial --out half; exit $?";
   EXPECT_EQ(exit_of_script(script, folder), 130);
   EXPECT_EQ(summary_in(folder / "half").at("incomplete"), true);
 }

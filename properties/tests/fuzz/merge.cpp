@@ -45,9 +45,10 @@ class Merge : public testing::Test {
 };
 
 /// One line that names each of the words.
-void expect_not_merged(const std::vector<std::string>& folders, const std::vector<std::string>& words) {
+void expect_not_merged(const std::vector<std::string>& folders, const std::vector<std::string>& words,
+                       Gaps gaps = Gaps::counted) {
   try {
-    (void)merge_folders(folders);
+    (void)merge_folders(folders, gaps);
     ADD_FAILURE() << "not refused";
   } catch (const InputFailure& e) {
     const std::string line = e.what();
@@ -81,6 +82,18 @@ TEST_F(Merge, AMergeIsAPartLikeAnyOther) {
 TEST_F(Merge, AnInterruptedShardMakesItIncomplete) {
   EXPECT_TRUE(
       merge_folders({shard(1), shard(2, [](Results& results) { results.interrupted = true; }), shard(3)}).incomplete());
+}
+
+TEST_F(Merge, WhatIsMissingIsNamedUnlessItIsAskedToBeCounted) {
+  expect_not_merged({shard(2)}, {"plumb merge: shards: missing: 1, 3 of 3;", "--partial"}, Gaps::refused);
+  const std::string some = shard(1, [](Results& results) {
+    results.asked.shards = 9;
+    results.asked.done = {1, 4, 8};
+  });
+  expect_not_merged({some}, {"missing: 2 to 3, 5 to 7, 9 of 9;"}, Gaps::refused);
+  const std::string cut = shard(2, [](Results& results) { results.interrupted = true; });
+  expect_not_merged({shard(1), cut, shard(3)}, {cut + "/campaign.bins: interrupted"}, Gaps::refused);
+  EXPECT_FALSE(merge_folders({shard(1), shard(2), shard(3)}, Gaps::refused).incomplete());
 }
 
 TEST_F(Merge, TheSameFolderTwice) {

@@ -1,0 +1,91 @@
+#include "fuzz/campaign_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "fuzz/arguments.hpp"
+#include "fuzz/shell_word.hpp"
+#include "fuzz/shrink_kept.hpp"
+#include "fuzz/table.hpp"
+
+namespace plumb {
+namespace {
+
+/// Without either option: all. A foreign solver is asked alone unless methods are named beside it.
+std::string methods_of(const CampaignArguments& args) {
+  return args.method.empty() && args.solver.library.empty() ? "all" : args.method;
+}
+
+CampaignOptions options_of(const CampaignArguments& args) {
+  const std::string methods = methods_of(args);
+  CampaignOptions options{{}, args.seed, args.threads, parse_shard(args.shard), {}, {}, args.chunks};
+  if (!methods.empty()) options.solvers = find_solvers(methods);
+  if (args.solver.library.empty()) return options;
+  options.solvers.push_back(load_solver(args.solver.library, args.solver.limits));
+  options.libraries[options.solvers.back().name] =
+      std::filesystem::absolute(args.solver.library).lexically_normal().string();
+  return options;
+}
+
+std::string command_options(const CampaignArguments& args) {
+  const std::string methods = methods_of(args);
+  const std::string by_name = methods.empty() ? "" : " --method " + methods;
+  return by_name + (args.solver.library.empty() ? "" : " --solver " + shell_word(args.solver.library));
+}
+
+}  // namespace
+
+CLI::Option* declare_campaign(CLI::App& app, CampaignArguments& args, const std::string& threads) {
+  app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")
+      ->required();
+  app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
+  app.add_option("--seed", args.seed, "same seed, same cases and results")->capture_default_str();
+  app.add_option("--method", args.method, "methods with commas, or all (the default without --solver)");
+  declare_solver(app, args.solver, "a shared library behind solver/plumb_solver.h, in processes of its own");
+  app.add_option("--shard", args.shard, "i/n: the i-th of n parts, 1 <= i <= n; plumb merge puts them together");
+  app.add_option("--threads", args.threads, threads)->check(CLI::Range(1, 1024));
+  auto* out = app.add_option("--out", args.out, "folder for summary.json, campaign.bins and failures/");
+  app.add_option("--chunks", args.chunks, "parts of the work, each kept in DIR/chunks once it is done")
+      ->check(refuse_count)
+      ->check(CLI::Range(std::uint64_t{1}, kMostParts))
+      ->capture_default_str();
+  app.add_flag("--resume", args.resume, "do what is missing in DIR, after a run with the same arguments")->needs(out);
+  app.add_option("--cache", args.cache, cache_help);
+  app.add_flag("--shrink", args.shrink, "then shrink each bucket's simplest case, into failures/ as well")->needs(out);
+  return out;
+}
+
+PreparedCampaign prepare_campaign(const CampaignArguments& args) {
+  PreparedCampaign campaign{open_store(args.cache), options_of(args), {}};
+  campaign.options.references = references_of(campaign.store);
+  for (const std::string& family : find_families(args.family))
+    campaign.sources.push_back(
+        family_source(family, static_cast<std::uint64_t>(args.cases), args.seed, command_options(args)));
+  return campaign;
+}
+
+ChunkFolder chunks_in(const CampaignArguments& args, const PreparedCampaign& campaign) {
+  return {args.out, asked_of(campaign.sources, campaign.options), chunks_of(campaign.sources, campaign.options)};
+}
+
+ChunkFolder open_chunks(const CampaignArguments& args, const PreparedCampaign& campaign) {
+  const ChunkFolder chunks = chunks_in(args, campaign);
+  chunks.open(args.resume);
+  prepare_folder(args.out);
+  return chunks;
+}
+
+std::optional<Results> finished_before(const CampaignArguments& args, const PreparedCampaign& campaign) {
+  if (!args.resume) return std::nullopt;
+  return read_finished(args.out, asked_of(campaign.sources, campaign.options));
+}
+
+int report_campaign(const CampaignArguments& args, const PreparedCampaign& campaign, const Results& results) {
+  if (campaign.store) fmt::print(stderr, "{}\n", in_words(campaign.store->counts()));
+  const int code = report(results, args.out);
+  if (args.shrink) shrink_kept(results.kept, campaign.options, args.out);
+  return code;
+}
+
+}  // namespace plumb

@@ -1,0 +1,134 @@
+#include "fuzz/chunks.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "corpus/case.hpp"
+#include "fuzz/merge.hpp"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPart = ".part";
+
+/// Two machines may have a process of one number each.
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "host";
+}
+
+std::vector<fs::path> part_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::exists(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == kPart) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void require_part_of(const Asked& whole, const Asked& part, const fs::path& file) {
+  require_same_campaign(whole, "this campaign", part, file);
+  if (!std::includes(whole.done.begin(), whole.done.end(), part.done.begin(), part.done.end()))
+    throw InputFailure(file.string(), 0, "asked.done", "is of another shard than this campaign");
+}
+
+}  // namespace
+
+std::vector<Shard> chunks_of(const Shard& shard, std::uint64_t chunks) {
+  std::vector<Shard> all;
+  for (std::uint64_t j = 0; j < chunks; ++j) all.push_back({j * shard.count + shard.number, shard.count * chunks});
+  return all;
+}
+
+ChunkQueue::ChunkQueue(const std::vector<Shard>& chunks, bool copies) : copies_(copies) {
+  for (const Shard& chunk : chunks) open_.push_back({chunk, 0});
+}
+
+std::optional<Shard> ChunkQueue::next() {
+  const std::scoped_lock lock(mutex_);
+  const auto fewest =
+      std::min_element(open_.begin(), open_.end(), [](const Open& a, const Open& b) { return a.out < b.out; });
+  if (fewest == open_.end() || (fewest->out > 0 && !copies_)) return std::nullopt;
+  ++fewest->out;
+  return fewest->chunk;
+}
+
+void ChunkQueue::done(const Shard& chunk) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(open_, [&](const Open& open) { return open.chunk.number == chunk.number; });
+}
+
+std::size_t ChunkQueue::left() const {
+  const std::scoped_lock lock(mutex_);
+  return open_.size();
+}
+
+ChunkFolder::ChunkFolder(const fs::path& out, Asked whole, std::vector<Shard> chunks)
+    : path_(out / "chunks"), chunks_(std::move(chunks)), whole_(std::move(whole)) {
+  whole_.shards = chunks_.front().count;
+  whole_.done.clear();
+  for (const Shard& chunk : chunks_) whole_.done.insert(chunk.number);
+}
+
+void ChunkFolder::open(bool resume) const {
+  if (!resume) remove();
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw InputFailure(path_.string(), 0, "--out", "cannot make the folder: " + error.message());
+  for (const fs::path& file : part_files(path_)) require_part_of(whole_, read_part(file).asked, file);
+}
+
+fs::path ChunkFolder::file(const Shard& chunk) const {
+  return path_ / fmt::format("{}-of-{}{}", chunk.number, chunk.count, kPart);
+}
+
+bool ChunkFolder::has(const Shard& chunk) const {
+  std::error_code error;
+  return fs::exists(file(chunk), error);
+}
+
+std::vector<Shard> ChunkFolder::missing() const {
+  std::vector<Shard> missing;
+  for (const Shard& chunk : chunks_)
+    if (!has(chunk)) missing.push_back(chunk);
+  return missing;
+}
+
+void ChunkFolder::put(const Shard& chunk, const Results& part) const {
+  const fs::path place = file(chunk), beside = place.string() + "." + host_name();
+  write_file(beside, format_part(part));
+  std::error_code error;
+  fs::rename(beside, place, error);
+  if (error) throw InputFailure(place.string(), 0, "--out", "cannot write there: " + error.message());
+}
+
+Results ChunkFolder::read() const {
+  std::vector<std::string> files;
+  for (const fs::path& file : part_files(path_)) files.push_back(file.string());
+  return merge_folders(files);
+}
+
+void ChunkFolder::remove() const {
+  // Under another name first: what is left of a removal that is cut short is no chunk.
+  const fs::path old = path_.string() + ".old";
+  std::error_code error;
+  fs::remove_all(old, error);
+  fs::rename(path_, old, error);
+  fs::remove_all(old, error);
+}
+
+std::optional<Results> read_finished(const fs::path& out, const Asked& asked) {
+  if (fs::exists(out / "chunks") || !fs::exists(out / "campaign.bins")) return std::nullopt;
+  Results results = read_results(out);
+  require_part_of(asked, results.asked, out / "campaign.bins");
+  if (results.incomplete()) return std::nullopt;
+  return results;
+}
+
+}  // namespace plumb
