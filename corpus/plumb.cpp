@@ -23,11 +23,13 @@ struct Command {
 
 // Every command of the contract; those that this build does not have are not listed.
 constexpr std::array<Command, 17> commands{{
+constexpr std::array<Command, 16> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
     {"check", "judge anybody's answer to a case"},
     {"campaign", "random cases by the thousand, every wrong answer kept"},
+    {"campaign-mpi", "the same over the processes of mpirun"},
     {"families", "the families that random cases come from"},
     {"ladder", "the hard cases, step by step; freezes them with their certificates"},
     {"merge", "put campaigns that ran apart together"},
@@ -55,7 +57,7 @@ int list_commands() {
   std::string text =
       "plumb shows whether a contact normal stands true.\n\n  plumb COMMAND ...    plumb COMMAND --help\n\n";
   for (const auto& [name, summary] : commands)
-    if (fs::exists(program(name))) text += fmt::format("  {:<10} {}\n", name, summary);
+    if (fs::exists(program(name))) text += fmt::format("  {:<12} {}\n", name, summary);
   const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
   return written ? 0 : refuse(std::string("standard output: ") + std::strerror(errno));
 }
