@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "solver/scene/narrow_phase.hpp"
 #include "solver/scene/neighbours.hpp"
+#include "solver/scene/passes.hpp"
 #include "solver/scene/rotation.hpp"
 #include "solver/scene/world_setup.hpp"
 
@@ -14,14 +16,6 @@ namespace plumb::scene {
 namespace {
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
-
-void run_all(std::vector<Pass>& passes) {
-  for (Pass& pass : passes) {
-    const auto start = std::chrono::steady_clock::now();
-    pass.run();
-    pass.spent += std::chrono::steady_clock::now() - start;
-  }
-}
 
 void shift(World& world) {
   for (const std::uint32_t i : world.bodies.movable)
@@ -35,8 +29,7 @@ void rotate(World& world) {
     const Vec3<double>& inverse_inertia = world.bodies.inverse_inertia[i];
     const Eigen::Quaterniond q = rotated(state.orientation_of(i), momentum, inverse_inertia, world.time_step);
     std::ranges::copy(std::array{q.w(), q.x(), q.y(), q.z()}, state.orientation->entry(i).begin());
-    const Vec3<double> own = q.conjugate() * momentum;
-    state.angular_velocity->vector(i) = q * Vec3<double>(own.cwiseProduct(inverse_inertia));
+    state.angular_velocity->vector(i) = angular_velocity(q, momentum, inverse_inertia);
   }
 }
 
@@ -46,23 +39,6 @@ void kick_half(World& world) {
         world.time_step / 2 * world.bodies.inverse_mass[i] * world.state.force->vector(i);
   for (const std::uint32_t i : world.bodies.turning)
     world.state.angular_momentum->vector(i) += world.time_step / 2 * world.state.torque->vector(i);
-}
-
-void clear_forces(World& world) {
-  world.state.force->fill(0);
-  if (world.state.torque != nullptr) world.state.torque->fill(0);
-  if (world.contacts.normal_force != nullptr) world.contacts.normal_force->fill(0);
-}
-
-/// What contacts remember, of those that have ended.
-void forget(const Contacts& contacts, std::vector<Column*>& histories) {
-  for (Column* column : histories)
-    for (const std::uint32_t c : contacts.parted) std::ranges::fill(column->entry(c), column->kind().initial);
-}
-
-/// The elastic and cohesive forces along the normals, onto the bodies.
-void push_along_normals(World& world) {
-  for (const std::uint32_t c : world.contacts.touching) world.push_along_normal(c, (*world.contacts.normal_force)[c]);
 }
 
 /// The columns of a new list, with what the old one knew of the same pairs; both are sorted.
@@ -106,27 +82,15 @@ Simulation::~Simulation() = default;
 
 void Simulation::list_passes() {
   World& world = *world_;
-  const auto move_all = [](std::vector<Pass>& from, std::vector<Pass>& to) {
-    std::ranges::move(from, std::back_inserter(to));
-    from.clear();
-  };
   drifts_.push_back({"motion", [&world] { shift(world); }});
   if (world.has_turning()) drifts_.push_back({"turning", [&world] { rotate(world); }});
-  move_all(world.movers, drifts_);
+  append(drifts_, std::exchange(world.movers, {}));
   kicks_.push_back({"motion", [&world] { kick_half(world); }});
   if (world_->boxes != nullptr) forces_.push_back({"broad phase", [this] { update_list(); }});
   if (plan_.needs.contacts) forces_.push_back({"solver", [this] { solve(); }});
   if (plan_.analysis != Analysis::motion) return;
-  std::vector<Column*> histories;
-  for (Column& column : world.columns)
-    if (column.kind().forgets) histories.push_back(&column);
-  if (!histories.empty())
-    forces_.push_back({"contacts", [&world, histories]() mutable { forget(world.contacts, histories); }});
-  forces_.push_back({"motion", [&world] { clear_forces(world); }});
-  move_all(world.contact_passes, forces_);
-  if (plan_.needs.normal_force) forces_.push_back({"contacts", [&world] { push_along_normals(world); }});
-  move_all(world.body_passes, forces_);
-  move_all(world.closing_passes, forces_);
+  append(forces_, take_contact_passes(world, plan_));
+  append(forces_, take_closing_passes(world));
 }
 
 void Simulation::use_pairs(Pairs pairs) {

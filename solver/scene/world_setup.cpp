@@ -13,39 +13,6 @@ namespace {
 
 using Kind = ColumnKind;
 
-void add_body(Bodies& bodies, const SceneBody& b, bool turns) {
-  const auto index = static_cast<std::uint32_t>(bodies.shape.size());
-  const Superellipsoid<double>& shape = b.body.shape;
-  const MassProperties properties = mass_properties(shape);
-  const bool is_ball = is_sphere(shape);
-  Vec3<double> inertia = b.density * properties.inertia;
-  if (is_ball) inertia = Vec3<double>::Constant(inertia.x());
-  const double mass = b.density * properties.volume;
-  bodies.shape.push_back(shape);
-  bodies.is_sphere.push_back(is_ball ? 1 : 0);
-  bodies.radius.push_back(bounding_radius(shape));
-  bodies.mass.push_back(mass);
-  bodies.inverse_mass.push_back(b.is_fixed ? 0 : 1 / mass);
-  bodies.inertia.push_back(inertia);
-  bodies.inverse_inertia.push_back(turns ? Vec3<double>(inertia.cwiseInverse()) : Vec3<double>::Zero());
-  bodies.sphere_radius.push_back(std::cbrt(properties.volume * 0.75 / std::numbers::pi));
-  if (!b.is_fixed) bodies.movable.push_back(index);
-  if (turns) bodies.turning.push_back(index);
-}
-
-void add_wall(Bodies& bodies, const Wall& wall) {
-  ++bodies.walls;
-  bodies.shape.emplace_back();
-  bodies.is_sphere.push_back(0);
-  bodies.radius.push_back(0);
-  bodies.mass.push_back(std::numeric_limits<double>::infinity());
-  bodies.inverse_mass.push_back(0);
-  bodies.inertia.emplace_back(Vec3<double>::Zero());
-  bodies.inverse_inertia.emplace_back(Vec3<double>::Zero());
-  bodies.sphere_radius.push_back(0);
-  bodies.wall_normal.emplace_back(wall.normal.normalized());
-}
-
 Bodies bodies_of(const Scene& scene, const Plan& plan) {
   Bodies bodies;
   bodies.count = scene.bodies.size();
@@ -112,17 +79,54 @@ void set_body(World& world, std::size_t i, const SceneBody& b) {
 
 }  // namespace
 
-void set_up(World& world, const Scene& scene, const Plan& plan) {
-  world.bodies = bodies_of(scene, plan);
+void add_body(Bodies& bodies, const SceneBody& b, bool turns) {
+  const auto index = static_cast<std::uint32_t>(bodies.shape.size());
+  const Superellipsoid<double>& shape = b.body.shape;
+  const MassProperties properties = mass_properties(shape);
+  const bool is_ball = is_sphere(shape);
+  Vec3<double> inertia = b.density * properties.inertia;
+  if (is_ball) inertia = Vec3<double>::Constant(inertia.x());
+  const double mass = b.density * properties.volume;
+  bodies.shape.push_back(shape);
+  bodies.is_sphere.push_back(is_ball ? 1 : 0);
+  bodies.radius.push_back(bounding_radius(shape));
+  bodies.mass.push_back(mass);
+  bodies.inverse_mass.push_back(b.is_fixed ? 0 : 1 / mass);
+  bodies.inertia.push_back(inertia);
+  bodies.inverse_inertia.push_back(turns ? Vec3<double>(inertia.cwiseInverse()) : Vec3<double>::Zero());
+  bodies.sphere_radius.push_back(std::cbrt(properties.volume * 0.75 / std::numbers::pi));
+  if (!b.is_fixed) bodies.movable.push_back(index);
+  if (turns) bodies.turning.push_back(index);
+}
+
+void add_wall(Bodies& bodies, const Wall& wall) {
+  ++bodies.walls;
+  bodies.shape.emplace_back();
+  bodies.is_sphere.push_back(0);
+  bodies.radius.push_back(0);
+  bodies.mass.push_back(std::numeric_limits<double>::infinity());
+  bodies.inverse_mass.push_back(0);
+  bodies.inertia.emplace_back(Vec3<double>::Zero());
+  bodies.inverse_inertia.emplace_back(Vec3<double>::Zero());
+  bodies.sphere_radius.push_back(0);
+  bodies.wall_normal.emplace_back(wall.normal.normalized());
+}
+
+void add_columns(World& world, const Plan& plan) {
   add_state(world, plan);
   if (plan.needs.contacts) add_contacts(world, plan);
   if (plan.broad_phase == BroadPhase::tree) {
     const double nowhere = std::numeric_limits<double>::quiet_NaN();
     world.boxes = &world.columns.add("box", "broad phase", {Kind::body, box_width, true, nowhere});
   }
-  if (plan.analysis == Analysis::motion)
-    for (const PlannedEffect& planned : plan.effects)
-      if (planned.is_on) planned.effect->install(plan.asked, world);
+  if (plan.analysis != Analysis::motion) return;
+  for (const PlannedEffect& planned : plan.effects)
+    if (planned.is_on) planned.effect->install(plan.asked, world);
+}
+
+void set_up(World& world, const Scene& scene, const Plan& plan) {
+  world.bodies = bodies_of(scene, plan);
+  add_columns(world, plan);
   world.columns.renew(Kind::body, world.bodies.all());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) set_body(world, i, scene.bodies[i]);
   for (std::size_t i = 0; i < scene.walls.size(); ++i)

@@ -1,0 +1,141 @@
+#include "solver/scene/part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solver/scene/passes.hpp"
+#include "solver/scene/rotation.hpp"
+#include "solver/scene/world_setup.hpp"
+
+namespace plumb::scene {
+namespace {
+
+/// Two bodies that touch and turn, with the effects and walls asked for: from it follows all that a plan says of a part.
+Scene probe_of(const PartSettings& settings) {
+  Scene scene;
+  SceneBody body;
+  body.body.shape = {{1, 1, 2}, 2, 2};
+  body.angular_velocity = Vec3<double>::UnitX();
+  scene.bodies = {body, body};
+  scene.bodies[1].body.position = Vec3<double>::UnitX();
+  scene.walls = settings.walls;
+  scene.effects = settings.effects;
+  scene.run.duration = settings.time_step;
+  scene.run.time_step = settings.time_step;
+  scene.run.accuracy = settings.accuracy;
+  return scene;
+}
+
+/// Whatever is asked for is on: of bodies to come nothing can be proved.
+PlanOptions all_of(const Effects& effects) {
+  PlanOptions options;
+  each_effect(effects, [&](const auto& effect) {
+    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
+    if (effect) options.forced.emplace(Parameters::name);
+  });
+  return options;
+}
+
+Scene checked(Scene probe) {
+  if (probe.effects.conduction)
+    throw SceneError("effects.conduction", "a part of a scene keeps no temperatures: run the scene by itself");
+  if (!probe.effects.linear && !probe.effects.hertz)
+    throw SceneError("effects", "an elastic law is required: linear or hertz");
+  return probe;
+}
+
+bool is_same(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+}  // namespace
+
+Part::Part(const PartSettings& settings)
+    : probe_(checked(probe_of(settings))), plan_(make_plan(probe_, all_of(settings.effects))) {
+  plan_.broad_phase = BroadPhase::none;
+  add_columns(world_, plan_);
+  movers_ = std::exchange(world_.movers, {});
+  contact_passes_ = take_contact_passes(world_, plan_);
+  closing_ = take_closing_passes(world_);
+  for (Column& column : world_.columns)
+    if (column.kind().of == ColumnKind::pair && column.kind().is_kept) kept_.push_back(&column);
+  for (const Column* column : kept_) width_ += column->width();
+}
+
+void Part::renew(std::span<const SceneBody> bodies, std::vector<std::array<std::uint32_t, 2>> pairs) {
+  world_.bodies = {};
+  world_.bodies.count = bodies.size();
+  for (const SceneBody& b : bodies) add_body(world_.bodies, b, !b.is_fixed);
+  for (const Wall& wall : probe_.walls) add_wall(world_.bodies, wall);
+  world_.columns.renew(ColumnKind::body, world_.bodies.all());
+  world_.columns.renew(ColumnKind::pair, pairs.size());
+  world_.contacts.pairs = std::move(pairs);
+  for (auto* list : {&world_.contacts.touching, &world_.contacts.pressing, &world_.contacts.parted}) list->clear();
+  for (std::size_t i = 0; i < probe_.walls.size(); ++i)
+    world_.state.position->vector(bodies.size() + i) = probe_.walls[i].point;
+  for (const auto& start : world_.starts) start(probe_);
+}
+
+void Part::place(std::size_t body, const Vec3<double>& position, const Vec3<double>& velocity,
+                 const std::array<double, 4>& quaternion, const Vec3<double>& angular_momentum) {
+  State& state = world_.state;
+  state.position->vector(body) = position;
+  state.velocity->vector(body) = velocity;
+  std::ranges::copy(quaternion, state.orientation->entry(body).begin());
+  state.angular_momentum->vector(body) = angular_momentum;
+  state.angular_velocity->vector(body) =
+      angular_velocity(state.orientation_of(body), angular_momentum, world_.bodies.inverse_inertia[body]);
+}
+
+void Part::press(double time, double time_step) {
+  world_.time = time;
+  world_.time_step = time_step;
+  run_all(movers_);
+  const Round round = solve_contacts(world_, plan_.want, 1, nullptr);
+  totals_.solves += round.solves;
+  totals_.evaluations += round.evaluations;
+  totals_.failed += round.failed;
+  totals_.failed_warm += round.failed_warm;
+  run_all(contact_passes_);
+}
+
+void Part::close() {
+  run_all(closing_);
+}
+
+double Part::energy(const std::function<bool(std::size_t contact)>& counts) {
+  Contacts& contacts = world_.contacts;
+  const auto touching = contacts.touching, pressing = contacts.pressing;
+  for (auto* list : {&contacts.touching, &contacts.pressing})
+    std::erase_if(*list, [&](std::uint32_t contact) { return !counts(contact); });
+  double sum = 0;
+  for (const StoredEnergy& stored : world_.energies)
+    if (stored.owner != Gravity::name) sum += stored.energy();
+  contacts.touching = touching;
+  contacts.pressing = pressing;
+  return sum;
+}
+
+bool Part::has_history(std::size_t contact) const {
+  return std::ranges::any_of(kept_, [&](const Column* column) {
+    return std::ranges::any_of(std::as_const(*column).entry(contact),
+                               [&](double value) { return !is_same(value, column->kind().initial); });
+  });
+}
+
+void Part::history(std::size_t contact, std::span<double> out) const {
+  auto next = out.begin();
+  for (const Column* column : kept_) next = std::ranges::copy(column->entry(contact), next).out;
+}
+
+void Part::set_history(std::size_t contact, std::span<const double> values) {
+  auto next = values.begin();
+  for (Column* column : kept_) {
+    const auto end = next + static_cast<std::ptrdiff_t>(column->width());
+    std::copy(next, end, column->entry(contact).begin());
+    next = end;
+  }
+}
+
+}  // namespace plumb::scene
