@@ -117,6 +117,12 @@ double Part::energy(const std::function<bool(std::size_t contact)>& counts) {
   return sum;
 }
 
+std::string Part::history_names() const {
+  std::string names;
+  for (const Column* column : kept_) names += std::string(column->name()) + " ";
+  return names;
+}
+
 bool Part::has_history(std::size_t contact) const {
   return std::ranges::any_of(kept_, [&](const Column* column) {
     return std::ranges::any_of(std::as_const(*column).entry(contact),

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "solver/scene/narrow_phase.hpp"
@@ -53,6 +54,8 @@ class Part {
 
   /// Numbers that a contact remembers.
   [[nodiscard]] std::size_t history_width() const { return width_; }
+  /// Their names, for who keeps them longer than the part lives.
+  [[nodiscard]] std::string history_names() const;
   /// Whether any of them is another than a new contact's.
   [[nodiscard]] bool has_history(std::size_t contact) const;
   void history(std::size_t contact, std::span<double> out) const;

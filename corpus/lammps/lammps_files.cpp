@@ -1,0 +1,151 @@
+#include "corpus/lammps/lammps_files.hpp"
+
+#include <fmt/format.h>
+
+#include <span>
+
+#include "corpus/json_text.hpp"
+#include "corpus/lammps/pair_arguments.hpp"
+#include "solver/scene/part.hpp"
+#include "solver/scene/simulation.hpp"
+
+namespace plumb::scene {
+namespace {
+
+/// Of the shortest radius: how far bodies may move together before LAMMPS lists their neighbours anew.
+constexpr double skin_share = 0.2;
+
+void add_numbers(std::string& text, std::span<const double> numbers) {
+  for (const double x : numbers) text += " " + shortest(x);
+}
+
+std::string numbers_text(const Vec3<double>& x) {
+  return shortest(x[0]) + " " + shortest(x[1]) + " " + shortest(x[2]);
+}
+
+void refuse_what_cannot_be(const Scene& scene, const Plan& plan) {
+  if (plan.analysis != Analysis::motion) throw SceneError("run", "nothing moves, and LAMMPS is for what does");
+  PartSettings settings{scene.effects, scene.walls, plan.time_step, scene.run.accuracy};
+  const Part part(settings);
+}
+
+/// Around the bodies: LAMMPS makes it larger as they go, and never smaller.
+std::string box_text(const Scene& scene, const World& world) {
+  std::string out;
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const double x = scene.bodies[i].body.position[axis];
+      low = std::min(low, x - world.bodies.radius[i]);
+      high = std::max(high, x + world.bodies.radius[i]);
+    }
+    out += fmt::format("{0} {1} {2}lo {2}hi\n", shortest(low), shortest(high), "xyz"[axis]);
+  }
+  return out;
+}
+
+/// A section with a line a body.
+template <class Line>
+void add_section(std::string& text, const char* name, std::size_t bodies, const Line& line) {
+  text += fmt::format("\n{}\n\n", name);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    text += std::to_string(i + 1);
+    line(i);
+    text += "\n";
+  }
+}
+
+/// Diameters, as LAMMPS has them. The density is that of Shapes, which goes before that of Atoms.
+std::string data_text(const Scene& scene, const World& world) {
+  const std::size_t count = scene.bodies.size();
+  const State& state = world.state;
+  std::string text =
+      fmt::format("plumb: scene {}\n\n{} atoms\n{} ellipsoids\n2 atom types\n\n", scene.name, count, count);
+  text += box_text(scene, world);
+  add_section(text, "Atoms # ellipsoid", count, [&](std::size_t i) {
+    text += fmt::format(" {} 1 {}", scene.bodies[i].is_fixed ? 2 : 1, shortest(scene.bodies[i].density));
+    add_numbers(text, state.position->entry(i));
+  });
+  add_section(text, "Ellipsoids", count, [&](std::size_t i) {
+    const Vec3<double> diameters = 2 * world.bodies.shape[i].semi_axes;
+    add_numbers(text, std::span(diameters.data(), 3));
+    add_numbers(text, state.orientation->entry(i));
+  });
+  constexpr std::array<double, 3> still{};
+  add_section(text, "Velocities", count, [&](std::size_t i) {
+    add_numbers(text, state.velocity->entry(i));
+    add_numbers(text, state.angular_momentum == nullptr ? std::span<const double>(still)
+                                                        : std::as_const(*state.angular_momentum).entry(i));
+  });
+  add_section(text, "Shapes", count, [&](std::size_t i) {
+    const Superellipsoid<double>& shape = world.bodies.shape[i];
+    add_numbers(text, std::array{shape.n1, shape.n2, scene.bodies[i].density});
+  });
+  return text;
+}
+
+std::string wall_text(const Scene& scene, std::size_t wall) {
+  std::string out = fmt::format("fix wall{} all plumb/wall {} {}", wall, numbers_text(scene.walls[wall].point),
+                                numbers_text(scene.walls[wall].normal));
+  if (scene.effects.moving_walls)
+    for (const WallMotion& motion : scene.effects.moving_walls->motions)
+      if (static_cast<std::size_t>(motion.wall) == wall)
+        out += fmt::format(" velocity {} amplitude {} frequency {}", numbers_text(motion.velocity),
+                           numbers_text(motion.amplitude), shortest(motion.frequency));
+  return out + "\n";
+}
+
+std::string forces_text(const Scene& scene) {
+  std::string out = "pair_style plumb/cn " + pair_arguments_text({scene.effects, scene.run.accuracy});
+  out += "\npair_coeff * *\n";
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) out += wall_text(scene, wall);
+  if (scene.effects.gravity && !scene.effects.gravity->acceleration.isZero(0)) {
+    const Vec3<double>& g = scene.effects.gravity->acceleration;
+    out += fmt::format("fix gravity moves gravity {} vector {}\n", shortest(g.norm()), numbers_text(g));
+  }
+  return out;
+}
+
+std::string script_text(const Scene& scene, const Plan& plan, const World& world) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) least = std::min(least, world.bodies.radius[i]);
+  const std::int64_t every = plan.steps_per_output > 0 ? plan.steps_per_output : plan.steps;
+  std::string out = fmt::format(R"(# plumb: scene {}. In this folder: mpirun -n 2 plumb-lammps -in in.lammps
+units lj
+atom_style ellipsoid
+boundary m m m
+newton off
+comm_modify vel yes
+fix shapes all property/atom d_n1 d_n2 d_density ghost yes
+read_data data.lammps fix shapes NULL Shapes
+group moves type 1
+neighbor {} bin
+neigh_modify every 1 delay 0 check yes
+
+)",
+                                scene.name, shortest(skin_share * least));
+  out += forces_text(scene);
+  out += fmt::format(R"(fix motion moves plumb/nve
+timestep {}
+
+compute body all property/atom quatw quati quatj quatk shapex shapey shapez angmomx angmomy angmomz
+dump out all custom {} dump.lammpstrj id type x y z c_body[1] c_body[2] c_body[3] c_body[4] c_body[5] c_body[6] c_body[7] &
+  d_n1 d_n2 vx vy vz c_body[8] c_body[9] c_body[10]
+dump_modify out sort id format float %.17g
+thermo_style custom step atoms pe ke f_motion
+thermo {}
+run {}
+)",
+                     shortest(plan.time_step), every, every, plan.steps);
+  return out;
+}
+
+}  // namespace
+
+LammpsFiles lammps_files(const Scene& scene, const Plan& plan) {
+  refuse_what_cannot_be(scene, plan);
+  const Simulation start(scene, plan);
+  return {script_text(scene, plan, start.world()), data_text(scene, start.world())};
+}
+
+}  // namespace plumb::scene
