@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <span>
 
 #include "corpus/json_text.hpp"
@@ -44,6 +46,27 @@ std::string box_text(const Scene& scene, const World& world) {
   return out;
 }
 
+using Quaternion = std::array<double, 4>;
+
+Quaternion times(const Quaternion& q, double factor) {
+  return {q[0] * factor, q[1] * factor, q[2] * factor, q[3] * factor};
+}
+
+/// As LAMMPS divides it by its norm when it reads it.
+Quaternion as_read(const Quaternion& q) {
+  return times(q, 1 / std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]));
+}
+
+/// What LAMMPS reads as this unit quaternion, to the bit: a multiple of it, found by trying. Where no one does it is itself, read as
+/// another in a last bit.
+Quaternion to_be_read(std::span<const double> unit) {
+  constexpr int most_tried = 200;
+  const Quaternion q{unit[0], unit[1], unit[2], unit[3]};
+  for (int tried = 0; tried < most_tried; ++tried)
+    if (const Quaternion multiple = times(q, 1 + tried / 256.0); as_read(multiple) == q) return multiple;
+  return q;
+}
+
 /// A section with a line a body.
 template <class Line>
 void add_section(std::string& text, const char* name, std::size_t bodies, const Line& line) {
@@ -69,7 +92,7 @@ std::string data_text(const Scene& scene, const World& world) {
   add_section(text, "Ellipsoids", count, [&](std::size_t i) {
     const Vec3<double> diameters = 2 * world.bodies.shape[i].semi_axes;
     add_numbers(text, std::span(diameters.data(), 3));
-    add_numbers(text, state.orientation->entry(i));
+    add_numbers(text, to_be_read(std::as_const(*state.orientation).entry(i)));
   });
   constexpr std::array<double, 3> still{};
   add_section(text, "Velocities", count, [&](std::size_t i) {
