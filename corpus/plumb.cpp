@@ -22,8 +22,7 @@ struct Command {
 };
 
 // Every command of the contract; those that this build does not have are not listed.
-constexpr std::array<Command, 17> commands{{
-constexpr std::array<Command, 16> commands{{
+constexpr std::array<Command, 18> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
