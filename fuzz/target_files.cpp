@@ -4,13 +4,20 @@
 //   % 7 = 0 scene (plumb/scene-1), 1 answer (plumb check --answer), 2 proof (plumb/proof-1), 3 counts of a campaign
 //   (campaign.bins), 4 reference (of plumb/reference-1, its checksum taken off), 5 checkpoint (plumb/checkpoint-1),
 //   6 checkpoint between its head and its checksum, which are put on
+//
+// From 128 on: a dump of particles (LAMMPS, LIGGGHTS), written as frames of all its bodies; its pairs are found.
 #include <fmt/format.h>
 
 #include <array>
+#include <sstream>
+#include <stdexcept>
 
 #include "corpus/answer.hpp"
 #include "corpus/case.hpp"
 #include "corpus/checkpoint.hpp"
+#include "corpus/dump_pairs.hpp"
+#include "corpus/dump_reader.hpp"
+#include "corpus/dump_text.hpp"
 #include "corpus/fields.hpp"
 #include "corpus/proof_file.hpp"
 #include "corpus/reference_json.hpp"
@@ -89,6 +96,28 @@ std::string rewrite_sealed_checkpoint(const std::string& bytes) {
   return rewrite_checkpoint(body + seal);
 }
 
+/// Bodies alone, by LAMMPS's columns: ids, boxes and units are no part of what is written.
+std::string rewrite_dump(const std::string& text) {
+  constexpr std::size_t few = 12;  // whose pairs are looked at
+  std::istringstream in(text);
+  DumpReader reader(in, "input", {});
+  std::string out;
+  while (const auto frame = reader.next([](std::int64_t) { return true; })) {
+    try {
+      if (frame->particles.size() <= few) each_touching_pair(*frame, 0, [](const DumpPair&) {});
+    } catch (const std::invalid_argument& error) {
+      throw InputFailure("input", 0, "", error.what());
+    }
+    const DumpBounds unit{Vec3<double>::Zero(), Vec3<double>::Ones()};
+    out += dump_head(frame->step, {}, frame->particles.size(), unit, dump_column_names(DumpFormat::lammps));
+    for (const DumpParticle& particle : frame->particles) {
+      add_dump_body(out, DumpFormat::lammps, out.size(), 1, particle.body);
+      out += "\n";
+    }
+  }
+  return out;
+}
+
 struct Reader {
   const char* name;
   Rewrite rewrite;
@@ -101,6 +130,8 @@ constexpr std::array<Reader, 7> readers{{{"scene", rewrite_scene, rewrite_scene}
                                          {"reference", rewrite_reference, rewrite_reference},
                                          {"checkpoint", rewrite_checkpoint, rewrite_checkpoint},
                                          {"sealed checkpoint", rewrite_sealed_checkpoint, rewrite_checkpoint}}};
+
+constexpr Reader dump_reader{"dump", rewrite_dump, rewrite_dump};
 
 Outcome outcome_of(bool stop, const Reader& reader, const std::string& words) {
   return {stop, fmt::format("{}: {}", reader.name, words)};
@@ -119,7 +150,7 @@ Outcome examine_written(const Reader& reader, const std::string& written) {
 
 Outcome examine(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return {false, "no file"};
-  const Reader& reader = readers[bytes[0] % readers.size()];
+  const Reader& reader = bytes[0] < 128 ? readers[bytes[0] % readers.size()] : dump_reader;
   try {
     return examine_written(reader, reader.rewrite(std::string(bytes.begin() + 1, bytes.end())));
   } catch (const InputFailure& e) {

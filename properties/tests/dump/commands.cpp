@@ -177,7 +177,7 @@ TEST_F(DumpCommands, AnInterruptEndsItWith130) {
   ASSERT_EQ(::mkfifo((path_ / "pipe").c_str(), 0600), 0);
   const int pipe = ::open((path_ / "pipe").c_str(), O_RDWR | O_CLOEXEC);  // nobody writes to it
   const pid_t child = start_command("cd " + path_.string() + " && exec " + std::string(PLUMB_BINARY_DIR) +
-                                    "/bin/plumb-import d.dump pipe > cases.jsonl 2> said");
+                                    "/bin/plumb-import d.dump - < pipe > cases.jsonl 2> said");
   const auto waits_at_the_pipe = [&](pid_t process) { return !read("cases.jsonl").empty() && is_asleep(process); };
   EXPECT_EQ(interrupt_when(child, waits_at_the_pipe), 130);
   ::close(pipe);
