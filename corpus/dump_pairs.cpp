@@ -100,7 +100,7 @@ class Cell {
       double images = 1;
       for (int k = 0; k < 3; ++k)
         if (frame_.box.is_periodic[static_cast<std::size_t>(k)])
-          images *= 2 + 2 * in_boxes(reach(particle.body) + greatest_, k);
+          images *= 1 + 2 * in_boxes(reach(particle.body) + greatest_, k);
       sum += images;
     }
     if (!(sum <= most_images)) throw std::invalid_argument("the box is too small for its particles: over 2e7 images");
@@ -115,8 +115,8 @@ class Cell {
       const auto axis = static_cast<std::size_t>(k);
       if (!frame_.box.is_periodic[axis]) continue;
       const double far = in_boxes(reach(body) + greatest_, k);
-      low[axis] = static_cast<int>(std::floor(-far - place[k]));
-      high[axis] = static_cast<int>(std::ceil(1 + far - place[k]));
+      low[axis] = static_cast<int>(std::ceil(-far - place[k]));
+      high[axis] = static_cast<int>(std::floor(1 + far - place[k]));
     }
     for (int a = low[0]; a <= high[0]; ++a)
       for (int b = low[1]; b <= high[1]; ++b)
