@@ -1,6 +1,9 @@
 // What reports/python_batch.py calls: a batch in C++ over the very memory that Python's batch gets, timed here.
+#include <algorithm>
 #include <cstddef>
 #include <ctime>
+#include <memory>
+#include <vector>
 
 #include "solver/batch/batch.hpp"
 
@@ -38,24 +41,56 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// Answers in memory asked for when they are made, and not cleared.
+class NewContacts {
+ public:
+  explicit NewContacts(std::size_t size) : numbers_(13), words_(4) {
+    for (auto& column : numbers_) column = std::make_unique_for_overwrite<double[]>(size);
+    for (auto& column : words_) column = std::make_unique_for_overwrite<int[]>(size);
+  }
+  [[nodiscard]] std::array<double*, 13> numbers() const {
+    std::array<double*, 13> out{};
+    std::ranges::transform(numbers_, out.begin(), [](const auto& column) { return column.get(); });
+    return out;
+  }
+  [[nodiscard]] std::array<void*, 4> words() const {
+    std::array<void*, 4> out{};
+    std::ranges::transform(words_, out.begin(), [](const auto& column) { return column.get(); });
+    return out;
+  }
+
+ private:
+  std::vector<std::unique_ptr<double[]>> numbers_;
+  std::vector<std::unique_ptr<int[]>> words_;
+};
+
+ContactArrays contact_arrays(std::size_t size, double* const* numbers, void* const* words) {
+  return {{static_cast<Status*>(words[0]), size},
+          {static_cast<Verdict*>(words[1]), size},
+          {numbers[0], size},
+          three(numbers + 1, size),
+          three(numbers + 4, size),
+          three(numbers + 7, size),
+          three(numbers + 10, size),
+          {static_cast<int*>(words[2]), size},
+          {static_cast<int*>(words[3]), size}};
+}
+
+BatchReport solve_into_new(const PairArrays& pairs) {
+  const NewContacts contacts(pairs.size());
+  return solve_batch(pairs, {}, contact_arrays(pairs.size(), contacts.numbers().data(), contacts.words().data()));
+}
+
 }  // namespace
 
-/// Seconds, or -1 where the batch refuses its arrays. `numbers`: overlap, normal, point 1, point 2, contact point; `words`: status, verdict,
-/// iterations, evaluations.
+/// Seconds, or -1 where the batch refuses its arrays. `numbers`: overlap, normal, point 1, point 2, contact point; `words`: status,
+/// verdict, iterations, evaluations; null: into memory that is asked for here.
 extern "C" double plumb_time_batch(std::size_t size, Columns body1, Columns body2, double* const* numbers,
                                    void* const* words) {
   const PairArrays pairs{body(body1, size), body(body2, size)};
-  const ContactArrays contacts{{static_cast<Status*>(words[0]), size},
-                               {static_cast<Verdict*>(words[1]), size},
-                               {numbers[0], size},
-                               three(numbers + 1, size),
-                               three(numbers + 4, size),
-                               three(numbers + 7, size),
-                               three(numbers + 10, size),
-                               {static_cast<int*>(words[2]), size},
-                               {static_cast<int*>(words[3]), size}};
   const double start = thread_seconds();
-  const BatchReport report = solve_batch(pairs, {}, contacts);
+  const BatchReport report =
+      numbers == nullptr ? solve_into_new(pairs) : solve_batch(pairs, {}, contact_arrays(size, numbers, words));
   const double taken = thread_seconds() - start;
   return report.error == BatchError::none ? taken : -1;
 }

@@ -1,6 +1,11 @@
 #!/usr/bin/python3
 """reports/python_batch.py [PAIRS [PASSES]]: what numpy's arrays cost a batch, one thread.
 
+by columns         input and answers by columns, which are read and written in place
+by rows            input by rows, answers by columns (what Contacts.empty makes)
+by rows, all ways  input and answers by rows
+into new arrays    input by rows, answers into memory that the call asks for, over a C++ that asks for its own as well
+
 The same pairs by plumb::solve_batch in C++ and by plumb.solve_batch in Python, in one process and in turns; of all passes (default
 9) the least time counts, the processor's (kernel and page faults included), for what else the machine does is not the question. Exit 1 where the answers are not the same bits.
 """
@@ -19,7 +24,7 @@ import plumb
 
 WANT = ("overlap", "normal", "points", "iterations", "evaluations")
 FAMILIES = {"spheroid": None, "ellipsoid": None, "exponents 2..8": (2, 8)}
-LAYOUTS = ("by columns", "by rows", "by rows, new arrays")
+LAYOUTS = ("by columns", "by rows", "by rows, all ways", "into new arrays")
 
 
 def drawn(family, n):
@@ -86,16 +91,19 @@ def measure(family, n, passes):
     library.plumb_time_batch.restype = ctypes.c_double
     rows = drawn(family, n)
     columns = [by_columns(bodies) for bodies in rows]
-    cpp, *outs = [plumb.Contacts.empty(n, WANT, order) for order in "FFC"]
-    arguments = [ctypes.c_size_t(n), *map(body_addresses, columns), *contact_addresses(cpp)]
+    cpp, *outs = [plumb.Contacts.empty(n, WANT, order) for order in "FFFC"]
+    bodies = [ctypes.c_size_t(n), *map(body_addresses, columns)]
+    arguments = contact_addresses(cpp)
     calls = (
         lambda: plumb.solve_batch(*columns, out=outs[0]),
         lambda: plumb.solve_batch(*rows, out=outs[1]),
+        lambda: plumb.solve_batch(*rows, out=outs[2]),
         lambda: plumb.solve_batch(*rows, want=WANT),
     )
-    least = np.full(1 + len(calls), np.inf)
+    least = np.full(2 + len(calls), np.inf)
     for _ in range(passes):
-        least = np.minimum(least, [library.plumb_time_batch(*arguments), *map(time_of, calls)])
+        cpp_times = [library.plumb_time_batch(*bodies, *arguments), library.plumb_time_batch(*bodies, None, None)]
+        least = np.minimum(least, [*cpp_times, *map(time_of, calls)])
     if not all(same_bits(cpp, out) for out in outs):
         sys.exit(f"{family}: other bits than C++")
     return least
@@ -103,10 +111,11 @@ def measure(family, n, passes):
 
 def main(n=1_000_000, passes=9):
     print(f"{n} pairs, least of {passes} passes; Python's time over that of C++\n")
-    print(f"{'pairs':<16}{'C++, ns a pair':>16}" + "".join(f"{layout:>21}" for layout in LAYOUTS))
+    print(f"{'pairs':<16}{'C++, ns a pair':>16}" + "".join(f"{layout:>19}" for layout in LAYOUTS))
     for family in FAMILIES:
-        cpp, *python = measure(family, n, passes)
-        print(f"{family:<16}{cpp / n * 1e9:>16.1f}" + "".join(f"{seconds / cpp:>21.3f}" for seconds in python), flush=True)
+        cpp, cpp_new, *python = measure(family, n, passes)
+        ratios = [seconds / cpp for seconds in python[:-1]] + [python[-1] / cpp_new]
+        print(f"{family:<16}{cpp / n * 1e9:>16.1f}" + "".join(f"{ratio:>19.3f}" for ratio in ratios), flush=True)
 
 
 if __name__ == "__main__":

@@ -134,12 +134,12 @@ class Contacts:
 
     @classmethod
     def empty(
-        cls, size: int, want: str | Iterable[str] = ("overlap", "normal", "points"), order: Literal["C", "F"] = "C"
+        cls, size: int, want: str | Iterable[str] = ("overlap", "normal", "points"), order: Literal["C", "F"] = "F"
     ) -> Contacts:
         """Arrays for ``solve_batch(..., out=)``, not filled in.
 
         want   of overlap, normal, points (with contact_point), iterations, evaluations
-        order  "C" by rows, "F" by columns: what the solver writes in place, a few per cent faster
+        order  "F" by columns, which the solver writes in place, or "C" by rows
 
         ValueError names what is not among these.
         """
@@ -224,7 +224,7 @@ def solve_batch(
     iteration_limit   of each local solve
     tolerance         residual relative to the size at which a solve may stop; 0: all that rounding allows
 
-    Gives ``out``, or new arrays. Ellipsoids get the bits that ``solve`` gives, other exponents the same to rounding. Other Python threads run
+    Gives ``out``, or new arrays by columns. Ellipsoids get the bits that ``solve`` gives, other exponents the same to rounding. Other Python threads run
     meanwhile, and Ctrl-C ends it. ValueError and TypeError name an argument that is not legal.
 
     >>> line = np.linspace(1.5, 2.5, 5)
