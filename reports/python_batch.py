@@ -6,8 +6,9 @@ by rows            input by rows, answers by columns (what Contacts.empty makes)
 by rows, all ways  input and answers by rows
 into new arrays    input by rows, answers into memory that the call asks for, over a C++ that asks for its own as well
 
-The same pairs by plumb::solve_batch in C++ and by plumb.solve_batch in Python, in one process and in turns; of all passes (default
-9) the least time counts, the processor's (kernel and page faults included), for what else the machine does is not the question. Exit 1 where the answers are not the same bits.
+The same pairs by plumb::solve_batch in C++ and by plumb.solve_batch in Python, in one process and in turns. Of all passes (default 9)
+the least time counts, the processor's, kernel and page faults included: what else the machine does is not the question. Exit 1 where the
+answers are not the same bits.
 """
 
 import ctypes

@@ -224,8 +224,8 @@ def solve_batch(
     iteration_limit   of each local solve
     tolerance         residual relative to the size at which a solve may stop; 0: all that rounding allows
 
-    Gives ``out``, or new arrays by columns. Ellipsoids get the bits that ``solve`` gives, other exponents the same to rounding. Other Python threads run
-    meanwhile, and Ctrl-C ends it. ValueError and TypeError name an argument that is not legal.
+    Gives ``out``, or new arrays by columns. Ellipsoids get the bits that ``solve`` gives, other exponents the same to rounding.
+    Other Python threads run meanwhile, and Ctrl-C ends it. ValueError and TypeError name an argument that is not legal.
 
     >>> line = np.linspace(1.5, 2.5, 5)
     >>> others = plumb.Bodies((1, 1, 1), np.stack([line, 0 * line, 0 * line], axis=1))
