@@ -1,5 +1,6 @@
 """The examples of the documentation, run as they stand."""
 
+import importlib.util
 import os
 import pathlib
 import subprocess
@@ -30,6 +31,7 @@ class Examples(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             self.assertIn("of 100000 pairs overlap", self.run_example("batch.py", folder))
 
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs python3-matplotlib")
     def test_plot(self):
         with tempfile.TemporaryDirectory() as folder:
             self.run_example("plot_misalignment.py", folder)
