@@ -170,7 +170,7 @@ class Interrupts(unittest.TestCase):
 
     def test_end_a_batch(self):
         size = 10**7
-        bodies = plumb.Bodies(np.broadcast_to(np.ones(3), (size, 3)), (0, 0, 0))
+        bodies = plumb.Bodies(np.broadcast_to(np.ones(3), (size, 3)), (0, 0, 0), exponents=(3, 3))  # ten seconds of them
         out = plumb.Contacts(np.full(size, -1, np.int32), np.full(size, -1, np.int32))
 
         def interrupt_when_begun():
