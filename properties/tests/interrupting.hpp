@@ -22,6 +22,14 @@ inline bool catches_interrupts(pid_t process) {
   return false;
 }
 
+/// It waits for something.
+inline bool is_asleep(pid_t process) {
+  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+  std::string number, name, state;
+  stat >> number >> name >> state;
+  return state == "S";
+}
+
 /// What it has used of the processors, all its threads together; s.
 inline double processor_seconds(pid_t process) {
   std::ifstream stat("/proc/" + std::to_string(process) + "/stat");

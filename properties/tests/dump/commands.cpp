@@ -13,14 +13,6 @@
 namespace plumb {
 namespace {
 
-/// It waits for something: of what plumb import does, only a pipe.
-bool is_asleep(pid_t process) {
-  std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
-  std::string number, name, state;
-  stat >> number >> name >> state;
-  return state == "S";
-}
-
 class DumpCommands : public Commands {
  protected:
   [[nodiscard]] std::vector<Json> imported(const std::string& arguments) const {

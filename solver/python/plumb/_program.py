@@ -25,9 +25,10 @@ def find_program() -> Path:
     parents = _PACKAGE.parents
     near = [_PACKAGE / "bin", *(parents[level] / "bin" for level in (1, 3) if level < len(parents))]
     for folder in near:
-        # plumb is nothing without the commands beside it
-        if (folder / "plumb").is_file() and (folder / "plumb-solve").is_file():
-            return folder / "plumb"
+        # plumb is nothing without the commands beside it; where it is installed, bin has a link to it
+        program = (folder / "plumb").resolve()
+        if program.is_file() and (program.parent / "plumb-solve").is_file():
+            return program
     if found := shutil.which("plumb"):
         return Path(found)
     looked = ", ".join(map(str, near))
