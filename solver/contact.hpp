@@ -15,11 +15,14 @@
 
 namespace plumb {
 
+/// A column of three.
 template <class S>
 using Vec3 = Eigen::Matrix<S, 3, 1>;
+/// A 3x3 matrix.
 template <class S>
 using Mat3 = Eigen::Matrix<S, 3, 3>;
 
+/// Three NaN: a field that was not asked for, or not found.
 template <class S>
 [[nodiscard]] Vec3<S> not_valid() {
   return Vec3<S>::Constant(std::numeric_limits<S>::quiet_NaN());
@@ -34,6 +37,7 @@ struct Superellipsoid {
   S n2{2};
 };
 
+/// A shape and where it is.
 struct Body {
   Superellipsoid<double> shape;
   Vec3<double> position = Vec3<double>::Zero();
@@ -99,6 +103,7 @@ struct PoseDerivative {
   Mat3<S> normal_by_turn;    ///< d normal = . dw
 };
 
+/// The answer to a pair. Only with Status::converged are its numbers an answer; world frame, the caller's unit.
 template <class S = double>
 struct Contact {
   std::string_view method;          ///< the method that answered; empty for invalid_input
@@ -126,11 +131,15 @@ enum class Problem {
   first_touch      ///< the single point at which the bodies touch where their relative motion is undone
 };
 
+/// All there are.
 inline constexpr std::array problems{Problem::common_normal, Problem::deepest_points, Problem::midway,
                                      Problem::first_touch};
 
+/// The contract's word: "converged", "iteration_limit", ..
 [[nodiscard]] std::string_view name(Status status);
+/// "undecided", "overlapping", "separated".
 [[nodiscard]] std::string_view name(Verdict verdict);
+/// "common_normal", "deepest_points", ..
 [[nodiscard]] std::string_view name(Problem problem);
 
 /// Empty when the pair is legal input; otherwise the first offending field ("bodies[1].shape.exponents[0]") and why.
@@ -139,6 +148,7 @@ struct InputError {
   std::string_view reason;
   int body = 0;  ///< -1: of the pair
 };
+/// The first thing wrong with a pair; both texts are empty where it is legal.
 [[nodiscard]] InputError find_input_error(const Pair& pair);
 /// The same without words, in a few nanoseconds.
 [[nodiscard]] bool is_valid(const Pair& pair);

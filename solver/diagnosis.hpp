@@ -22,6 +22,7 @@ struct Diagnosis {
 struct ContactNormals {
   Vec3<double> normal1, normal2;
 };
+/// The points need not lie on the surfaces to the last digit.
 [[nodiscard]] ContactNormals normals_at(const Pair& pair, const Vec3<double>& point1, const Vec3<double>& point2);
 
 /// overlap_sign: +1 or -1; evaluated in long double. The floor on |d| is 4 epsilon (size + distance from the origin).

@@ -25,12 +25,14 @@
 extern "C" {
 #endif
 
+/* What is exported from the library. */
 #if defined(__GNUC__)
 #define PLUMB_API __attribute__((visibility("default")))
 #else
 #define PLUMB_API
 #endif
 
+/* What a function returns. */
 enum plumb_error {
   PLUMB_OK = 0,
   PLUMB_ERROR_ARGUMENT = 1, /* a pointer that must not be null is, or a number is out of its range */
@@ -40,6 +42,7 @@ enum plumb_error {
 
 /* "0.1.0": of the library; a string that is never freed, as all that these functions return. */
 PLUMB_API const char* plumb_version(void);
+/* What went wrong, in words; "" for PLUMB_OK and for no error. */
 PLUMB_API const char* plumb_error_text(int error);
 PLUMB_API const char* plumb_status_name(int status);   /* "converged", ..; "" for no status */
 PLUMB_API const char* plumb_verdict_name(int verdict); /* "overlapping", ..; "" for no verdict */
@@ -60,6 +63,7 @@ enum plumb_want {
   PLUMB_WANT_CONTACT = 7 /* overlap, normal and points */
 };
 
+/* How a pair is solved; PLUMB_OPTIONS is where to start from. */
 typedef struct plumb_options {
   size_t size;         /* sizeof(plumb_options) */
   const char* method;  /* NULL: "auto" */
@@ -123,6 +127,7 @@ typedef struct plumb_contact_arrays {
 PLUMB_API int plumb_solve_batch(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
                                 const plumb_contact_arrays* contacts);
 
+/* Of what a certificate says. */
 enum plumb_claim { PLUMB_OPEN = 0, PLUMB_PROVED = 1, PLUMB_DISPROVED = 2 };
 
 /* What is proved of a pair's contact, by interval arithmetic from its doubles on. Bounds are rounded outwards. */

@@ -22,6 +22,7 @@
 extern "C" {
 #endif
 
+/* Of this header: what plumb_solver_version returns. */
 #define PLUMB_SOLVER_VERSION 1
 
 /* (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 */
@@ -32,10 +33,12 @@ typedef struct plumb_body {
   double quaternion_wxyz[4]; /* any non-zero length */
 } plumb_body;
 
+/* Bodies 1 and 2: these doubles are the exact input. */
 typedef struct plumb_pair {
   plumb_body bodies[2];
 } plumb_pair;
 
+/* Which inequality ended a solve; only PLUMB_CONVERGED vouches for an answer. */
 enum plumb_status {
   PLUMB_CONVERGED = 0,
   PLUMB_ITERATION_LIMIT = 1,
@@ -45,8 +48,10 @@ enum plumb_status {
   PLUMB_INVALID_INPUT = 5
 };
 
+/* Undecided: the overlap is 0 to within rounding, or there is no answer. */
 enum plumb_verdict { PLUMB_UNDECIDED = 0, PLUMB_OVERLAPPING = 1, PLUMB_SEPARATED = 2 };
 
+/* An answer; world frame, the caller's unit, NaN where there is none. */
 typedef struct plumb_contact {
   int status;          /* enum plumb_status */
   int verdict;         /* enum plumb_verdict */

@@ -29,9 +29,13 @@ struct PlacedBody {
   Mat3<S> rotation;
   Vec3<S> centre;
 
+  /// A point of the pair's frame in body axes.
   [[nodiscard]] Vec3<S> to_body(const Vec3<S>& x) const { return rotation.transpose() * (x - centre); }
+  /// A direction of the pair's frame in body axes.
   [[nodiscard]] Vec3<S> to_body_direction(const Vec3<S>& u) const { return rotation.transpose() * u; }
+  /// A point in body axes in the pair's frame.
   [[nodiscard]] Vec3<S> to_pair(const Vec3<S>& x) const { return rotation * x + centre; }
+  /// A direction in body axes in the pair's frame.
   [[nodiscard]] Vec3<S> to_pair_direction(const Vec3<S>& u) const { return rotation * u; }
 };
 
@@ -43,12 +47,16 @@ struct PairFrame {
   int exponent = 0;
 
   PairFrame() = default;
+  /// Of a legal pair.
   explicit PairFrame(const Pair& pair) : exponent(detail::exponent_above(size_of(pair)) - 1) {}
 
+  /// A length of the frame in the caller's unit.
   [[nodiscard]] S to_world_length(const S& length) const { return detail::PowerOfTwo<S>(exponent)(length); }
+  /// A point of the frame in the world.
   [[nodiscard]] Vec3<S> to_world_point(const Vec3<S>& x, const Pair& pair) const {
     return detail::PowerOfTwo<S>(exponent)(x) + pair.body1.position.cast<S>();
   }
+  /// A point of the world in the frame.
   [[nodiscard]] Vec3<S> to_pair_point(const Vec3<S>& world, const Pair& pair) const {
     return detail::PowerOfTwo<S>(-exponent)(world - pair.body1.position.cast<S>());
   }
@@ -83,6 +91,7 @@ struct PlacedPair : PairFrame<S> {
   [[nodiscard]] S size() const;
 };
 
+/// Forms it, in double or more, and rounds once to S.
 template <class S>
 [[nodiscard]] PlacedPair<S> place(const Pair& pair);
 

@@ -44,13 +44,16 @@ struct ContactArrays {
 /// What a batch is computed with. `best` is the widest that this machine has.
 enum class InstructionSet { best, baseline, avx2 };
 
+/// "baseline" or "avx2"; of `best` what it stands for here.
 [[nodiscard]] std::string_view name(InstructionSet set);
 /// Whether this build has it and this machine runs it.
 [[nodiscard]] bool is_available(InstructionSet set);
+/// What `best` stands for on this machine.
 [[nodiscard]] InstructionSet best_instruction_set();
 /// Pairs side by side in a register.
 [[nodiscard]] int lanes(InstructionSet set);
 
+/// Why nothing was written.
 enum class BatchError {
   none,
   input_lengths,   ///< a span of `PairArrays` has not as many entries as there are pairs
@@ -58,6 +61,7 @@ enum class BatchError {
   instruction_set  ///< not available here
 };
 
+/// What became of a batch.
 struct BatchReport {
   BatchError error = BatchError::none;  ///< nothing was written if not `none`
   std::size_t alone = 0;                ///< pairs that were handed to `auto` one by one

@@ -13,6 +13,8 @@
 
 namespace plumb {
 
+/// Solves a pair; S is float, double or long double. `last`: the contact a step before, or nullptr for a cold start. Never throws and
+/// never allocates; an illegal pair gives Status::invalid_input.
 template <class S>
 [[nodiscard]] Contact<S> automatic(const Pair& pair, const Want& want, const Contact<S>* last);
 

@@ -16,6 +16,7 @@ namespace plumb {
 template <class S>
 using SolveFunction = Contact<S> (*)(const Pair& pair, const Want& want, const Contact<S>* last);
 
+/// A row of the list: a name of `plumb methods` and what it runs, in three scalars.
 struct Method {
   std::string_view name;
   Problem problem;
@@ -25,6 +26,7 @@ struct Method {
   SolveFunction<long double> solve_long;
 };
 
+/// All of them, `auto` among them.
 [[nodiscard]] std::span<const Method> methods();
 
 /// nullptr when there is no such method.

@@ -48,7 +48,9 @@ struct Solution {
   double points_radius = std::numeric_limits<double>::infinity();  ///< and each true point of its own, a length
 };
 
+/// What can be said of a statement; `open`: neither.
 enum class Claim { open, proved, disproved };
+/// "open", "proved", "disproved".
 [[nodiscard]] std::string_view name(Claim claim);
 
 /// How far a reference goes, each step dearer than the last.
@@ -58,6 +60,7 @@ enum class Effort {
   digits   ///< the same, a solution of 50 digits
 };
 inline constexpr std::array efforts{Effort::bounds, Effort::proof, Effort::digits};  ///< the cheapest first
+/// "bounds", "proof", "digits".
 [[nodiscard]] std::string_view name(Effort effort);
 
 /// Unit directions (world) at an angle to an axis: a continuum of common normals of bodies of revolution lies in it.
@@ -66,6 +69,7 @@ struct Ring {
   double least_angle = 0, greatest_angle = 0;  ///< rad
 };
 
+/// What is proved of a pair's contact of lowest overlap.
 struct Reference {
   Effort effort = Effort::bounds;
   Verdict verdict = Verdict::undecided;  ///< undecided only when zero lies within the bounds
@@ -111,6 +115,7 @@ struct FirstTouch {
   bool solved = false;
   S distance = std::numeric_limits<S>::quiet_NaN();
 };
+/// Solves for it, without a proof: touch.hpp proves.
 template <class S>
 [[nodiscard]] FirstTouch<S> first_touch(const Pair& pair, const Vec3<S>& direction);
 

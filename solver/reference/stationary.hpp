@@ -12,7 +12,9 @@
 
 namespace plumb {
 
+/// Of o over all directions.
 enum class StationaryKind { minimum, saddle, maximum };
+/// "minimum", "saddle", "maximum".
 [[nodiscard]] std::string_view name(StationaryKind kind);
 
 /// One stationary direction of o, proved to exist and to be of its kind, and the only one in a neighbourhood. World frame.
@@ -25,6 +27,7 @@ struct StationaryPair {
   double points_radius;                 ///< the true points are within this distance (length)
 };
 
+/// What was found, and whether it is all.
 struct StationarySet {
   std::vector<StationaryPair> pairs;  ///< lowest overlap first
   bool complete = false;              ///< proved: o has no other stationary direction
@@ -36,6 +39,7 @@ struct StationarySet {
   int cells = 0;                       ///< cells of directions looked at
 };
 
+/// When the search gives up.
 struct StationaryLimits {
   int cells = 30'000;
   int unproved =

@@ -24,6 +24,7 @@ namespace plumb {
 /// The widest bounds that count as a proof, relative to the pair's size.
 inline constexpr double widest_gap = 1e-12;
 
+/// Bounds of the centre distance at first touch.
 struct FirstTouchProof {
   bool proved = false;  ///< the bounds are rigorous and closer than 1e-12 of the size
   std::string reason;

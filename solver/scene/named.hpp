@@ -8,6 +8,7 @@
 
 namespace plumb::scene {
 
+/// A row of the list: a name of `plumb scenes` and what makes it.
 struct NamedScene {
   std::string_view name;
   std::string_view summary;  ///< one line
@@ -16,6 +17,7 @@ struct NamedScene {
   Scene (*make)(int bodies);
 };
 
+/// All of them.
 [[nodiscard]] std::span<const NamedScene> named_scenes();
 /// nullptr when there is none.
 [[nodiscard]] const NamedScene* find_named_scene(std::string_view name);

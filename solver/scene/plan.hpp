@@ -13,17 +13,20 @@
 
 namespace plumb::scene {
 
+/// What a scene asks for.
 enum class Analysis {
   touching,  ///< which bodies overlap, a yes or no each
   contacts,  ///< the contacts as they stand
   motion     ///< in time
 };
 
+/// How pairs that may touch are found.
 enum class BroadPhase {
   none,  ///< no contacts, or all pairs are few enough to be one list for good
   tree   ///< R-tree over boxes around the bodies, built again when one has left its own
 };
 
+/// An effect, whether it runs, and why.
 struct PlannedEffect {
   const Effect* effect = nullptr;
   bool is_on = false;
@@ -31,6 +34,7 @@ struct PlannedEffect {
   Needs needs;
 };
 
+/// All that follows from a scene before it runs; `plumb scene --plan` prints it.
 struct Plan {
   Analysis analysis = Analysis::motion;
   std::vector<PlannedEffect> effects;  ///< all there are, in their order
@@ -44,10 +48,13 @@ struct Plan {
   std::int64_t steps = 0;
   std::int64_t steps_per_output = 0;  ///< 0: the first and the last state only
 
+  /// Whether the effect of this name runs.
   [[nodiscard]] bool is_on(std::string_view effect) const;
+  /// Whether any body turns.
   [[nodiscard]] bool has_turning() const;
 };
 
+/// For tests.
 struct PlanOptions {
   /// Effects that are on whatever the scene asks for and whatever they can change, those it does not ask for at their neutral
   /// value: to test that an effect which is left out is one that changes nothing.

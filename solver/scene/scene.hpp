@@ -82,6 +82,7 @@ struct Outputs {
   bool playback = false;  ///< for the page
 };
 
+/// How long, how finely, and what is written.
 struct Run {
   double duration = 0;              ///< 0: the contacts as they stand, nothing moves
   std::optional<double> time_step;  ///< none: from accuracy and the fastest of the effects
@@ -89,6 +90,7 @@ struct Run {
   Outputs outputs;
 };
 
+/// A scene, as its file holds it.
 struct Scene {
   std::string name;
   std::vector<SceneBody> bodies;
@@ -99,6 +101,7 @@ struct Scene {
 
 /// A scene that asks for what has no meaning: which field, and why.
 struct SceneError : std::runtime_error {
+  /// `field_path` as in the file: bodies[2].density.
   SceneError(std::string field_path, const std::string& reason)
       : std::runtime_error(reason), field(std::move(field_path)) {}
   std::string field;

@@ -50,8 +50,10 @@ struct SolveNote {
 struct Memory {
   std::size_t body = 0, pair = 0;
 };
+/// What a run of this plan holds.
 [[nodiscard]] std::map<std::string, Memory> memory_of(const Scene& scene, const Plan& plan);
 
+/// A run. Not copied; one thread calls it.
 class Simulation {
  public:
   /// A plan of this scene; `threads` share the solver's calls.
@@ -60,13 +62,20 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
+  /// One time step.
   void step();
+  /// Whether all of the plan's steps are done.
   [[nodiscard]] bool is_done() const { return step_ >= plan_.steps; }
+  /// Steps done.
   [[nodiscard]] std::int64_t steps() const { return step_; }
+  /// Reached, in the scene's unit.
   [[nodiscard]] double time() const { return world_->time; }
 
+  /// The plan as given.
   [[nodiscard]] const Plan& plan() const { return plan_; }
+  /// The state, columns by body and by contact.
   [[nodiscard]] const World& world() const { return *world_; }
+  /// What has been done so far.
   [[nodiscard]] Totals totals() const { return totals_; }
 
   /// Kinetic, and what each effect stores.
@@ -74,10 +83,12 @@ class Simulation {
   [[nodiscard]] Vec3<double> momentum() const;          ///< of the bodies that move
   [[nodiscard]] Vec3<double> angular_momentum() const;  ///< about the origin
 
+  /// Of the kept state: equal for equal bits.
   [[nodiscard]] std::uint64_t hash() const;
   /// For each kept column, and "pairs" where there is a contact list.
   [[nodiscard]] std::map<std::string, std::uint64_t> hashes() const;
 
+  /// What restore takes.
   [[nodiscard]] Snapshot snapshot() const;
   /// Of this scene and plan; false, and nothing changed, when it does not fit.
   [[nodiscard]] bool restore(const Snapshot& snapshot);

@@ -6,6 +6,7 @@
 
 namespace plumb::scene {
 
+/// A pull while bodies touch. The head of cohesion.hpp has the law.
 struct Cohesion {
   static constexpr std::string_view name = "cohesion";
   double pull_off = 0;  ///< force of each contact

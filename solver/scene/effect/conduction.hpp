@@ -6,6 +6,7 @@
 
 namespace plumb::scene {
 
+/// Heat through contacts. The head of conduction.hpp has the law.
 struct Conduction {
   static constexpr std::string_view name = "conduction";
   double conductivity = 0;   ///< power / (length temperature)

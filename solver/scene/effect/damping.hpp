@@ -13,6 +13,7 @@
 
 namespace plumb::scene {
 
+/// Viscous damping along the normal. The head of damping.hpp has the law.
 struct Damping {
   static constexpr std::string_view name = "damping";
   double restitution = 1;  ///< normal velocity after / before a collision

@@ -6,6 +6,7 @@
 
 namespace plumb::scene {
 
+/// Stokes drag of a fluid in uniform motion. The head of drag.hpp has the law.
 struct Drag {
   static constexpr std::string_view name = "drag";
   double viscosity = 0;  ///< dynamic: mass / (length time)

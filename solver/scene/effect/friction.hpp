@@ -10,6 +10,7 @@
 
 namespace plumb::scene {
 
+/// Coulomb friction with tangential history. The head of friction.hpp has the law.
 struct Friction {
   static constexpr std::string_view name = "friction";
   double coefficient = 0;

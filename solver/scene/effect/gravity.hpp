@@ -5,6 +5,7 @@
 
 namespace plumb::scene {
 
+/// Uniform gravity. The head of gravity.hpp has the law.
 struct Gravity {
   static constexpr std::string_view name = "gravity";
   Vec3<double> acceleration = Vec3<double>::Zero();  ///< length / time^2

@@ -14,6 +14,7 @@
 
 namespace plumb::scene {
 
+/// Hertz's elastic normal force. The head of hertz.hpp has the law.
 struct Hertz {
   static constexpr std::string_view name = "hertz";
   double youngs_modulus = 0;  ///< force / length^2

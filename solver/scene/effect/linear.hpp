@@ -8,6 +8,7 @@
 
 namespace plumb::scene {
 
+/// A normal force linear in the overlap. The head of linear.hpp has the law.
 struct Linear {
   static constexpr std::string_view name = "linear";
   double stiffness = 0;  ///< force / length

@@ -7,6 +7,7 @@
 
 namespace plumb::scene {
 
+/// How one wall moves.
 struct WallMotion {
   int wall = 0;  ///< index in the scene's walls
   Vec3<double> velocity = Vec3<double>::Zero();
@@ -22,6 +23,7 @@ struct WallMotion {
   }
 };
 
+/// Walls that move as told.
 struct MovingWalls {
   static constexpr std::string_view name = "moving_walls";
   std::vector<WallMotion> motions;

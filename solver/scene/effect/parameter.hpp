@@ -42,6 +42,7 @@ enum class Range {
   return "must be a finite number";
 }
 
+/// Whether x is in it; a NaN is in none but `any`.
 [[nodiscard]] inline bool is_within(Range range, double x) {
   switch (range) {
     case Range::any: return true;

@@ -7,6 +7,7 @@
 
 namespace plumb::scene {
 
+/// Resistance to rolling. The head of rolling.hpp has the law.
 struct Rolling {
   static constexpr std::string_view name = "rolling";
   double coefficient = 0;

@@ -5,6 +5,7 @@
 
 namespace plumb::scene {
 
+/// Resistance to turning about the normal. The head of twisting.hpp has the law.
 struct Twisting {
   static constexpr std::string_view name = "twisting";
   double coefficient = 0;
