@@ -29,6 +29,7 @@ struct BodyArrays {
 struct PairArrays {
   BodyArrays body1, body2;
 
+  /// Pairs.
   [[nodiscard]] std::size_t size() const { return body1.semi_axes[0].size(); }
 };
 

@@ -7,12 +7,14 @@
 
 namespace plumb::reference {
 
+/// What is proved of one condition number.
 enum class ConditionClaim {
   open,       ///< neither proved nor refuted
   certified,  ///< the true number is within a factor of two of the reported one
   refuted,    ///< it is not
   infinite    ///< reported as infinite, and not refuted: a SolutionSet takes its place
 };
+/// "open", "certified", "refuted", "infinite".
 [[nodiscard]] std::string_view name(ConditionClaim claim);
 
 /// The true condition numbers (condition.hpp's, at the true common normal) lie between the two.

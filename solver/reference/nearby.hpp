@@ -15,6 +15,7 @@ namespace plumb::reference {
 /// exponents, of reaches up to sqrt(3) semi-axes.
 inline constexpr double largest_overlap_condition = 19;
 
+/// How far the exact answers to inputs nearby are.
 struct NearbyAnswers {
   double normal = 0;  ///< rad
   double points = 0;  ///< the larger of both points', a length

@@ -22,9 +22,11 @@ template <class S>
 struct ChartPowers {
   S alpha, beta;
 
+  /// Of the level with exponent n.
   [[nodiscard]] static ChartPowers of(const S& n) {
     return n >= S(2) ? ChartPowers{S(1), n - S(1)} : ChartPowers{S(1) / (n - S(1)), S(1)};
   }
+  /// nu.
   [[nodiscard]] Exponent<S> norm() const { return {alpha + beta, alpha + beta - S(1), alpha + beta - S(2)}; }
 };
 
@@ -34,13 +36,16 @@ struct CubePoint {
   Vec3<S> w;
   int major = 2;
 
+  /// The cube's point in a direction of any length but 0.
   [[nodiscard]] static CubePoint of(const Vec3<S>& direction) {
     CubePoint out;
     const S largest = direction.cwiseAbs().maxCoeff(&out.major);
     out.w = direction / largest;
     return out;
   }
+  /// The index of local coordinate 0 or 1.
   [[nodiscard]] int minor(int which) const { return (major + 1 + which) % 3; }
+  /// The point with its local coordinates changed by so much, brought back to the cube.
   [[nodiscard]] CubePoint moved(const S& first, const S& second) const {
     Vec3<S> next = w;
     next[minor(0)] += first;

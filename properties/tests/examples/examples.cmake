@@ -1,7 +1,6 @@
 # What users copy: each example runs in a folder of its own beside nothing but the installed tree, as a user's would.
 set(plumb_installed ${PROJECT_BINARY_DIR}/installed)
-add_test(NAME install/tree COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR} -D PREFIX=${plumb_installed}
-                                   -P ${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+add_test(NAME install/tree COMMAND env BUILD=${PROJECT_BINARY_DIR} PREFIX=${plumb_installed} ${CMAKE_CURRENT_LIST_DIR}/install/run)
 set_tests_properties(install/tree PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
 
 # add_example(NAME FOLDER [VARIABLE=VALUE..]): FOLDER/run in a copy of FOLDER; it must print FOLDER/expected.
@@ -11,6 +10,7 @@ function(add_example name folder)
   set_tests_properties(install/${name} PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 300)
 endfunction()
 
+add_example(tutorial tutorial PLUMB=${PROJECT_SOURCE_DIR})
 add_example(cpp.g++ cpp CXX=g++)
 add_example(c.gcc c CC=gcc)
 find_program(PLUMB_CLANG NAMES clang++-19 clang++)
