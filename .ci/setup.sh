@@ -10,6 +10,7 @@ declare -A plumb_packages=(
   [slurm]="munge slurmctld slurmd slurm-client"
   [parallel]="parallel"
   [page]="nodejs npm"
+  [docs]="doxygen python3"
   [browser]="chromium"
   [fuzz]="clang-19 libclang-rt-19-dev"
   [coverage]="clang-19 llvm-19"
