@@ -73,7 +73,7 @@ typedef struct plumb_options {
   double motion[3]; /* of body 2 relative to body 1, any unit and length, for method first_touch; 0, 0, 0: not known */
 } plumb_options;
 
-/* What a null pointer to options stands for: plumb_options options = PLUMB_OPTIONS; options.want = .. */
+/* What a null pointer to options stands for, and where to start from: plumb_options options = PLUMB_OPTIONS; */
 #define PLUMB_OPTIONS {sizeof(plumb_options), NULL, PLUMB_WANT_CONTACT, 100, 0, {0, 0, 0}}
 
 /* Where a contact's last solve ended, for the next one to start from when the bodies have moved a little: numbers to be kept and
