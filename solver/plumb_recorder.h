@@ -46,6 +46,7 @@ typedef struct plumb_recorder_answer {
   double points[2][3]; /* on body 1, on body 2: points[0] - points[1] = overlap * normal */
 } plumb_recorder_answer;
 
+/* The contract's findings, as far as they can be seen without a reference. */
 enum plumb_recorder_finding {
   PLUMB_FOUND_NOTHING,
   PLUMB_FOUND_CRASH,
@@ -62,6 +63,7 @@ enum plumb_recorder_finding {
 /* Fields that the foreign code never gives; in any other a NaN in a contact is not_finite. */
 enum plumb_recorder_lacks { PLUMB_LACKS_OVERLAP = 1, PLUMB_LACKS_NORMAL = 2, PLUMB_LACKS_POINTS = 4 };
 
+/* plumb_recorder_defaults has what to start from. */
 typedef struct plumb_recorder_options {
   double
       tolerance; /* error that is no news: angles in rad, lengths relative to the larger body; 0: what rounding allows */
@@ -71,12 +73,14 @@ typedef struct plumb_recorder_options {
   int sync;              /* 1: a file outlives a loss of power as well (fsync) */
 } plumb_recorder_options;
 
+/* What it has seen so far. */
 typedef struct plumb_recorder_counts {
   uint64_t calls, not_judged, wrong; /* the others look right */
   uint64_t findings[PLUMB_FINDINGS];
   uint64_t files, samples, unwritten; /* unwritten: attempts that failed, see plumb_recorder_problem */
 } plumb_recorder_counts;
 
+/* One for a loop, or for each folder; opened, closed, and otherwise not looked into. */
 typedef struct plumb_recorder plumb_recorder;
 
 /* 1e-6, nothing lacking, 100 files, no samples, no fsync. */
@@ -91,6 +95,7 @@ int plumb_record(plumb_recorder* recorder, const plumb_recorder_body* body1, con
                  const plumb_recorder_answer* answer);
 /* The word of plumb's contract; "none" for 0. */
 const char* plumb_recorder_finding_name(int finding);
+/* At any time, from any thread. */
 plumb_recorder_counts plumb_recorder_counted(const plumb_recorder* recorder);
 /* The first thing that went wrong with the folder, "FILE: REASON"; "" when nothing did. */
 const char* plumb_recorder_problem(const plumb_recorder* recorder);
