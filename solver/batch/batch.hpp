@@ -19,10 +19,10 @@ namespace plumb {
 
 /// One body of each pair, as in Body: entry i of each span is of pair i.
 struct BodyArrays {
-  std::array<std::span<const double>, 3> semi_axes;
-  std::span<const double> n1, n2;  ///< empty: 2 for all, ellipsoids
-  std::array<std::span<const double>, 3> position;
-  std::array<std::span<const double>, 4> quaternion;  ///< (w, x, y, z), any non-zero length
+  std::array<std::span<const double>, 3> semi_axes{};
+  std::span<const double> n1{}, n2{};  ///< empty: 2 for all, ellipsoids
+  std::array<std::span<const double>, 3> position{};
+  std::array<std::span<const double>, 4> quaternion{};  ///< (w, x, y, z), any non-zero length
 };
 
 /// As many pairs as body1.semi_axes[0] has entries.
