@@ -239,9 +239,10 @@ static int plumb__is_round(const double* shape) {
 
 /* F at x in body axes, and its gradient over n1: both from the same powers. */
 static double plumb__level(const double* shape, const double* x, double* gradient) {
-  const double u[3] = {x[0] / shape[0], x[1] / shape[1], x[2] / shape[2]};
+  const double inverse[3] = {1 / shape[0], 1 / shape[1], 1 / shape[2]};
+  const double u[3] = {x[0] * inverse[0], x[1] * inverse[1], x[2] * inverse[2]};
   if (plumb__is_round(shape)) {
-    for (int i = 0; i < 3; ++i) gradient[i] = u[i] / shape[i];
+    for (int i = 0; i < 3; ++i) gradient[i] = u[i] * inverse[i];
     return plumb__dot(u, u);
   }
   const double n1 = shape[3], n2 = shape[4];
@@ -260,7 +261,8 @@ static double plumb__gauge(const double* shape, const double* x, double* gradien
   gradient[0] = gradient[1] = gradient[2] = 0;
   if (!(scale > 0)) return scale;
   const double scaled[3] = {x[0] / scale, x[1] / scale, x[2] / scale};
-  const double level = plumb__level(shape, scaled, gradient), root = pow(level, 1 / shape[3]);
+  const double level = plumb__level(shape, scaled, gradient);
+  const double root = plumb__is_round(shape) ? sqrt(level) : pow(level, 1 / shape[3]);
   for (int i = 0; i < 3; ++i) gradient[i] *= root / level;
   return scale * root;
 }
@@ -451,13 +453,13 @@ static int plumb__verdict(const plumb__pair* pair, double deep, double apart) {
   enum { steps = 24 };
   double x[2][3] = {{0, 0, 0}, {pair->apart[0], pair->apart[1], pair->apart[2]}}, to[2][3];
   for (int k = 0; k < steps; ++k) {
-    if (plumb__shares_ball(pair, x[0], x[1], deep)) return 1;
     const double v[3] = {x[1][0] - x[0][0], x[1][1] - x[0][1], x[1][2] - x[0][2]}, length = sqrt(plumb__dot(v, v));
-    if (!(length > 0)) return 0;
+    if (!(length > 0)) return plumb__shares_ball(pair, x[0], x[1], deep);
     const double n[3] = {v[0] / length, v[1] / length, v[2] / length};
     const double depth = plumb__support(&pair->body[0], n, to[0]) + plumb__support(&pair->body[1], n, to[1]) -
                          plumb__dot(pair->apart, n);
     if (depth < -apart) return -1;
+    if (plumb__shares_ball(pair, x[0], x[1], deep)) return 1;
     double change[3];
     for (int i = 0; i < 3; ++i) {
       to[1][i] = pair->apart[i] - to[1][i];

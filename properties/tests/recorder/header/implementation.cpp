@@ -1,0 +1,2 @@
+#define PLUMB_RECORDER_IMPLEMENTATION
+#include "solver/plumb_recorder.h"

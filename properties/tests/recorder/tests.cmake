@@ -1,0 +1,16 @@
+# The header as strict C99 and as C++11, without a warning, and the example of the documentation.
+foreach(language IN ITEMS c cpp)
+  add_library(recorder_as_${language} OBJECT ${folder}/header/implementation.${language})
+  target_link_libraries(recorder_as_${language} PRIVATE plumb_flags)
+endforeach()
+set_target_properties(recorder_as_c PROPERTIES C_STANDARD 99 C_EXTENSIONS OFF)
+set_target_properties(recorder_as_cpp PROPERTIES CXX_STANDARD 11)
+add_executable(recorder_example ${folder}/../examples/recorder/main.c)
+# <plumb/plumb_recorder.h>, as installed.
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/as_installed/plumb)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/solver/plumb_recorder.h ${CMAKE_CURRENT_BINARY_DIR}/as_installed/plumb/plumb_recorder.h SYMBOLIC)
+target_include_directories(recorder_example PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/as_installed)
+target_link_libraries(recorder_example PRIVATE plumb_flags m)
+set_target_properties(recorder_example PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+target_link_libraries(test_recorder PRIVATE fmt::fmt)
+add_dependencies(test_recorder recorder_as_c recorder_as_cpp recorder_example plumb plumb-replay plumb-shrink)
