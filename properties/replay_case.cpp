@@ -104,9 +104,10 @@ std::string why_unsolved(const Solution& solution) {
   return solution.reason.empty() ? "the reference has no proved answer" : solution.reason;
 }
 
+/// What a case with an answer of its own expects is about that one.
 Reply reply_of(Judge& judge, const Case& c, const Solver& solver) {
-  return {solver.name,       solver.problem, own_method(c) == solver.name,
-          !solver.published, false,          solve_and_judge(judge, c.pair, solver)};
+  const bool is_cases_own = own_method(c) == solver.name && !c.extra.contains("x_answer");
+  return {solver.name, solver.problem, is_cases_own, !solver.published, false, solve_and_judge(judge, c.pair, solver)};
 }
 
 Reply reply_of(Judge& judge, const RecordedAnswer& recorded) {

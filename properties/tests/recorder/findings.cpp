@@ -33,7 +33,10 @@ void tilt(Contact<double>& contact) {
   contact.normal = (contact.normal + Vec3<double>(1e-3, -1e-3, 1e-3)).normalized();
 }
 
-void shift_points(Contact<double>& contact) {
+/// Of spheres, whose normals stay.
+void shift_points(Pair& pair, Contact<double>& contact) {
+  pair.body1.shape = pair.body2.shape = {{1, 1, 1}, 2, 2};
+  contact = answer_of("auto", pair);
   contact.point1 += 1e-3 * contact.normal;
   contact.point2 += 1e-3 * contact.normal;
 }
@@ -43,7 +46,7 @@ std::vector<Planted> all_planted() {
           {"missed_contact", [](Pair&, Contact<double>& contact) { say_apart(contact); }},
           {"wrong_branch", take_far_sides},
           {"misaligned", [](Pair&, Contact<double>& contact) { tilt(contact); }},
-          {"off_surface", [](Pair&, Contact<double>& contact) { shift_points(contact); }},
+          {"off_surface", shift_points},
           {"overlap_error", [](Pair&, Contact<double>& contact) { contact.overlap *= 1.01; }}};
 }
 

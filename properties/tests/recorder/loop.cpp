@@ -41,8 +41,7 @@ TEST_F(RecorderLoop, ARecordedAnswerThatIsRightDiffers) {
   Recorded call = recorded(pair, answer_of("auto", pair));
   call.answer.normal[0] += 1e-3;
   (void)call.give_to(open());
-  std::string text = read("kept/" + kept().at(0));
-  Json right = Json::parse(text);
+  Json right = json("kept/" + kept().at(0));
   right["x_answer"]["normal"] = vector_json(answer_of("auto", pair).normal);
   (void)file("right.json", right.dump());
   const Ran ran = plumb("replay right.json");
@@ -57,7 +56,7 @@ TEST_F(RecorderLoop, ARecordedAnswerIsReadAsStrictlyAsAny) {
   Json c = Json::parse(format_case({"a", deep_pair(), {}, {}, {}}));
   c["x_answer"] = {{"overlap", "deep"}};
   (void)file("a.json", c.dump());
-  expect_refusal("replay a.json", "a.json: x_answer.overlap: must be a number");
+  expect_refusal("replay a.json", "a.json: x_answer.overlap: must be a number, not a string");
   c["x_answer"] = {{"x_finding", "gone"}};
   (void)file("a.json", c.dump());
   EXPECT_EQ(plumb("replay a.json 2>&1").code, 2);
