@@ -948,10 +948,18 @@ const char* plumb_recorder_problem(const plumb_recorder* recorder) {
   return recorder && __atomic_load_n(&recorder->has_problem, __ATOMIC_ACQUIRE) == 2 ? recorder->problem : "";
 }
 
+/* A thread that began and never recorded still knows its slot: the memory stays. */
+static int plumb__has_flight(const plumb__slot* slots) {
+  int states = 0;
+  for (int i = 0; i < plumb__slots; ++i) states |= __atomic_load_n(&slots[i].state, __ATOMIC_RELAXED);
+  return states != 0;
+}
+
 void plumb_recorder_close(plumb_recorder* recorder) {
   if (!recorder) return;
   plumb__land();
-  if (recorder->slots) (void)munmap(recorder->slots, sizeof(plumb__slot) * plumb__slots);
+  if (recorder->slots && !plumb__has_flight(recorder->slots))
+    (void)munmap(recorder->slots, sizeof(plumb__slot) * plumb__slots);
   if (recorder->flight_file >= 0) {
     (void)unlink(recorder->flight);
     (void)close(recorder->flight_file);

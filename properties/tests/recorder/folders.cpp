@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <csignal>
+#include <latch>
 #include <thread>
 
 #include "properties/tests/recorder/sample.hpp"
@@ -55,6 +56,23 @@ TEST_F(RecorderFolders, EightThreadsKeepOneFileABucket) {
   EXPECT_EQ(counts().calls, threads * calls);
   EXPECT_EQ(counts().wrong, threads * calls);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder()), {}), 4) << "three cases and the pairs in flight";
+}
+
+TEST_F(RecorderFolders, AThreadThatBeganMayOutliveItsRecorder) {
+  const Recorded call = wrong_by(1e-3);
+  open();
+  std::latch has_begun(1), is_closed(1);
+  std::jthread other([&] {
+    plumb_recorder_begin(recorder_, &call.body1, &call.body2);
+    has_begun.count_down();
+    is_closed.wait();
+    EXPECT_NE(call.give_to(recorder_), 0);
+  });
+  has_begun.wait();
+  open();
+  is_closed.count_down();
+  other.join();
+  EXPECT_EQ(counts().wrong, 1U);
 }
 
 TEST_F(RecorderFolders, AnotherRecorderLeavesWhatIsKept) {
