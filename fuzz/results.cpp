@@ -259,7 +259,10 @@ Results read_results(const fs::path& folder) {
   if (fs::is_regular_file(folder)) return read_part(folder);
   const fs::path path = folder / "campaign.bins";
   std::ifstream in(path);
-  if (!in) throw InputFailure(path.string(), 0, "campaign.bins", "cannot be read: is this the folder of a campaign?");
+  if (!in)
+    throw InputFailure(path.string(), 0, "campaign.bins",
+                       fs::exists(folder / "chunks") ? "is missing: the campaign was cut short; run it again with --resume"
+                                                     : "cannot be read: is this the folder of a campaign?");
   std::stringstream text;
   text << in.rdbuf();
   Results results = parse_bins(text.str(), path.string());

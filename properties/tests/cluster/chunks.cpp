@@ -1,0 +1,145 @@
+// Chunks: shards of a shard, handed out once or more often, kept as files.
+#include "fuzz/chunks.hpp"
+
+#include <rapidcheck/gtest.h>
+
+#include <atomic>
+#include <set>
+
+#include "fuzz/campaign.hpp"
+#include "fuzz/merge.hpp"
+#include "properties/tests/cluster/killed.hpp"
+
+namespace plumb {
+namespace {
+
+bool is_of(std::uint64_t index, const Shard& shard) {
+  return index % shard.count + 1 == shard.number;
+}
+
+RC_GTEST_PROP(Chunks, EachCaseOfAShardIsInOneOfItsChunks, ()) {
+  const auto count = *rc::gen::inRange<std::uint64_t>(1, 20);
+  const Shard shard{*rc::gen::inRange<std::uint64_t>(1, count + 1), count};
+  const auto chunks = chunks_of(shard, *rc::gen::inRange<std::uint64_t>(1, 30));
+  const auto index = *rc::gen::inRange<std::uint64_t>(0, 100000);
+  const auto holders = std::count_if(chunks.begin(), chunks.end(), [&](const Shard& c) { return is_of(index, c); });
+  RC_ASSERT(holders == (is_of(index, shard) ? 1 : 0));
+}
+
+TEST(ChunkQueues, HandsOutEachChunkOnce) {
+  ChunkQueue queue(chunks_of({1, 1}, 3));
+  std::set<std::uint64_t> numbers;
+  while (const auto chunk = queue.next()) EXPECT_TRUE(numbers.insert(chunk->number).second);
+  EXPECT_EQ(numbers, (std::set<std::uint64_t>{1, 2, 3}));
+  EXPECT_EQ(queue.left(), 3u);
+}
+
+TEST(ChunkQueues, WhatIsNotDoneIsHandedOutAgainFewestCopiesFirst) {
+  ChunkQueue queue(chunks_of({1, 1}, 3), true);
+  const auto next = [&] { return queue.next().value_or(Shard{0, 0}).number; };
+  EXPECT_EQ(next(), 1u);
+  EXPECT_EQ(next(), 2u);
+  EXPECT_EQ(next(), 3u);
+  queue.done({2, 3});
+  EXPECT_EQ(next(), 1u);
+  EXPECT_EQ(next(), 3u);
+  EXPECT_EQ(next(), 1u);
+  queue.done({1, 3});
+  queue.done({1, 3});
+  queue.done({3, 3});
+  EXPECT_EQ(next(), 0u);
+  EXPECT_EQ(queue.left(), 0u);
+}
+
+class ChunkFolders : public Cluster {
+ protected:
+  /// Counts the cases that are drawn.
+  [[nodiscard]] std::vector<Source> sources() {
+    Source source = family_source("hard", 30, 5, "");
+    source.at = [this, at = source.at](std::uint64_t i) {
+      ++drawn_;
+      return at(i);
+    };
+    return {source};
+  }
+  [[nodiscard]] ChunkFolder chunks() {
+    return {folder_, asked_of(sources(), options_), chunks_of(sources(), options_)};
+  }
+  [[nodiscard]] fs::path part(int number) const {
+    return folder_ / "chunks" / (std::to_string(number) + "-of-10.part");
+  }
+  /// One line that says so.
+  void expect_refused(const std::string& words) {
+    try {
+      chunks().open(true);
+      ADD_FAILURE() << "not refused";
+    } catch (const InputFailure& e) {
+      EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+    }
+  }
+
+  CampaignOptions options_{find_solvers("original_cn"), 5, 2, {}, {}, {}, 10};
+  std::atomic<int> drawn_{0};
+};
+
+Json untimed(const Results& results) {
+  Json json = summary_json(results);
+  json.erase("timing");
+  return json;
+}
+
+TEST_F(ChunkFolders, OnlyWhatIsMissingIsJudged) {
+  const ChunkFolder folder = chunks();
+  folder.open(false);
+  const Results first = run_campaign(sources(), options_, &folder);
+  EXPECT_EQ(drawn_.exchange(0), 30);
+  EXPECT_EQ(chunks_done(folder_), 10);
+  const Results again = run_campaign(sources(), options_, &folder);
+  EXPECT_EQ(drawn_.exchange(0), 0);
+  EXPECT_EQ(untimed(again), untimed(first));
+  EXPECT_EQ(again.kept.format(), first.kept.format());
+  fs::remove(part(4));
+  EXPECT_EQ(untimed(run_campaign(sources(), options_, &folder)), untimed(first));
+  EXPECT_EQ(drawn_.load(), 3);
+  EXPECT_FALSE(first.kept.buckets().empty());
+}
+
+TEST_F(ChunkFolders, ChunksMergeLikeShards) {
+  const ChunkFolder folder = chunks();
+  folder.open(false);
+  const Results all = run_campaign(sources(), options_, &folder);
+  std::vector<std::string> files;
+  for (int i = 1; i <= 10; ++i) files.push_back(part(i).string());
+  const Results merged = merge_folders(files, Gaps::refused);
+  EXPECT_EQ(untimed(merged), untimed(all));
+  EXPECT_EQ(merged.kept.format(), all.kept.format());
+}
+
+TEST_F(ChunkFolders, PartsOfAnotherCampaignOrDamagedAreRefused) {
+  const ChunkFolder folder = chunks();
+  folder.open(false);
+  (void)run_campaign(sources(), options_, &folder);
+  options_.chunks = 9;
+  expect_refused("asked.shards: is 10, that of this campaign is 9");
+  options_.chunks = 10;
+  const std::string whole = text_in(part(1));
+  write_file(part(1), whole + "{\"file\":\"x\",\"case\":{}}\n");
+  expect_refused("1-of-10.part:");
+  write_file(part(1), whole + "{\"file\":\"x--worst.json\"\n");
+  expect_refused("1-of-10.part:");
+  write_file(part(1), "");
+  expect_refused("1-of-10.part: holds no part of a campaign");
+  chunks().open(false);
+  EXPECT_EQ(chunks_done(folder_), 0);
+}
+
+TEST_F(ChunkFolders, WhatIsLeftOfAFileThatWasBeingWrittenIsNoChunk) {
+  fs::create_directories(folder_ / "chunks");
+  write_file(part(1).string() + ".host.77.tmp", "half");
+  const ChunkFolder folder = chunks();
+  folder.open(true);
+  EXPECT_EQ(folder.missing().size(), 10u);
+}
+
+}  // namespace
+}  // namespace plumb
