@@ -131,6 +131,8 @@ void KeptFailures::add_line(const std::string& text, const std::string& file, in
     const auto bucket = bucket_of(json.at("file").get<std::string>());
     if (!bucket) throw InputFailure(file, line, "file", "is no name of a kept failure");
     add(*bucket, checked_failure(parse_case(json.at("case").dump(), file, line), file, line));
+  } catch (const FieldError& e) {
+    throw InputFailure(file, line, e.field, e.what());
   } catch (const Json::exception& e) {
     throw InputFailure(file, line, "", e.what());
   }

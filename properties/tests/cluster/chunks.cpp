@@ -55,7 +55,7 @@ class ChunkFolders : public Cluster {
  protected:
   /// Counts the cases that are drawn.
   [[nodiscard]] std::vector<Source> sources() {
-    Source source = family_source("hard", 30, 5, "");
+    Source source = family_source("spheroid", 30, 5, "");
     source.at = [this, at = source.at](std::uint64_t i) {
       ++drawn_;
       return at(i);

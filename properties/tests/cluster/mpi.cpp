@@ -6,7 +6,7 @@
 namespace plumb {
 namespace {
 
-const std::string kArguments = " --family all --cases 40 --seed 5 --method original_cn,auto ";
+const std::string kArguments = " --family all --cases 25 --seed 5 --method original_cn,auto ";
 
 class Mpi : public Cluster {
  protected:
@@ -28,7 +28,9 @@ class Mpi : public Cluster {
   }
   void expect_whole(const std::string& out) const {
     EXPECT_FALSE(fs::exists(folder_ / out / "chunks"));
-    ASSERT_EQ(run("plumb campaign" + kArguments + "--out whole"), 0) << stderr_text();
+    if (!fs::exists(folder_ / "whole")) {
+      ASSERT_EQ(run("plumb campaign" + kArguments + "--out whole"), 0) << stderr_text();
+    }
     EXPECT_EQ(found_in(folder_ / out), found_in(folder_ / "whole"));
   }
 };

@@ -5,7 +5,7 @@
 namespace plumb {
 namespace {
 
-const std::string kCampaign = "plumb campaign --family all --cases 60 --seed 5 --method original_cn,auto";
+const std::string kCampaign = "plumb campaign --family all --cases 25 --seed 5 --method original_cn,auto";
 
 TEST_F(Cluster, AKilledCampaignGoesOn) {
   const pid_t child = start_command(in_folder(kCampaign + " --out killed"));
@@ -85,7 +85,7 @@ TEST_F(Cluster, TheExampleRuns) {
 
 TEST_F(Cluster, AKilledShardOfGnuParallelIsDoneAgainAlone) {
   if (run("parallel --version") != 0) GTEST_SKIP() << "GNU parallel is not installed";
-  const std::string arguments = "--family all --cases 60 --seed 5 --method original_cn,auto";
+  const std::string arguments = "--family all --cases 25 --seed 5 --method original_cn,auto";
   const std::string shards = PLUMB_SOURCE_DIR "/fuzz/cluster/campaign-parallel out 2 " + arguments;
   const pid_t child = start_command(in_folder(shards));
   ASSERT_TRUE(once(
