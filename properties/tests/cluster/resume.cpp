@@ -79,10 +79,6 @@ TEST_F(Cluster, NoChunksAndTooMany) {
   EXPECT_EQ(stderr_text(), "plumb campaign: --resume requires --out (--help tells more)\n");
 }
 
-TEST_F(Cluster, TheExampleRuns) {
-  EXPECT_EQ(run(PLUMB_SOURCE_DIR "/properties/tests/examples/cluster/run"), 0) << stderr_text();
-}
-
 TEST_F(Cluster, AKilledShardOfGnuParallelIsDoneAgainAlone) {
   if (run("parallel --version") != 0) GTEST_SKIP() << "GNU parallel is not installed";
   const std::string arguments = "--family all --cases 25 --seed 5 --method original_cn,auto";
