@@ -22,7 +22,7 @@ struct Command {
 };
 
 // Every command of the contract; those that this build does not have are not listed.
-constexpr std::array<Command, 18> commands{{
+constexpr std::array<Command, 20> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
@@ -40,6 +40,8 @@ constexpr std::array<Command, 18> commands{{
     {"scenes", "the named scenes, and each as a file"},
     {"import", "the pairs of a LAMMPS or LIGGGHTS dump that touch, as cases"},
     {"export", "cases or a scene as a dump for LAMMPS, LIGGGHTS and OVITO"},
+    {"export-lammps", "a scene as input for plumb lammps"},
+    {"lammps", "LAMMPS with pair_style plumb/cn: scenes on many processes"},
     {"report", "one page of HTML from campaigns"},
 }};
 
@@ -56,7 +58,7 @@ int list_commands() {
   std::string text =
       "plumb shows whether a contact normal stands true.\n\n  plumb COMMAND ...    plumb COMMAND --help\n\n";
   for (const auto& [name, summary] : commands)
-    if (fs::exists(program(name))) text += fmt::format("  {:<12} {}\n", name, summary);
+    if (fs::exists(program(name))) text += fmt::format("  {:<13} {}\n", name, summary);
   const bool written = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
   return written ? 0 : refuse(std::string("standard output: ") + std::strerror(errno));
 }

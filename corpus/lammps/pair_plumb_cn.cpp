@@ -279,7 +279,8 @@ void PairPlumbCn::place_bodies() {
 
 void PairPlumbCn::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  if (vflag_either != 0 && !std::exchange(has_warned_, true) && comm->me == 0)
+  // As a run begins LAMMPS asks for it whether or not anything reads it.
+  if (vflag_either != 0 && update->setupflag == 0 && !std::exchange(has_warned_, true) && comm->me == 0)
     error->warning(FLERR, std::string("pair_style plumb/cn has no virial: pressures are without its forces"));
   if (is_stale_) renew();
   place_bodies();

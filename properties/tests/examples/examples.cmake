@@ -29,3 +29,9 @@ endif()
 
 add_test(NAME install/packages COMMAND ${CMAKE_CURRENT_LIST_DIR}/packages ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}/examples/packages)
 set_tests_properties(install/packages PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 300)
+
+# As root, and on a machine of one processor, Open MPI asks for these.
+if(TARGET plumb-lammps)
+  add_example(lammps lammps OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+              OMPI_MCA_mpi_yield_when_idle=1)
+endif()

@@ -1,0 +1,130 @@
+// One scene by plumb and by LAMMPS on 1, 2 and 4 processes: the same trajectory.
+#include <gtest/gtest.h>
+
+#include "properties/tests/corpus/programs.hpp"
+#include "properties/tests/scene/crowd.hpp"
+#include "properties/tests/scene/made.hpp"
+#include "reports/lammps/trajectory.hpp"
+
+namespace plumb::scene {
+namespace {
+
+#ifdef PLUMB_LAMMPS_PROGRAM
+const std::string lammps_program = PLUMB_LAMMPS_PROGRAM;
+#else
+const std::string lammps_program;
+#endif
+
+class InLammps : public Commands {
+ protected:
+  void SetUp() override {
+    if (lammps_program.empty()) GTEST_SKIP() << "plumb-lammps is not built: liblammps-dev or MPI is missing";
+    Commands::SetUp();
+  }
+
+  /// The largest deviation at any frame. The dumps of all numbers of processes are the same text.
+  [[nodiscard]] double largest_deviation(const Scene& scene, const std::vector<int>& ranks) const {
+    const Plan plan = make_plan(scene);
+    const fs::path folder = path_ / "scene";
+    export_to(folder, scene, plan);
+    const Trajectory reference = trajectory_of(scene, plan);
+    double largest = 0;
+    for (const int count : ranks) {
+      EXPECT_TRUE(run_lammps(folder, lammps_program, count)) << read("scene/log." + std::to_string(count));
+      EXPECT_EQ(read("scene/dump." + std::to_string(count)), read("scene/dump." + std::to_string(ranks.front())));
+      const auto apart = deviations(scene, reference, read_dump(folder / ("dump." + std::to_string(count))));
+      EXPECT_EQ(apart.size(), reference.size()) << count << " processes";
+      for (const auto& [step, deviation] : apart) largest = std::max(largest, deviation.largest());
+    }
+    return largest;
+  }
+};
+
+/// Steps at which anything presses on anything.
+std::int64_t pressing_steps(const Scene& scene) {
+  const auto run = made::started(scene);
+  std::int64_t steps = 0;
+  for (; !run->is_done(); run->step()) steps += run->world().contacts.pressing.empty() ? 0 : 1;
+  return steps;
+}
+
+/// So long and so often written that ranks which share a processor are done in seconds.
+void run_for(Scene& scene, double time_step, int steps) {
+  scene.run.time_step = time_step;
+  scene.run.duration = time_step * steps;
+  scene.run.outputs = {.every = time_step * steps / 5};
+}
+
+// What finds two trajectories the same, or not.
+TEST(Deviations, AreLargestOverTheBodiesAndRelativeToTheScene) {
+  Scene scene;
+  scene.bodies = {made::body({{1, 2, 4}, 2, 2}, {0, 0, 0}), made::ball(1, {9, 0, 0})};
+  Frame frame{{{0, 0, 0}, {9, 0, 0}}, {{0, 0, 0}, {0, 5, 0}}, {{1, 0, 0, 0}, {1, 0, 0, 0}}}, other = frame;
+  other.position[1].x() += 0.04;
+  other.velocity[0].z() -= 0.1;
+  other.quaternion[1][3] = 0.003;
+  const auto apart = deviations(scene, {{0, frame}, {7, frame}}, {{7, other}, {8, other}});
+  ASSERT_EQ(apart.size(), 1U);
+  EXPECT_NEAR(apart.at(7).position, 0.01, 1e-15);
+  EXPECT_NEAR(apart.at(7).velocity, 0.02, 1e-15);
+  EXPECT_EQ(apart.at(7).orientation, 0.003);
+}
+
+TEST_F(InLammps, AnImpactOfTwoSuperquadricsIsTheSameToTheBit) {
+  Scene scene;
+  scene.name = "impact";
+  scene.bodies = {made::body({{1, 0.8, 0.6}, 4, 3}, {-0.9, 0.1, 0.2}, {1, 0, 0}),
+                  made::body({{0.7, 0.9, 1.1}, 2.5, 6}, {0.9, -0.2, 0.1}, {-1, 0, 0.1})};
+  scene.bodies[1].body.quaternion = {0.9, 0.1, -0.3, 0.2};
+  scene.effects.linear = Linear{2e4};
+  scene.effects.damping = Damping{0.6};
+  scene.effects.friction = Friction{0.3};
+  run_for(scene, 1e-3, 250);
+  EXPECT_GT(pressing_steps(scene), 25);
+  EXPECT_EQ(largest_deviation(scene, {1, 2, 4}), 0);
+}
+
+// The lists of neighbours are others, and with them where a contact's first solve starts.
+TEST_F(InLammps, ACrowdWithAllEffectsIsTheSameToTheSolversTolerance) {
+  Scene scene = without(crowd(), Conduction::name);
+  scene.run.accuracy = 1e-5;
+  run_for(scene, 5e-4, 300);
+  EXPECT_GT(pressing_steps(scene), 25);
+  EXPECT_LT(largest_deviation(scene, {1, 2}), 1e-9);
+}
+
+TEST_F(InLammps, HertzAndFixedBodies) {
+  Scene scene;
+  scene.name = "hertz";
+  scene.bodies = {made::body({{2, 2, 0.5}, 6, 6}, {0, 0, 0}), made::body({{0.6, 0.5, 0.4}, 3, 2}, {0.2, 0, 0.95}),
+                  made::ball(0.4, {-0.9, 0, 0.88})};
+  scene.bodies[0].is_fixed = true;
+  scene.effects.gravity = Gravity{{0, 0, -10}};
+  scene.effects.hertz = Hertz{1e5};
+  scene.effects.damping = Damping{0.5};
+  scene.effects.friction = Friction{0.4};
+  run_for(scene, 1e-3, 250);
+  EXPECT_GT(pressing_steps(scene), 25);
+  EXPECT_EQ(largest_deviation(scene, {1, 2}), 0);
+}
+
+TEST_F(InLammps, RefusesInOneLineWhatItCannotDo) {
+  const auto refused = [&](const std::string& script) {
+    (void)file("in.txt",
+               "units lj\natom_style ellipsoid\nnewton off\ncomm_modify vel yes\nregion box block 0 1 0 1 0 1\n"
+               "create_box 1 box\n" +
+                   script);
+    return run("cd " + path_.string() + " && " + lammps_program + " -in in.txt -log none 2>&1 | grep ERROR").out;
+  };
+  EXPECT_NE(refused("pair_style plumb/cn conduction.conductivity 1\n").find("conduction: is not supported"),
+            std::string::npos);
+  EXPECT_NE(refused("pair_style plumb/cn linear.stiffness x\n").find("linear.stiffness: 'x' is no number"),
+            std::string::npos);
+  EXPECT_NE(refused("fix floor all plumb/wall 0 0 0 0 0\n").find("plumb/wall: normal: is missing"), std::string::npos);
+  EXPECT_NE(refused("pair_style plumb/cn linear.stiffness 1\npair_coeff * *\ncreate_atoms 1 single 0 0 0\nrun 0\n")
+                .find("needs one fix plumb/nve"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace plumb::scene
