@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <tuple>
 
 #include "corpus/case.hpp"
@@ -28,13 +29,18 @@ struct Subject {
 
 constexpr std::array subjects{Subject{"impact", 2, 1, 1e-3},    Subject{"rolling", 1, 0.1, 1e-3},
                               Subject{"chain", 10, 0.5, 1e-3},  Subject{"dice", 12, 0.1, 1e-3},
-                              Subject{"hopper", 60, 0.1, 1e-6}, Subject{"pile", 100, 0.1, 1e-6}};
+                              Subject{"hopper", 60, 0.3, 1e-6}, Subject{"pile", 60, 0.4, 1e-6}};
 
+constexpr int frames = 20;
+
+/// Of so many steps that the last is a frame.
 Scene made_of(const Subject& subject) {
   Scene scene = find_named_scene(subject.name)->make(subject.bodies);
-  scene.run.time_step = make_plan(scene).time_step;
-  scene.run.duration *= subject.share;
-  scene.run.outputs = {.every = scene.run.duration / 20};
+  const Plan plan = make_plan(scene);
+  const double steps = std::ceil(subject.share * static_cast<double>(plan.steps) / frames);
+  scene.run.time_step = plan.time_step;
+  scene.run.outputs = {.every = steps * plan.time_step};
+  scene.run.duration = frames * scene.run.outputs.every;
   scene.run.accuracy = subject.accuracy;
   return scene;
 }
@@ -78,36 +84,57 @@ void print_trajectories(const fs::path& out, const fs::path& program) {
     }
 }
 
-/// Seconds of a pile of so many bodies on so many processes.
-double pile_seconds(int bodies, int ranks, const fs::path& out, const fs::path& program) {
-  Scene scene = find_named_scene("pile")->make(bodies);
-  scene.run.time_step = make_plan(scene).time_step;
-  scene.run.duration = 300 * *scene.run.time_step;
-  scene.run.outputs = {};
+/// Blocks of so many times 12 x 12 x 12 superquadrics, each pressed into its neighbours.
+Scene block_of(int blocks) {
+  constexpr int side = 12, steps = 100;
+  constexpr double spacing = 1.72, time_step = 1e-3;
+  Scene scene;
+  scene.name = "block";
+  for (int k = 0; k < blocks * side * side * side; ++k) {
+    SceneBody b;
+    b.body.shape = {{1, 0.9, 0.8}, 3, 2.5};
+    b.body.position = spacing * Vec3<double>(k / (side * side), k / side % side, k % side);
+    b.body.quaternion = {1, std::sin(k), std::sin(2.0 * k), std::sin(3.0 * k)};
+    scene.bodies.push_back(b);
+  }
+  scene.effects.linear = Linear{100};
+  scene.effects.damping = Damping{0.5};
+  scene.effects.friction = Friction{0.3};
+  scene.run.time_step = time_step;
+  scene.run.duration = steps * time_step;
+  return scene;
+}
+
+double block_seconds(int blocks, int ranks, const fs::path& out, const fs::path& program) {
+  const Scene scene = block_of(blocks);
   export_to(out, scene, make_plan(scene));
   run_or_fail(out, program, ranks);
   return loop_seconds(out / ("log." + std::to_string(ranks)));
 }
 
-void print_scaling(int bodies, const fs::path& out, const fs::path& program) {
+void print_scaling(const fs::path& out, const fs::path& program) {
+  print_line(fmt::format(
+      "\nScaling: 100 steps of a block of superquadrics, each pressed into its neighbours; LAMMPS's loop time."));
   print_line(
-      fmt::format("\nScaling: 300 steps of a pile, LAMMPS's loop time; this machine has {} processors and was shared",
+      fmt::format("This machine has {} processors and was shared with other work: ratios, not seconds, say something",
                   ::sysconf(_SC_NPROCESSORS_ONLN)));
   print_line(fmt::format("  {:<8} {:>6} {:>6} {:>10} {:>12}", "kind", "bodies", "ranks", "seconds", "over one"));
-  const double one = pile_seconds(bodies, 1, out / "scaling", program);
-  for (const auto& [kind, many, ranks] :
-       {std::tuple{"one", bodies, 1}, std::tuple{"strong", bodies, 2}, std::tuple{"weak", 2 * bodies, 2}}) {
-    const double seconds = ranks == 1 ? one : pile_seconds(many, ranks, out / "scaling", program);
-    print_line(fmt::format("  {:<8} {:>6} {:>6} {:>10.2f} {:>12.2f}", kind, many, ranks, seconds, seconds / one));
+  const double one = block_seconds(1, 1, out, program);
+  for (const auto& [kind, blocks, ranks] :
+       {std::tuple{"one", 1, 1}, std::tuple{"strong", 1, 2}, std::tuple{"weak", 2, 2}}) {
+    const double seconds = ranks == 1 ? one : block_seconds(blocks, ranks, out, program);
+    print_line(fmt::format("  {:<8} {:>6} {:>6} {:>10.2f} {:>12.2f}", kind, block_of(blocks).bodies.size(), ranks,
+                           seconds, seconds / one));
+    flush_output();
   }
 }
 
-int report_command(const std::string& out, int bodies) {
+int report_command(const std::string& out) {
   const fs::path program = program_folder() / "plumb-lammps", folder = fs::absolute(out);
   if (!fs::exists(program))
     throw InputFailure(program.string(), 0, "", "is not built: liblammps-dev or MPI is missing");
   print_trajectories(folder, program);
-  print_scaling(bodies, folder, program);
+  print_scaling(folder / "scaling", program);
   return exit_done;
 }
 
@@ -116,10 +143,8 @@ int report_command(const std::string& out, int bodies) {
 
 int main(int argc, char** argv) {
   std::string out;
-  int bodies = 2000;
   CLI::App app("Scenes by plumb and by LAMMPS: the same trajectory, on any number of processes.",
                "plumb report-lammps");
   app.add_option("--out", out, "folder for the runs")->required();
-  app.add_option("--bodies", bodies, "of the pile that scaling is measured with")->check(CLI::Range(2, 1000000));
-  return plumb::run_command(app, argc, argv, [&] { return plumb::scene::report_command(out, bodies); });
+  return plumb::run_command(app, argc, argv, [&] { return plumb::scene::report_command(out); });
 }

@@ -80,7 +80,7 @@ TEST_F(InLammps, AnImpactOfTwoSuperquadricsIsTheSameToTheBit) {
   scene.effects.damping = Damping{0.6};
   scene.effects.friction = Friction{0.3};
   run_for(scene, 1e-3, 250);
-  EXPECT_GT(pressing_steps(scene), 25);
+  EXPECT_GT(pressing_steps(scene), 10);
   EXPECT_EQ(largest_deviation(scene, {1, 2, 4}), 0);
 }
 
