@@ -3,8 +3,6 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <vector>
 
 #include "corpus/lammps/lammps_headers.hpp"
 
@@ -23,6 +21,7 @@ namespace plumb::lammps {
 
 class EllipsoidBonus {
  public:
+  EllipsoidBonus() = default;
   explicit EllipsoidBonus(LAMMPS_NS::Atom& atom)
       : atoms_(reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid*>(atom.style_match("ellipsoid"))) {}
 
@@ -44,7 +43,7 @@ class EllipsoidBonus {
   }
 
  private:
-  LAMMPS_NS::AtomVecEllipsoid* atoms_;
+  LAMMPS_NS::AtomVecEllipsoid* atoms_ = nullptr;
 };
 
 }  // namespace plumb::lammps

@@ -75,8 +75,8 @@ void PairPlumbCn::require(bool holds, const char* reason) const {
 }
 
 void PairPlumbCn::init_style() {
-  shapes_.emplace(*atom);
-  require(shapes_->is_there(), "needs atom_style ellipsoid");
+  shapes_ = EllipsoidBonus(*atom);
+  require(shapes_.is_there(), "needs atom_style ellipsoid");
   require(atom->tag_enable != 0, "needs atom IDs");
   require(force->newton_pair == 0, "needs `newton off`: each process sums the forces of its own atoms");
   require(comm->ghost_velocity != 0, "needs `comm_modify vel yes`");
@@ -143,7 +143,7 @@ double PairPlumbCn::init_one(int type1, int type2) {
 scene::SceneBody PairPlumbCn::body(int i) const {
   scene::SceneBody out;
   if (atom->ellipsoid[i] < 0) error->one(FLERR, fmt::format("pair_style plumb/cn: atom {} has no shape", atom->tag[i]));
-  const auto axes = shapes_->semi_axes(i);
+  const auto axes = shapes_.semi_axes(i);
   out.body.shape = {vector_at(axes.data()), atom->dvector[n1_][i], atom->dvector[n2_][i]};
   out.density = atom->dvector[density_][i];
   out.is_fixed = is_fixed(i);
@@ -273,7 +273,7 @@ void PairPlumbCn::remember() {
 void PairPlumbCn::place_bodies() {
   for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
     const int i = atom_of_body_[k];
-    part_->place(k, vector_at(atom->x[i]), vector_at(atom->v[i]), shapes_->quaternion(i), vector_at(atom->angmom[i]));
+    part_->place(k, vector_at(atom->x[i]), vector_at(atom->v[i]), shapes_.quaternion(i), vector_at(atom->angmom[i]));
   }
 }
 

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -70,7 +69,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   scene::PairArguments arguments_;
   std::unique_ptr<scene::Part> part_;
   FixPlumbNve* motion_ = nullptr;
-  std::optional<EllipsoidBonus> shapes_;
+  EllipsoidBonus shapes_;
   int n1_ = -1, n2_ = -1, density_ = -1;  ///< which of the atoms' custom vectors
   std::vector<double> radius_;            ///< of each type, from 1
   std::vector<int> atom_of_body_, body_of_atom_;
