@@ -199,6 +199,7 @@ Results whole_campaign(Results parts, const std::vector<Source>& sources, const 
                        bool is_whole) {
   parts.asked = asked_of(sources, options);
   parts.libraries = options.libraries;
+  if (parts.hosts.empty()) parts.hosts = {host_json().dump()};
   parts.given_up = given_up(options);
   parts.interrupted = !is_whole && parts.given_up.empty();
   parts.shards_missing = false;
