@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "corpus/progress.hpp"
 #include "fuzz/campaign_arguments.hpp"
@@ -20,7 +23,8 @@ namespace {
 enum Tag {
   asks = 1,  ///< for a chunk; the number says nothing
   did,       ///< the chunk of that number
-  answer     ///< the number of the chunk to do; 0: it is over
+  answer,    ///< the number of the chunk to do; 0: it is over
+  bye        ///< the last of a rank; the number says nothing
 };
 
 void send(std::uint64_t number, int rank, Tag tag) {
@@ -54,23 +58,41 @@ class Session {
   Session(int& argc, char**& argv) {
     int provided = 0;
     MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
-    // A rank that died must not end those that send to it, where mpirun lets them live (--enable-recovery).
+    // A rank that died must not end those that send to it, where mpirun lets them live.
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   }
-  ~Session() { end(); }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-  /// Waits for all that live.
+  /// The others are done, too, or dead. MPI_Finalize waits for all, in OpenMPI 4.1 with --enable-recovery now and then also for a
+  /// rank that was killed; mpirun takes an end without it there.
   void end() {
-    if (!ended_) MPI_Finalize();
-    ended_ = true;
+    if (std::exchange(ended_, true)) return;
+    if (!outlives_a_rank_) MPI_Finalize();
+    if (outlives_a_rank_ && rank > 0) send(0, 0, bye);
+    if (outlives_a_rank_ && rank == 0) wait_for_byes();
+  }
+  [[noreturn]] void leave(int code) {
+    end();
+    (void)std::fflush(nullptr);
+    _exit(code);
   }
   int rank = 0, ranks = 1;
 
  private:
+  /// A while: whoever is alive has only the case to end that it is at.
+  void wait_for_byes() const {
+    const auto start = std::chrono::steady_clock::now();
+    for (int left = ranks - 1; left > 0 && std::chrono::steady_clock::now() - start < std::chrono::seconds(10);) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (const auto message = arrived(MPI_ANY_SOURCE, MPI_ANY_TAG)) {
+        (void)receive(message->first, message->second);
+        left -= message->second == bye ? 1 : 0;
+      }
+    }
+  }
+
   bool ended_ = false;
+  bool outlives_a_rank_ = std::getenv("OMPI_MCA_orte_enable_recovery") != nullptr;
 };
 
 /// How rank 0's folder is known again: a file there, and what is in it.
@@ -101,7 +123,11 @@ Work work_of(const ChunkFolder& chunks, std::function<std::optional<Shard>()> ne
     if (!part.interrupted) chunks.put(chunk, part);
     if (!part.interrupted || chunks.has(chunk)) done(chunk);
   };
-  return {std::move(next), take, [&chunks](const Shard& chunk) { return chunks.has(chunk); }};
+  // Rank 0 removes the folder when all is done.
+  const auto in_vain = [&chunks](const Shard& chunk) {
+    return chunks.has(chunk) || !std::filesystem::exists(chunks.path());
+  };
+  return {std::move(next), take, in_vain};
 }
 
 /// Rank 0's side of what is said.
@@ -201,7 +227,7 @@ int campaign_of_first(const CampaignArguments& args, Session& session, bool& tol
   (void)told_by_first(token);
   const Results results = lead(campaign, chunks, session.ranks);
   const int code = report_campaign(args, campaign, results);
-  session.end();  // the others look for files in this folder until they are told that it is over
+  session.end();  // before what the others look into goes
   if (!results.incomplete()) chunks.remove();
   return code;
 }
@@ -240,11 +266,11 @@ int main(int argc, char** argv) {
   if (session.rank > 0) {
     // What is wrong with the arguments is said once, by rank 0.
     const std::uint64_t token = plumb::told_by_first(0);
-    if (token == 0) return plumb::exit_done;
-    return plumb::run_command(app, argc, argv, [&] { return plumb::campaign_of_other(args, token, session.rank); });
+    const auto work = [&] { return plumb::campaign_of_other(args, token, session.rank); };
+    session.leave(token == 0 ? plumb::exit_done : plumb::run_command(app, argc, argv, work));
   }
   bool told = false;
   const int code = plumb::run_command(app, argc, argv, [&] { return plumb::campaign_of_first(args, session, told); });
   if (!told) (void)plumb::told_by_first(0);
-  return code;
+  session.leave(code);
 }
