@@ -11,7 +11,8 @@ namespace plumb {
 
 /// A file of share/plumb, beside the folder of the programs: build/release/bin, or where they are installed, libexec/plumb.
 [[nodiscard]] inline std::filesystem::path data_file(const char* name) {
-  const std::filesystem::path beside = program_folder().parent_path(), below = std::filesystem::path("share/plumb") / name;
+  const std::filesystem::path beside = program_folder().parent_path(),
+                              below = std::filesystem::path("share/plumb") / name;
   return std::filesystem::exists(beside / below) ? beside / below : beside.parent_path() / below;
 }
 

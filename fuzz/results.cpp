@@ -261,8 +261,9 @@ Results read_results(const fs::path& folder) {
   std::ifstream in(path);
   if (!in)
     throw InputFailure(path.string(), 0, "campaign.bins",
-                       fs::exists(folder / "chunks") ? "is missing: the campaign was cut short; run it again with --resume"
-                                                     : "cannot be read: is this the folder of a campaign?");
+                       fs::exists(folder / "chunks")
+                           ? "is missing: the campaign was cut short; run it again with --resume"
+                           : "cannot be read: is this the folder of a campaign?");
   std::stringstream text;
   text << in.rdbuf();
   Results results = parse_bins(text.str(), path.string());
