@@ -52,13 +52,20 @@ std::string excerpt_of(std::string_view text) {
 
 }  // namespace
 
-/// A frame up to its rows.
-struct DumpReader::Head {
+/// What stands before a frame's rows, as far as it is read.
+struct DumpReader::Items {
   std::optional<std::int64_t> step, count;
   std::optional<double> time;
   std::optional<DumpBox> box;
   std::optional<DumpColumns> columns;
-  int atoms_line = 0;
+};
+
+/// All of it.
+struct DumpReader::Head {
+  std::int64_t step, count;
+  std::optional<double> time;
+  DumpBox box;
+  DumpColumns columns;
 };
 
 DumpReader::DumpReader(const std::string& path, DumpOptions options)
@@ -113,7 +120,7 @@ double DumpReader::length(std::string_view text, const std::string& field) const
   return out;
 }
 
-void DumpReader::read_box(Head& head, std::string_view words) {
+void DumpReader::read_box(Items& head, std::string_view words) {
   std::vector<std::string_view> flags = words_of(words);
   const bool is_general = flags.size() >= 2 && flags[0] == "abc" && flags[1] == "origin";
   const bool is_tilted = flags.size() >= 3 && flags[0] == "xy" && flags[1] == "xz" && flags[2] == "yz";
@@ -152,7 +159,7 @@ void DumpReader::read_box(Head& head, std::string_view words) {
   head.box = box;
 }
 
-void DumpReader::read_atoms(Head& head, std::string_view names) const {
+void DumpReader::read_atoms(Items& head, std::string_view names) const {
   std::vector<std::string> columns;
   for (const std::string_view name : words_of(names)) columns.emplace_back(name);
   try {
@@ -160,13 +167,12 @@ void DumpReader::read_atoms(Head& head, std::string_view names) const {
   } catch (const FieldError& error) {
     fail(error.field, error.what());
   }
-  head.atoms_line = line_number_;
   if (!head.step) fail("TIMESTEP", "stands nowhere before the atoms");
   if (!head.count) fail("NUMBER OF ATOMS", "stands nowhere before the atoms");
   if (!head.box) fail("BOX BOUNDS", "stands nowhere before the atoms");
 }
 
-void DumpReader::read_item(Head& head) {
+void DumpReader::read_item(Items& head) {
   if (const auto words = after(line_, "ITEM: BOX BOUNDS")) return read_box(head, std::string(*words));
   if (const auto names = after(line_, "ITEM: ATOMS")) return read_atoms(head, *names);
   const std::string item = line_;
@@ -187,9 +193,9 @@ void DumpReader::read_item(Head& head) {
 }
 
 std::optional<DumpReader::Head> DumpReader::read_head() {
-  Head head;
+  Items items;
   bool any = false;
-  while (!head.columns) {
+  while (!items.columns) {
     if (!read_line()) {
       if (any) fail("", "the file ends in the middle of a frame");
       return {};
@@ -198,9 +204,11 @@ std::optional<DumpReader::Head> DumpReader::read_head() {
     any = true;
     if (line_.starts_with("\x1f\x8b")) fail("", "is compressed: zcat FILE | plumb import -");
     if (!line_.starts_with("ITEM: ")) fail("", excerpt_of(line_) + " where 'ITEM: ..' should stand");
-    read_item(head);
+    read_item(items);
   }
-  return head;
+  // The columns come last, and read_atoms has seen that the others are there.
+  return Head{items.step.value_or(0), items.count.value_or(0), items.time, items.box.value_or(DumpBox{}),
+              items.columns.value_or(DumpColumns{})};
 }
 
 void DumpReader::note(const std::vector<std::string>& notes) {
@@ -209,7 +217,7 @@ void DumpReader::note(const std::vector<std::string>& notes) {
 }
 
 void DumpReader::pass_over(const Head& head) {
-  for (std::int64_t row = 0; row < *head.count && !interrupted(); ++row) need_line("ATOMS");
+  for (std::int64_t row = 0; row < head.count && !interrupted(); ++row) need_line("ATOMS");
 }
 
 std::optional<Superellipsoid<double>> DumpReader::read_shape(const DumpColumns& columns,
@@ -241,14 +249,14 @@ std::optional<Superellipsoid<double>> DumpReader::read_shape(const DumpColumns& 
 
 std::optional<DumpParticle> DumpReader::read_particle(const Head& head,
                                                       const std::vector<std::string_view>& row) const {
-  const DumpColumns& columns = *head.columns;
+  const DumpColumns& columns = head.columns;
   DumpParticle out;
   out.id = whole_number(row[columns.id], "id");
   const std::array<std::string, 3> names =
       columns.is_scaled ? std::array<std::string, 3>{"xs", "ys", "zs"} : std::array<std::string, 3>{"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k)
     out.body.position[static_cast<int>(k)] = length(row[columns.position[k]], names[k]);
-  if (columns.is_scaled) out.body.position = head.box->origin + head.box->edges * out.body.position;
+  if (columns.is_scaled) out.body.position = head.box.origin + head.box.edges * out.body.position;
   const auto shape = read_shape(columns, row);
   if (!shape) return {};
   out.body.shape = *shape;
@@ -266,13 +274,13 @@ std::optional<DumpParticle> DumpReader::read_particle(const Head& head,
 }
 
 DumpFrame DumpReader::read_rows(const Head& head) {
-  DumpFrame frame{*head.step, head.time, units_, head.columns->format, *head.box, {}, 0};
+  DumpFrame frame{head.step, head.time, units_, head.columns.format, head.box, {}, 0};
   std::vector<std::string_view> row;
-  for (std::int64_t k = 0; k < *head.count && !interrupted(); ++k) {
+  for (std::int64_t k = 0; k < head.count && !interrupted(); ++k) {
     need_line("ATOMS");
     split(line_, row);
-    if (row.size() != head.columns->width)
-      fail("ATOMS", fmt::format("{} values in a row of {} columns", row.size(), head.columns->width));
+    if (row.size() != head.columns.width)
+      fail("ATOMS", fmt::format("{} values in a row of {} columns", row.size(), head.columns.width));
     if (const auto particle = read_particle(head, row))
       frame.particles.push_back(*particle);
     else
@@ -291,8 +299,8 @@ void DumpReader::sort_particles(DumpFrame& frame) const {
 std::optional<DumpFrame> DumpReader::next(const std::function<bool(std::int64_t)>& is_wanted) {
   while (const auto head = read_head()) {
     if (interrupted()) break;
-    if (is_wanted(*head->step)) {
-      note(head->columns->notes);
+    if (is_wanted(head->step)) {
+      note(head->columns.notes);
       return read_rows(*head);
     }
     pass_over(*head);

@@ -31,15 +31,16 @@ class DumpReader {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  struct Items;
   struct Head;
 
   [[noreturn]] void fail(const std::string& field, const std::string& reason) const;
   [[nodiscard]] bool read_line();
   void need_line(const char* what);
   [[nodiscard]] std::optional<Head> read_head();
-  void read_item(Head& head);
-  void read_box(Head& head, std::string_view words);
-  void read_atoms(Head& head, std::string_view names) const;
+  void read_item(Items& head);
+  void read_box(Items& head, std::string_view words);
+  void read_atoms(Items& head, std::string_view names) const;
   void pass_over(const Head& head);
   [[nodiscard]] DumpFrame read_rows(const Head& head);
   void sort_particles(DumpFrame& frame) const;

@@ -93,7 +93,8 @@ Scene block_of(int blocks) {
   for (int k = 0; k < blocks * side * side * side; ++k) {
     SceneBody b;
     b.body.shape = {{1, 0.9, 0.8}, 3, 2.5};
-    b.body.position = spacing * Vec3<double>(k / (side * side), k / side % side, k % side);
+    const Eigen::Vector3i place(k / (side * side), k / side % side, k % side);
+    b.body.position = spacing * place.cast<double>();
     b.body.quaternion = {1, std::sin(k), std::sin(2.0 * k), std::sin(3.0 * k)};
     scene.bodies.push_back(b);
   }

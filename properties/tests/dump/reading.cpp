@@ -133,7 +133,9 @@ TEST(ReadingDumps, RowsOfOtherStepsAreNotRead) {
   whole.step = "200";
   std::istringstream in(broken.text() + whole.text());
   DumpReader reader(in, "d.dump", {});
-  EXPECT_EQ(reader.next([](std::int64_t step) { return step == 200; })->step, 200);
+  const auto frame = reader.next([](std::int64_t step) { return step == 200; });
+  if (!frame) FAIL();
+  EXPECT_EQ(frame->step, 200);
 }
 
 TEST(ReadingDumps, LinesOfOtherSystemsAreRead) {

@@ -147,7 +147,9 @@ TEST_F(RecorderFindings, CasesHoldTheBitsOfTheCall) {
     EXPECT_NE(name.find(shape_class(c.pair)), std::string::npos) << name;
     const Pair pair = generate("superquadric", 5, c.provenance["call"].get<std::uint64_t>() - 1).pair;
     EXPECT_EQ(bodies_json(c.pair), bodies_json(pair));
-    EXPECT_EQ(recorded_answer(c, name)->given.contact.overlap, 1.0 / 3 + answer_of("auto", pair).overlap);
+    const auto answer = recorded_answer(c, name);
+    if (!answer) FAIL() << name;
+    EXPECT_EQ(answer->given.contact.overlap, 1.0 / 3 + answer_of("auto", pair).overlap);
   }
 }
 

@@ -105,8 +105,8 @@ class TwoParts {
       part->press(time, dt);
     }
     collect();
-    for (const std::uint32_t i : like_.world().bodies.movable)
-      at(force_, i) += like_.world().bodies.mass[i] * scene_.effects.gravity->acceleration;
+    const Vec3<double> gravity = scene_.effects.gravity.value_or(Gravity{}).acceleration;
+    for (const std::uint32_t i : like_.world().bodies.movable) at(force_, i) += like_.world().bodies.mass[i] * gravity;
     for (auto& part : parts_) {
       for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
         part->world().state.force->vector(i) = at(force_, i);
