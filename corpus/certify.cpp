@@ -186,17 +186,17 @@ class VerifyRun {
 
 int certify(const Options& options) {
   if (options.problem != name(Problem::common_normal)) {
-    each_case(options.cases, [&](const Case& c) { certify_problem(c, options); });
+    each_case(options.cases, [&](const Case& c, int) { certify_problem(c, options); });
     return exit_done;
   }
   if (!options.verify.empty()) {
     VerifyRun run(options);
-    each_case(options.cases, [&](const Case& c) { run.certify(c); });
+    each_case(options.cases, [&](const Case& c, int) { run.certify(c); });
     return run.finish();
   }
   CertifyRun run(options);
   try {
-    each_case(options.cases, [&](const Case& c) { run.certify(c); });
+    each_case(options.cases, [&](const Case& c, int) { run.certify(c); });
   } catch (const InputFailure&) {
     (void)run.finish();  // the proofs of the cases before it
     throw;

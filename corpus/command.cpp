@@ -101,14 +101,14 @@ std::string refuse_seconds(const std::string& text) {
   return seconds && *seconds > 0 && *seconds <= 1e6 ? "" : "'" + text + "' is not a number above 0, at most 1e6";
 }
 
-void each_case(const std::string& file, const std::function<void(const Case&)>& work) {
+void each_case(const std::string& file, const std::function<void(const Case&, int line)>& work) {
   CaseReader reader(file);
   bool any = false;
   while (!interrupted()) {
     const std::optional<Case> c = reader.next();
     if (!c) break;
     any = true;
-    work(*c);
+    work(*c, reader.line());
   }
   if (!any && !interrupted()) throw InputFailure(file, 0, "", "holds no case");
 }

@@ -40,7 +40,7 @@ enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interru
 [[nodiscard]] std::string refuse_seconds(const std::string& text);
 
 /// Hands each case of a file to `work` until Ctrl-C. Throws InputFailure, also where the file holds none.
-void each_case(const std::string& file, const std::function<void(const Case&)>& work);
+void each_case(const std::string& file, const std::function<void(const Case&, int line)>& work);
 
 /// Text and a line feed on standard output; throws when it cannot be written.
 void print_line(const std::string& text);

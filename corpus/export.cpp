@@ -38,7 +38,7 @@ class Exporter {
  public:
   explicit Exporter(const Arguments& arguments)
       : format_(arguments.format == "lammps" ? DumpFormat::lammps : DumpFormat::liggghts),
-        reader_(arguments.file, ObjectReader::Layout::by_content), sink_(arguments.out) {}
+        reader_(arguments.file, ObjectReader::layout_of(arguments.file)), sink_(arguments.out) {}
 
   int run() {
     while (!interrupted()) {

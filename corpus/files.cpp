@@ -29,12 +29,6 @@ std::string located(const std::string& file, int line, const std::string& field,
   return one_line(out + ": " + reason);
 }
 
-// A case file is one object unless its name or the pipe says that it may be one a line.
-ObjectReader::Layout layout_of(const std::string& path) {
-  const bool may_be_lines = path == "-" || fs::path(path).extension() == ".jsonl";
-  return may_be_lines ? ObjectReader::Layout::by_content : ObjectReader::Layout::one_object;
-}
-
 }  // namespace
 
 InputFailure::InputFailure(const std::string& file, int line, const std::string& field, const std::string& reason)
@@ -44,7 +38,7 @@ void fail_with(const std::string& file, int error) {
   throw InputFailure(file, 0, "", std::strerror(error));
 }
 
-CaseReader::CaseReader(const std::string& path) : objects_(path, layout_of(path)) {}
+CaseReader::CaseReader(const std::string& path) : objects_(path, ObjectReader::layout_of(path)) {}
 
 std::optional<Case> CaseReader::next() {
   const std::optional<std::string> text = objects_.next();

@@ -68,9 +68,9 @@ struct Counts {
 };
 
 /// Two images of a particle that touch the same other one are two cases: the second is called ..-image2.
-std::string name_of(const DumpFrame& frame, const DumpPair& pair, std::size_t times) {
-  const std::string name =
-      fmt::format("step{}-{}-{}", frame.step, frame.particles[pair.first].id, frame.particles[pair.second].id);
+std::string name_of(const std::string& of_file, const DumpFrame& frame, const DumpPair& pair, std::size_t times) {
+  const std::string name = fmt::format("{}step{}-{}-{}", of_file, frame.step, frame.particles[pair.first].id,
+                                       frame.particles[pair.second].id);
   return times > 1 ? fmt::format("{}-image{}", name, times) : name;
 }
 
@@ -87,18 +87,24 @@ Json provenance_of(const std::string& file, const DumpFrame& frame, const DumpPa
   return out;
 }
 
-void import_frame(const std::string& file, const DumpFrame& frame, double gap, LineSink& sink, Counts& counts) {
+/// A file, and what the names of its cases begin with: file2- for the second of several, whose steps may be the first's.
+struct Source {
+  std::string file, prefix;
+};
+
+void import_frame(const Source& source, const DumpFrame& frame, double gap, LineSink& sink, Counts& counts) {
   std::array<std::size_t, 2> last{frame.particles.size(), 0};
   std::size_t times = 0;
   try {
     each_touching_pair(frame, gap, [&](const DumpPair& pair) {
       times = last == std::array{pair.first, pair.second} ? times + 1 : 1;
       last = {pair.first, pair.second};
-      sink.add(format_case({name_of(frame, pair, times), pair.pair, {}, provenance_of(file, frame, pair), {}}));
+      sink.add(format_case(
+          {name_of(source.prefix, frame, pair, times), pair.pair, {}, provenance_of(source.file, frame, pair), {}}));
       ++counts.pairs;
     });
   } catch (const std::invalid_argument& error) {
-    throw InputFailure(file, 0, fmt::format("step {}", frame.step), error.what());
+    throw InputFailure(source.file, 0, fmt::format("step {}", frame.step), error.what());
   }
   ++counts.frames;
   counts.particles += frame.particles.size();
@@ -108,11 +114,12 @@ void import_frame(const std::string& file, const DumpFrame& frame, double gap, L
 
 /// The last frame of all files is the one of the highest step.
 struct LastFrame {
-  std::string file;
+  Source source;
   std::optional<DumpFrame> frame;
 };
 
-void read_file(DumpReader& reader, const Arguments& arguments, LastFrame& last, LineSink& sink, Counts& counts) {
+void read_file(DumpReader& reader, const Source& source, const Arguments& arguments, LastFrame& last, LineSink& sink,
+               Counts& counts) {
   const auto step = number_from<std::int64_t>(arguments.step);
   const bool keeps_last = arguments.step == "last";
   const auto is_wanted = [&](std::int64_t at) {
@@ -121,9 +128,9 @@ void read_file(DumpReader& reader, const Arguments& arguments, LastFrame& last, 
   };
   while (auto frame = reader.next(is_wanted)) {
     if (keeps_last)
-      last = {reader.file(), std::move(frame)};
+      last = {source, std::move(frame)};
     else
-      import_frame(reader.file(), *frame, arguments.gap, sink, counts);
+      import_frame(source, *frame, arguments.gap, sink, counts);
   }
 }
 
@@ -138,13 +145,13 @@ int import_files(const Arguments& arguments) {
   LineSink sink(arguments.out);
   Counts counts;
   LastFrame last;
-  for (const std::string& file : arguments.files) {
-    if (interrupted()) break;
-    DumpReader reader(file, options);
-    read_file(reader, arguments, last, sink, counts);
+  for (std::size_t i = 0; i < arguments.files.size() && !interrupted(); ++i) {
+    DumpReader reader(arguments.files[i], options);
+    const Source source{reader.file(), arguments.files.size() > 1 ? fmt::format("file{}-", i + 1) : ""};
+    read_file(reader, source, arguments, last, sink, counts);
     for (const std::string& note : reader.notes()) fmt::print(stderr, "{}: {}\n", reader.file(), note);
   }
-  if (last.frame) import_frame(last.file, *last.frame, arguments.gap, sink, counts);
+  if (last.frame) import_frame(last.source, *last.frame, arguments.gap, sink, counts);
   if (counts.frames == 0 && !interrupted())
     throw InputFailure(arguments.files.front(), 0, arguments.step == "all" ? "" : "step " + arguments.step,
                        "holds no such frame");

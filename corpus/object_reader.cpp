@@ -34,6 +34,11 @@ bool is_one_object(const std::string& first, const std::string& rest) {
 
 }  // namespace
 
+ObjectReader::Layout ObjectReader::layout_of(const std::string& path) {
+  const bool may_be_lines = path == "-" || std::filesystem::path(path).extension() == ".jsonl";
+  return may_be_lines ? Layout::by_content : Layout::one_object;
+}
+
 ObjectReader::ObjectReader(const std::string& path, Layout layout)
     : file_(path == "-" ? "standard input" : path), in_(&std::cin), whole_(layout == Layout::one_object) {
   if (path == "-") return;

@@ -14,6 +14,9 @@ class ObjectReader {
  public:
   enum class Layout { by_content, one_object };
 
+  /// A file is one object unless its name (.jsonl) or the pipe says that it may be one a line.
+  [[nodiscard]] static Layout layout_of(const std::string& path);
+
   /// "-" is standard input. Throws InputFailure (corpus/case.hpp) for what cannot be opened.
   ObjectReader(const std::string& path, Layout layout);
   ObjectReader(const ObjectReader&) = delete;

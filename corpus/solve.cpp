@@ -96,7 +96,7 @@ int solve(const Options& options) {
   const Want want = parse_want(options.want);
   const std::vector<Solver> solvers = chosen_solvers(options);
   int code = exit_done;
-  each_case(options.cases, [&](const Case& c) {
+  each_case(options.cases, [&](const Case& c, int) {
     std::vector<Answer> answers;
     for (const Solver& solver : solvers) {
       answers.push_back(solve_case(c, solver, want, options));

@@ -21,25 +21,25 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_flag("--json", args.json, "one object a case");
 }
 
-Solver solver_of_case(const Case& c, const std::string& file) {
+Solver solver_of_case(const Case& c, const std::string& file, int line) {
   const std::string name = c.expect.method.value_or("auto");
   // A case must not make us load a library.
   if (name.starts_with("solver:"))
-    throw InputFailure(file, 0, "expect.method", "'" + name + "' needs the library: --solver FILE");
+    throw InputFailure(file, line, "expect.method", "'" + name + "' needs the library: --solver FILE");
   for (const Solver& solver : all_solvers())
     if (solver.name == name) return solver;
-  throw InputFailure(file, 0, "expect.method", "no method '" + name + "' here");
+  throw InputFailure(file, line, "expect.method", "no method '" + name + "' here");
 }
 
 int shrink_files(const Arguments& args) {
   const std::optional<Solver> asked = solver_instead(args.foreign, args.method, "shrink");
   bool found = false;
   std::string kept;
-  each_case(args.file, [&](const Case& c) {
+  each_case(args.file, [&](const Case& c, int line) {
     if (!asked && c.extra.contains("x_answer"))
-      throw InputFailure(args.file, 0, "x_answer",
+      throw InputFailure(args.file, line, "x_answer",
                          "is a recorded answer: --method or --solver names who answers simpler cases");
-    const Solver solver = asked ? *asked : solver_of_case(c, args.file);
+    const Solver solver = asked ? *asked : solver_of_case(c, args.file, line);
     const Explained explained = shrink_and_explain(c.pair, solver);
     const bool failed = explained.shrunk.from.judgement.finding.kind != FindingKind::none;
     found = found || failed;

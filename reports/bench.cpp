@@ -62,7 +62,7 @@ Named drawn(const PairSet& set, const Options& options) {
 
 Named read(const std::string& file) {
   Named out{file, "from this file", {}};
-  each_case(file, [&](const Case& c) { out.cases.push_back(c); });
+  each_case(file, [&](const Case& c, int) { out.cases.push_back(c); });
   return out;
 }
 

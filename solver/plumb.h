@@ -37,7 +37,8 @@ enum plumb_error {
   PLUMB_OK = 0,
   PLUMB_ERROR_ARGUMENT = 1, /* a pointer that must not be null is, or a number is out of its range */
   PLUMB_ERROR_METHOD = 2,   /* there is no such method, or not for this function */
-  PLUMB_ERROR_MEMORY = 3    /* plumb_certify alone */
+  PLUMB_ERROR_MEMORY = 3,   /* plumb_certify alone */
+  PLUMB_ERROR_INTERNAL = 4  /* plumb_certify alone: a library under it failed */
 };
 
 /* "0.1.0": of the library; a string that is never freed, as all that these functions return. */

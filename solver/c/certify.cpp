@@ -79,5 +79,7 @@ extern "C" int plumb_certify(const plumb_pair* pair, plumb_certificate* certific
     return PLUMB_OK;
   } catch (const std::bad_alloc&) {
     return PLUMB_ERROR_MEMORY;
+  } catch (...) {
+    return PLUMB_ERROR_INTERNAL;
   }
 }

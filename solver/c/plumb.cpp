@@ -188,11 +188,11 @@ const char* plumb_version(void) {
 
 const char* plumb_error_text(int error) {
   switch (error) {
-    case PLUMB_OK: return "no error";
     case PLUMB_ERROR_ARGUMENT: return "an argument is null or out of its range";
     case PLUMB_ERROR_METHOD: return "there is no such method";
     case PLUMB_ERROR_MEMORY: return "out of memory";
-    default: return "no error of plumb's";
+    case PLUMB_ERROR_INTERNAL: return "a library under plumb failed";
+    default: return "";
   }
 }
 
@@ -223,6 +223,7 @@ int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_cont
                 plumb_details* details) {
   const plumb_options chosen = options_of(options);
   if (pair == nullptr || contact == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
+  if (details != nullptr && details->size < sizeof details->size) return PLUMB_ERROR_ARGUMENT;
   const Method* method = find_method(chosen.method == nullptr ? "auto" : chosen.method);
   if (method == nullptr) return PLUMB_ERROR_METHOD;
   Pair bodies = door::pair_of(*pair);

@@ -41,10 +41,28 @@ static_assert(sizeof(plumb_certificate) >= 152 && offsetof(plumb_certificate, ve
               offsetof(plumb_certificate, overlap_lower) == 24 && offsetof(plumb_certificate, overlap_upper) == 32 &&
               offsetof(plumb_certificate, normal) == 40 && offsetof(plumb_certificate, normal_radius) == 64 &&
               offsetof(plumb_certificate, points) == 72 && offsetof(plumb_certificate, points_radius) == 120 &&
-              offsetof(plumb_certificate, condition_overlap) == 128);
+              offsetof(plumb_certificate, condition_overlap) == 128 &&
+              offsetof(plumb_certificate, condition_normal) == 136 &&
+              offsetof(plumb_certificate, condition_points) == 144);
 #endif
 
-static_assert(PLUMB_OK == 0 && PLUMB_ERROR_ARGUMENT == 1 && PLUMB_ERROR_METHOD == 2 && PLUMB_ERROR_MEMORY == 3);
+template <class Function, class Type>
+constexpr bool is = std::is_same_v<Function, Type>;
+static_assert(is<decltype(plumb_version), const char*(void)> && is<decltype(plumb_error_text), const char*(int)> &&
+              is<decltype(plumb_status_name), const char*(int)> && is<decltype(plumb_verdict_name), const char*(int)> &&
+              is<decltype(plumb_method_name), const char*(size_t)> &&
+              is<decltype(plumb_describe_input), int(const plumb_pair*, char*, size_t)>);
+static_assert(is<decltype(plumb_solve),
+                 int(const plumb_pair*, const plumb_options*, plumb_context*, plumb_contact*, plumb_details*)> &&
+              is<decltype(plumb_solve_batch),
+                 int(size_t, const plumb_body_arrays*, const plumb_options*, const plumb_contact_arrays*)> &&
+              is<decltype(plumb_certify), int(const plumb_pair*, plumb_certificate*)>);
+static_assert(is<decltype(plumb_solver_version), int(void)> &&
+              is<decltype(plumb_solver_solve), int(const plumb_pair*, plumb_contact*)> &&
+              is<decltype(plumb_solver_solve_warm), int(const plumb_pair*, const plumb_contact*, plumb_contact*)>);
+
+static_assert(PLUMB_OK == 0 && PLUMB_ERROR_ARGUMENT == 1 && PLUMB_ERROR_METHOD == 2 && PLUMB_ERROR_MEMORY == 3 &&
+              PLUMB_ERROR_INTERNAL == 4);
 static_assert(PLUMB_WANT_OVERLAP == 1 && PLUMB_WANT_NORMAL == 2 && PLUMB_WANT_POINTS == 4 &&
               PLUMB_WANT_CURVATURE == 8 && PLUMB_WANT_DERIVATIVES == 16 && PLUMB_WANT_CONTACT == 7);
 static_assert(PLUMB_OPEN == 0 && PLUMB_PROVED == 1 && PLUMB_DISPROVED == 2);

@@ -171,6 +171,8 @@ TEST(CApi, WhatCannotBeIsAnError) {
   EXPECT_TRUE(refused([](plumb_options& o) { o.tolerance = NAN; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.motion[1] = INFINITY; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.size = 0; }));
+  plumb_details details{};  // its size is not set
+  EXPECT_EQ(plumb_solve(&pair, nullptr, nullptr, &contact, &details), PLUMB_ERROR_ARGUMENT);
   const plumb_body_arrays nothing[2] = {};
   plumb_contact_arrays contacts{};
   EXPECT_EQ(plumb_solve_batch(1, nothing, nullptr, &contacts), PLUMB_ERROR_ARGUMENT);
@@ -203,6 +205,8 @@ TEST(CApi, NamesAreTheLibrarysWords) {
   EXPECT_STREQ(plumb_verdict_name(PLUMB_SEPARATED), "separated");
   EXPECT_STREQ(plumb_verdict_name(-1), "");
   EXPECT_STREQ(plumb_error_text(PLUMB_ERROR_METHOD), "there is no such method");
+  EXPECT_STREQ(plumb_error_text(PLUMB_OK), "");
+  EXPECT_STREQ(plumb_error_text(99), "");
   for (std::size_t i = 0; i < methods().size(); ++i) EXPECT_EQ(plumb_method_name(i), methods()[i].name);
   EXPECT_EQ(plumb_method_name(methods().size()), nullptr);
 }

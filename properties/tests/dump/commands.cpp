@@ -73,9 +73,10 @@ TEST_F(DumpCommands, PointsAreLeftOutAndCounted) {
 TEST_F(DumpCommands, StepsAreChosen) {
   (void)file("a.dump", at_step("100") + at_step("300"));
   (void)file("b.dump", at_step("200"));
-  EXPECT_EQ(names_of(imported("a.dump b.dump")), (Names{"step100-12-57", "step300-12-57", "step200-12-57"}));
-  EXPECT_EQ(names_of(imported("a.dump b.dump --step last")), Names{"step300-12-57"});
-  EXPECT_EQ(names_of(imported("a.dump b.dump --step 200")), Names{"step200-12-57"});
+  EXPECT_EQ(names_of(imported("a.dump b.dump")),
+            (Names{"file1-step100-12-57", "file1-step300-12-57", "file2-step200-12-57"}));
+  EXPECT_EQ(names_of(imported("a.dump b.dump --step last")), Names{"file1-step300-12-57"});
+  EXPECT_EQ(names_of(imported("a.dump b.dump --step 200")), Names{"file2-step200-12-57"});
 }
 
 TEST_F(DumpCommands, ImagesOfOneParticleAreCasesOfTheirOwn) {
@@ -157,9 +158,9 @@ TEST_F(DumpCommands, ASceneIsOneFrameAndItsWallsAreTold) {
 
 TEST_F(DumpCommands, WhatNoDumpHoldsIsNotExported) {
   (void)file("c.json", sample_with("[1.5, 0, 0]", "[1e101, 0, 0]"));
-  expect_refusal("export c.json", "c.json:1: bodies[1].position: is beyond 1e100");
+  expect_refusal("export c.json", "c.json: bodies[1].position: is beyond 1e100");
   (void)file("c.json", "{}");
-  expect_refusal("export c.json", "c.json:1: format: missing");
+  expect_refusal("export c.json", "c.json: format: missing");
   (void)file("c.json", "");
   expect_refusal("export c.json", "c.json: holds no case and no scene");
 }

@@ -12,6 +12,7 @@ endfunction()
 
 add_example(tutorial tutorial PLUMB=${PROJECT_SOURCE_DIR})
 add_example(cpp.g++ cpp CXX=g++)
+add_example(components components)
 add_example(c.gcc c CC=gcc)
 find_program(PLUMB_CLANG NAMES clang++-19 clang++)
 if(PLUMB_CLANG)
