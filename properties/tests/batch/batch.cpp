@@ -228,9 +228,9 @@ TEST(Batch, NoHeap) {
   }
 }
 
-/// Symbols of the library's members that the linker may take from any of them, by nm.
+/// Symbols of the libraries' members that the linker may take from any of them, by nm.
 std::set<std::string> weak_symbols(bool of_avx2) {
-  const std::string command = "nm -A " PLUMB_BINARY_DIR "/solver/libplumb_solver.a 2>/dev/null";
+  const std::string command = "cd " PLUMB_BINARY_DIR "/solver && nm -A libplumb_solver.a libplumb_batch.a 2>/dev/null";
   const std::unique_ptr<FILE, int (*)(FILE*)> nm(popen(command.c_str(), "r"), pclose);
   std::set<std::string> out;
   std::array<char, 1U << 16U> line{};
