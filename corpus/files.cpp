@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -105,6 +107,15 @@ fs::path target_of(const fs::path& path) {
   return error ? path : target;
 }
 
+/// Of this call alone: two machines that share a disk may have a process of one number each, and several threads may write one file.
+fs::path beside(const fs::path& target) {
+  static std::atomic<unsigned> calls{0};
+  std::array<char, 256> host{};
+  if (::gethostname(host.data(), host.size() - 1) != 0) host = {};
+  const std::string call = std::to_string(::getpid()) + "." + std::to_string(++calls);
+  return target.string() + "." + host.data() + "." + call + ".tmp";
+}
+
 /// The N of "/dev/fd/N", also by way of links such as /dev/stdout. To resolve those to the end would name the file that
 /// stands behind: one opened or replaced by that name loses what the process writes to the descriptor itself.
 std::optional<int> own_descriptor(fs::path path) {
@@ -149,7 +160,7 @@ void write_file(const fs::path& path, const std::string& text) {
     return;
   }
   const fs::path target = target_of(path);
-  const Output temporary(target.string() + "." + std::to_string(::getpid()) + ".tmp", O_WRONLY | O_CREAT | O_TRUNC);
+  const Output temporary(beside(target), O_WRONLY | O_CREAT | O_TRUNC);
   if (temporary.write(text) && temporary.sync() && temporary.move_to(target)) return;
   const int error = errno;
   temporary.remove();

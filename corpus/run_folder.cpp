@@ -40,7 +40,7 @@ std::string key_in(const fs::path& path) {
   }
 }
 
-/// The temporaries of a write that was cut off: NAME.PID.tmp.
+/// The temporaries of a write that was cut off: NAME.HOST.PID.N.tmp.
 void remove_temporaries(const fs::path& folder) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {

@@ -96,20 +96,16 @@ class Session {
 };
 
 /// How rank 0's folder is known again: a file there, and what is in it.
-std::filesystem::path token_in(const ChunkFolder& chunks) {
-  return chunks.path() / "run";
-}
-
 std::uint64_t new_token(const ChunkFolder& chunks) {
   const auto now = std::chrono::system_clock::now().time_since_epoch().count();
   const auto token = static_cast<std::uint64_t>(now) ^ static_cast<std::uint64_t>(getpid()) << 48U;
-  write_file(token_in(chunks), std::to_string(token) + "\n");
+  write_file(chunks.token(), std::to_string(token) + "\n");
   return token;
 }
 
 void require_token(const ChunkFolder& chunks, std::uint64_t token, int rank) {
   std::uint64_t found = 0;
-  std::ifstream(token_in(chunks)) >> found;
+  std::ifstream(chunks.token()) >> found;
   if (found != token)
     throw InputFailure(chunks.path().string(), 0, "--out",
                        fmt::format("rank {} does not find there what rank 0 wrote: all must see one folder", rank));
@@ -123,9 +119,9 @@ Work work_of(const ChunkFolder& chunks, std::function<std::optional<Shard>()> ne
     if (!part.interrupted) chunks.put(chunk, part);
     if (!part.interrupted || chunks.has(chunk)) done(chunk);
   };
-  // Rank 0 removes the folder when all is done.
+  // Rank 0 removes the token when all is done.
   const auto in_vain = [&chunks](const Shard& chunk) {
-    return chunks.has(chunk) || !std::filesystem::exists(chunks.path());
+    return chunks.has(chunk) || !std::filesystem::exists(chunks.token());
   };
   return {std::move(next), take, in_vain};
 }

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <regex>
 #include <system_error>
 
 #include "corpus/case.hpp"
@@ -15,21 +15,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPart = ".part";
+constexpr const char* kToken = "campaign-mpi.run";
 
-/// Two machines may have a process of one number each.
-std::string host_name() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "host";
+std::vector<fs::path> files_named(const fs::path& folder, const std::regex& name) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && std::regex_match(entry.path().filename().string(), name))
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 std::vector<fs::path> part_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  if (!fs::exists(folder)) return files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == kPart) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
+  static const std::regex name(R"(\d+-of-\d+\.part)");
+  return files_named(folder, name);
+}
+
+/// All that campaigns write there, and what write_file() leaves of it where it is killed.
+std::vector<fs::path> own_files(const fs::path& folder) {
+  static const std::regex name(R"((\d+-of-\d+\.part|campaign-mpi\.run)(\..+\.\d+\.tmp)?)");
+  return files_named(folder, name);
 }
 
 void require_part_of(const Asked& whole, const Asked& part, const fs::path& file) {
@@ -85,7 +91,11 @@ void ChunkFolder::open(bool resume) const {
 }
 
 fs::path ChunkFolder::file(const Shard& chunk) const {
-  return path_ / fmt::format("{}-of-{}{}", chunk.number, chunk.count, kPart);
+  return path_ / fmt::format("{}-of-{}.part", chunk.number, chunk.count);
+}
+
+fs::path ChunkFolder::token() const {
+  return path_ / kToken;
 }
 
 bool ChunkFolder::has(const Shard& chunk) const {
@@ -101,11 +111,7 @@ std::vector<Shard> ChunkFolder::missing() const {
 }
 
 void ChunkFolder::put(const Shard& chunk, const Results& part) const {
-  const fs::path place = file(chunk), beside = place.string() + "." + host_name();
-  write_file(beside, format_part(part));
-  std::error_code error;
-  fs::rename(beside, place, error);
-  if (error) throw InputFailure(place.string(), 0, "--out", "cannot write there: " + error.message());
+  write_file(file(chunk), format_part(part));
 }
 
 Results ChunkFolder::read() const {
@@ -115,16 +121,17 @@ Results ChunkFolder::read() const {
 }
 
 void ChunkFolder::remove() const {
-  // Under another name first: what is left of a removal that is cut short is no chunk.
-  const fs::path old = path_.string() + ".old";
   std::error_code error;
-  fs::remove_all(old, error);
-  fs::rename(path_, old, error);
-  fs::remove_all(old, error);
+  // The token first: whoever still works sees by it that it is over.
+  fs::remove(token(), error);
+  for (const fs::path& file : own_files(path_))
+    if (!fs::remove(file, error) && error)
+      throw InputFailure(file.string(), 0, "--out", "cannot be removed: " + error.message());
+  (void)::rmdir(path_.c_str());  // stays where other files lie in it
 }
 
 std::optional<Results> read_finished(const fs::path& out, const Asked& asked) {
-  if (fs::exists(out / "chunks") || !fs::exists(out / "campaign.bins")) return std::nullopt;
+  if (!part_files(out / "chunks").empty() || !fs::exists(out / "campaign.bins")) return std::nullopt;
   Results results = read_results(out);
   require_part_of(asked, results.asked, out / "campaign.bins");
   if (results.incomplete()) return std::nullopt;

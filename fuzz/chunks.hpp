@@ -54,10 +54,14 @@ class ChunkFolder {
   [[nodiscard]] std::uint64_t of_chunks() const { return whole_.shards; }
   [[nodiscard]] bool has(const Shard& chunk) const;
   [[nodiscard]] std::vector<Shard> missing() const;
-  /// All at once or not at all: the file is written beside its place and moved there. Throws InputFailure.
+  /// All at once or not at all: the file is written beside its place and moved there, also where others keep a copy of the chunk
+  /// at that moment. Throws InputFailure.
   void put(const Shard& chunk, const Results& part) const;
   /// What is done, added up; throws InputFailure for a part that cannot be read or is of another campaign.
   [[nodiscard]] Results read() const;
+  /// A file for the processes of one campaign: it is there while the campaign runs.
+  [[nodiscard]] std::filesystem::path token() const;
+  /// What campaigns wrote there, and the folder unless other files lie in it. Throws InputFailure for what cannot be removed.
   void remove() const;
 
  private:
@@ -67,7 +71,7 @@ class ChunkFolder {
   Asked whole_;  ///< with the chunks as its shards
 };
 
-/// The campaign in DIR, when it is done: no chunks, and no word of an interrupt. Throws InputFailure when it is another.
+/// The campaign in DIR, when it is done: no chunk is there, and no word of an interrupt. Throws InputFailure when it is another.
 [[nodiscard]] std::optional<Results> read_finished(const std::filesystem::path& out, const Asked& asked);
 
 }  // namespace plumb

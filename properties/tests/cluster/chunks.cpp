@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <set>
+#include <thread>
 
 #include "fuzz/campaign.hpp"
 #include "fuzz/merge.hpp"
@@ -135,10 +136,59 @@ TEST_F(ChunkFolders, PartsOfAnotherCampaignOrDamagedAreRefused) {
 
 TEST_F(ChunkFolders, WhatIsLeftOfAFileThatWasBeingWrittenIsNoChunk) {
   fs::create_directories(folder_ / "chunks");
-  write_file(part(1).string() + ".host.77.tmp", "half");
+  write_file(part(1).string() + ".host.77.1.tmp", "half");
   const ChunkFolder folder = chunks();
   folder.open(true);
   EXPECT_EQ(folder.missing().size(), 10u);
+  folder.remove();
+  EXPECT_FALSE(fs::exists(folder.path()));
+}
+
+TEST_F(ChunkFolders, OnlyWhatCampaignsWroteIsRemoved) {
+  const ChunkFolder folder = chunks();
+  const std::set<fs::path> others = {"data.txt", "data.part", "1-of-10.part.txt", "run", "1-of-2.part"};
+  fs::create_directories(folder.path() / "1-of-2.part");
+  for (const fs::path& file : others)
+    if (file != "1-of-2.part") write_file(folder.path() / file, "mine");
+  folder.open(false);
+  write_file(folder.token(), "1");
+  (void)run_campaign(sources(), options_, &folder);
+  EXPECT_TRUE(folder.missing().empty());
+  folder.remove();
+  std::set<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(folder.path())) left.insert(entry.path().filename());
+  EXPECT_EQ(left, others);
+}
+
+/// A process with two threads that keep a chunk again and again; it ends with 0 when each time went well.
+pid_t keep_in_process(const ChunkFolder& folder, const Shard& chunk, const Results& part) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  std::atomic<int> code{0};
+  const auto keep = [&] {
+    try {
+      for (int i = 0; i < 50; ++i) folder.put(chunk, part);
+    } catch (const InputFailure&) {
+      code = 1;
+    }
+  };
+  {
+    const std::jthread other(keep);
+    keep();
+  }
+  _exit(code);
+}
+
+TEST_F(ChunkFolders, CopiesOfAChunkMayBeKeptAtOnce) {
+  const ChunkFolder folder = chunks();
+  folder.open(false);
+  const Results part = run_campaign(sources(), options_);
+  for (const pid_t child : {keep_in_process(folder, {1, 10}, part), keep_in_process(folder, {1, 10}, part)}) {
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_TRUE(folder.has({1, 10}));
 }
 
 }  // namespace

@@ -68,6 +68,13 @@ inline pid_t process_in(const fs::path& folder, const std::string& program, cons
   return 0;
 }
 
+/// Kills it. A number of 0 would be the test and all that it started.
+inline void kill_in(const fs::path& folder, const std::string& program, const std::string& word) {
+  const pid_t process = process_in(folder, program, word);
+  ASSERT_GT(process, 0) << "no " << program << " with " << word << " runs in " << folder;
+  kill(process, SIGKILL);
+}
+
 /// A folder for each test, and commands in it with the programs in the path.
 class Cluster : public testing::Test {
  protected:

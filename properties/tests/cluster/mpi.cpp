@@ -23,7 +23,7 @@ class Mpi : public Cluster {
   void kill_rank(pid_t child, const std::string& out) const {
     ASSERT_TRUE(once(
         child, [&] { return chunks_done(folder_ / out) > 0; },
-        [&] { kill(process_in(folder_, "plumb-campaign-mpi", "OMPI_COMM_WORLD_RANK=1"), SIGKILL); }));
+        [&] { kill_in(folder_, "plumb-campaign-mpi", "OMPI_COMM_WORLD_RANK=1"); }));
     waitpid(child, nullptr, 0);
   }
   void expect_whole(const std::string& out) const {

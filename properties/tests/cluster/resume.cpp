@@ -56,6 +56,17 @@ TEST_F(Cluster, AFinishedCampaignIsShownAgain) {
   EXPECT_EQ(text_in(folder_ / "out" / "campaign.bins"), bins);
 }
 
+TEST_F(Cluster, FilesOfOthersInTheFolderStay) {
+  const std::string few = "plumb campaign --family spheroid --cases 5 --seed 5 --method auto --out out";
+  fs::create_directories(folder_ / "out" / "chunks");
+  for (const char* file : {"out/chunks/mydata.txt", "out/chunks.old"}) write_file(folder_ / file, "mine");
+  EXPECT_EQ(run(few), 0) << stderr_text();
+  EXPECT_EQ(run(few + " --resume"), 0) << stderr_text();
+  EXPECT_EQ(stderr_text(), "");  // done: nothing was judged again
+  for (const char* file : {"out/chunks/mydata.txt", "out/chunks.old"}) EXPECT_EQ(text_in(folder_ / file), "mine");
+  EXPECT_EQ(chunks_done(folder_ / "out"), 0);
+}
+
 TEST_F(Cluster, WhatIsMissingOfAMergeIsNamed) {
   const std::string shard = "plumb campaign --family spheroid --cases 6 --seed 5 --method auto --shard ";
   ASSERT_EQ(run(shard + "1/3 --out one"), 0);
@@ -86,7 +97,7 @@ TEST_F(Cluster, AKilledShardOfGnuParallelIsDoneAgainAlone) {
   const pid_t child = start_command(in_folder(shards));
   ASSERT_TRUE(once(
       child, [&] { return chunks_done(folder_ / "out" / "shard-2") > 0; },
-      [&] { kill(process_in(folder_, "plumb-campaign", "2/2"), SIGKILL); }));
+      [&] { kill_in(folder_, "plumb-campaign", "2/2"); }));
   waitpid(child, nullptr, 0);
   EXPECT_FALSE(fs::exists(folder_ / "out" / "merged"));
   EXPECT_FALSE(fs::exists(folder_ / "out" / "shard-2" / "summary.json"));
