@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
+#include "corpus/dump_text.hpp"
 #include "corpus/json_text.hpp"
 #include "corpus/lammps/pair_arguments.hpp"
 #include "solver/scene/part.hpp"
@@ -17,8 +19,11 @@ namespace {
 /// Of the shortest radius: how far bodies may move together before LAMMPS lists their neighbours anew.
 constexpr double skin_share = 0.2;
 
-void add_numbers(std::string& text, std::span<const double> numbers) {
-  for (const double x : numbers) text += " " + shortest(x);
+/// Text that ends no comment of LAMMPS's and joins no line to it, as `&` at its end and three quotes do.
+std::string comment(std::string text) {
+  const auto acts = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f' || c == '&' || c == '"'; };
+  std::ranges::replace_if(text, acts, ' ');
+  return text;
 }
 
 std::string numbers_text(const Vec3<double>& x) {
@@ -78,31 +83,32 @@ void add_section(std::string& text, const char* name, std::size_t bodies, const 
   }
 }
 
-/// Diameters, as LAMMPS has them. The density is that of Shapes, which goes before that of Atoms.
+/// Diameters, as LAMMPS has them. The density is that of Shapes, which goes before that of Atoms. Without the scene's name: LAMMPS takes
+/// what is beyond 255 characters of a line for the next.
 std::string data_text(const Scene& scene, const World& world) {
   const std::size_t count = scene.bodies.size();
   const State& state = world.state;
   std::string text =
-      fmt::format("plumb: scene {}\n\n{} atoms\n{} ellipsoids\n2 atom types\n\n", scene.name, count, count);
+      fmt::format("plumb: the bodies of in.lammps\n\n{0} atoms\n{0} ellipsoids\n2 atom types\n\n", count);
   text += box_text(scene, world);
   add_section(text, "Atoms # ellipsoid", count, [&](std::size_t i) {
     text += fmt::format(" {} 1 {}", scene.bodies[i].is_fixed ? 2 : 1, shortest(scene.bodies[i].density));
-    add_numbers(text, state.position->entry(i));
+    add_dump_numbers(text, state.position->entry(i));
   });
   add_section(text, "Ellipsoids", count, [&](std::size_t i) {
     const Vec3<double> diameters = 2 * world.bodies.shape[i].semi_axes;
-    add_numbers(text, std::span(diameters.data(), 3));
-    add_numbers(text, to_be_read(std::as_const(*state.orientation).entry(i)));
+    add_dump_numbers(text, std::span(diameters.data(), 3));
+    add_dump_numbers(text, to_be_read(std::as_const(*state.orientation).entry(i)));
   });
   constexpr std::array<double, 3> still{};
   add_section(text, "Velocities", count, [&](std::size_t i) {
-    add_numbers(text, state.velocity->entry(i));
-    add_numbers(text, state.angular_momentum == nullptr ? std::span<const double>(still)
-                                                        : std::as_const(*state.angular_momentum).entry(i));
+    add_dump_numbers(text, state.velocity->entry(i));
+    add_dump_numbers(text, state.angular_momentum == nullptr ? std::span<const double>(still)
+                                                             : std::as_const(*state.angular_momentum).entry(i));
   });
   add_section(text, "Shapes", count, [&](std::size_t i) {
     const Superellipsoid<double>& shape = world.bodies.shape[i];
-    add_numbers(text, std::array{shape.n1, shape.n2, scene.bodies[i].density});
+    add_dump_numbers(text, std::array{shape.n1, shape.n2, scene.bodies[i].density});
   });
   return text;
 }
@@ -146,7 +152,7 @@ neighbor {} bin
 neigh_modify every 1 delay 0 check yes
 
 )",
-                                scene.name, shortest(skin_share * least));
+                                comment(scene.name), shortest(skin_share * least));
   out += forces_text(scene);
   out += fmt::format(R"(fix motion moves plumb/nve
 timestep {}

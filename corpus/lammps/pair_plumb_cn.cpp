@@ -148,9 +148,9 @@ scene::SceneBody PairPlumbCn::body(int i) const {
   out.density = atom->dvector[density_][i];
   out.is_fixed = is_fixed(i);
   const plumb::Pair alone{out.body, out.body};
-  if (!is_valid(alone))
-    error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: {}; fix property/atom needs `ghost yes`", atom->tag[i],
-                                  std::string(find_input_error(alone).reason)));
+  if (const InputError wrong = find_input_error(alone); !wrong.reason.empty())
+    error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: {}: {}{}", atom->tag[i], wrong.field, wrong.reason,
+                                  i < atom->nlocal ? "" : "; fix property/atom needs `ghost yes`"));
   if (!(std::isfinite(out.density) && out.density > 0))
     error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: d_density must be a positive number", atom->tag[i]));
   return out;
@@ -287,9 +287,21 @@ void PairPlumbCn::compute(int eflag, int vflag) {
   const double step = update->setupflag != 0 ? 0 : update->dt;
   part_->press(static_cast<double>(update->ntimestep) * update->dt, step);
   add_forces();
+  if (eflag_atom != 0) share_energy();
   if (eflag_global == 0) return;
   const auto& pairs = part_->world().contacts.pairs;
   eng_vdwl += part_->energy([&](std::size_t contact) { return is_owned(pairs[contact][0]); });
+}
+
+/// Half of a contact's for each of its atoms; a wall has none, and its contact's is all the atom's.
+void PairPlumbCn::share_energy() {
+  const auto& pairs = part_->world().contacts.pairs;
+  const std::vector<double> energies = part_->energies();
+  for (std::size_t c = 0; c < pairs.size(); ++c) {
+    const double share = pairs[c][1] < atom_of_body_.size() ? 0.5 : 1;
+    for (const std::uint32_t body : pairs[c])
+      if (is_owned(body)) eatom[atom_of_body_[body]] += share * energies[c];
+  }
 }
 
 void PairPlumbCn::add_forces() const {

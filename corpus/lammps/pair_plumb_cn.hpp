@@ -61,6 +61,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void refuse_two_images() const;
   void place_bodies();
   void add_forces() const;
+  void share_energy();
   [[nodiscard]] bool is_fixed(int atom) const;
   [[nodiscard]] bool is_owned(std::uint32_t body) const;
   /// The atom's ID, or for a wall -1, -2, ..

@@ -104,17 +104,36 @@ void Part::close() {
   run_all(closing_);
 }
 
+double Part::stored_energy() const {
+  double sum = 0;
+  for (const StoredEnergy& stored : world_.energies)
+    if (stored.owner != Gravity::name) sum += stored.energy();
+  return sum;
+}
+
 double Part::energy(const std::function<bool(std::size_t contact)>& counts) {
   Contacts& contacts = world_.contacts;
   const auto touching = contacts.touching, pressing = contacts.pressing;
   for (auto* list : {&contacts.touching, &contacts.pressing})
     std::erase_if(*list, [&](std::uint32_t contact) { return !counts(contact); });
-  double sum = 0;
-  for (const StoredEnergy& stored : world_.energies)
-    if (stored.owner != Gravity::name) sum += stored.energy();
+  const double sum = stored_energy();
   contacts.touching = touching;
   contacts.pressing = pressing;
   return sum;
+}
+
+std::vector<double> Part::energies() {
+  Contacts& contacts = world_.contacts;
+  const auto touching = std::exchange(contacts.touching, {}), pressing = std::exchange(contacts.pressing, {});
+  std::vector<double> out(contacts.pairs.size());
+  for (const std::uint32_t contact : touching) {
+    contacts.touching = {contact};
+    contacts.pressing.assign(std::ranges::binary_search(pressing, contact) ? 1 : 0, contact);
+    out[contact] = stored_energy();
+  }
+  contacts.touching = touching;
+  contacts.pressing = pressing;
+  return out;
 }
 
 std::string Part::history_names() const {

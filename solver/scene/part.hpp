@@ -51,6 +51,8 @@ class Part {
 
   /// What the effects store in those contacts that `counts` takes.
   [[nodiscard]] double energy(const std::function<bool(std::size_t contact)>& counts);
+  /// The same of each contact.
+  [[nodiscard]] std::vector<double> energies();
 
   /// Numbers that a contact remembers.
   [[nodiscard]] std::size_t history_width() const { return width_; }
@@ -68,6 +70,8 @@ class Part {
   [[nodiscard]] const Round& totals() const { return totals_; }
 
  private:
+  [[nodiscard]] double stored_energy() const;
+
   Scene probe_;
   Plan plan_;
   World world_;

@@ -65,6 +65,18 @@ TEST(LammpsFiles, NameEveryBodyWallAndEffect) {
   EXPECT_NE(files.data.find("\n12 atoms\n12 ellipsoids\n"), std::string::npos);
 }
 
+// Text of a scene's file that LAMMPS would run or count by.
+TEST(LammpsFiles, ANameIsNoCommand) {
+  Scene scene = without(crowd(), Conduction::name);
+  const LammpsFiles plain = lammps_files(scene, make_plan(scene));
+  scene.name = "a\nshell touch made\r\n\"\"\"b\"\"\" " + std::string(300, 'c') + "\n7 atoms\n&";
+  const LammpsFiles named = lammps_files(scene, make_plan(scene));
+  const std::string first = named.script.substr(0, named.script.find('\n') + 1);
+  EXPECT_EQ(first, "# plumb: scene a shell touch made     b    " + std::string(300, 'c') + " 7 atoms  \n");
+  EXPECT_EQ(named.script.substr(first.size()), plain.script.substr(plain.script.find('\n') + 1));
+  EXPECT_EQ(named.data, plain.data);
+}
+
 // LAMMPS divides each quaternion by its norm as it reads it.
 TEST(LammpsFiles, OrientationsAreReadAsTheyAreToTheBit) {
   const Scene scene = without(crowd(), Conduction::name);

@@ -1,6 +1,9 @@
 // One scene by plumb and by LAMMPS on 1, 2 and 4 processes: the same trajectory.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <sstream>
+
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
@@ -106,6 +109,48 @@ TEST_F(InLammps, HertzAndFixedBodies) {
   run_for(scene, 1e-3, 250);
   EXPECT_GT(pressing_steps(scene), 25);
   EXPECT_EQ(largest_deviation(scene, {1, 2}), 0);
+}
+
+// Of bodies that touch each other, walls, and across the border of two processes.
+TEST_F(InLammps, EnergiesOfAtomsSumUpToThatOfAll) {
+  Scene scene = without(crowd(), Conduction::name);
+  run_for(scene, 5e-4, 300);
+  export_to(path_ / "scene", scene, make_plan(scene));
+  const std::string script = read("scene/in.lammps"), run_line = script.substr(script.rfind("run "));
+  (void)file("scene/in.lammps", script.substr(0, script.rfind("run ")) + R"--(compute each all pe/atom
+compute sum all reduce sum c_each
+thermo_modify norm no
+fix sums all print 60 "$(pe:%.17g) $(c_sum:%.17g)" file sums.txt title ""
+)--" + run_line);
+  for (const int count : {1, 2}) {
+    ASSERT_TRUE(run_lammps(path_ / "scene", lammps_program, count)) << read("scene/log." + std::to_string(count));
+    std::istringstream in(read("scene/sums.txt"));
+    int pressed = 0;
+    for (double all = 0, sum = 0; in >> all >> sum; pressed += all != 0 ? 1 : 0)
+      EXPECT_NEAR(sum, all, 1e-10 * std::abs(all));
+    EXPECT_GT(pressed, 1);
+  }
+}
+
+TEST_F(InLammps, AnIllegalAtomIsNamedWithItsField) {
+  const auto refused = [&](const std::string& ghosts, const std::string& n1) {
+    (void)file(
+        "in.txt",
+        "units lj\natom_style ellipsoid\nnewton off\ncomm_modify vel yes\nregion box block 0 1 0 1 0 1\n"
+        "create_box 1 box\nfix shapes all property/atom d_n1 d_n2 d_density" +
+            ghosts +
+            "\ncreate_atoms 1 single 0.02 0.5 0.5\ncreate_atoms 1 single 0.98 0.5 0.5\nset group all shape 0.1 0.1 "
+            "0.1\nset group all d_n1 " +
+            n1 +
+            "\nset group all d_n2 2\nset group all d_density 1\npair_style plumb/cn linear.stiffness 1\n"
+            "pair_coeff * *\nfix motion all plumb/nve\nrun 0\n");
+    return run("cd " + path_.string() + " && " + lammps_program + " -in in.txt -log none 2>&1 | grep ERROR").out;
+  };
+  const std::string field = "shape.superellipsoid.exponents[0]: must be finite and above 1";
+  EXPECT_NE(refused(" ghost yes", "0.5").find(": atom 1: " + field + " ("), std::string::npos);
+  const std::string of_ghost = refused("", "2");
+  EXPECT_NE(of_ghost.find(field + "; fix property/atom needs `ghost yes`"), std::string::npos) << of_ghost;
+  EXPECT_EQ(refused(" ghost yes", "2"), "");
 }
 
 TEST_F(InLammps, RefusesInOneLineWhatItCannotDo) {

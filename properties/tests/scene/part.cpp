@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
@@ -49,6 +50,11 @@ class TwoParts {
       sum += parts_[k]->energy(
           [&](std::size_t contact) { return parts_[k]->world().contacts.pairs[contact][0] % 2 == k; });
     return sum;
+  }
+  /// Of all contacts of one part, summed one by one, and at once.
+  [[nodiscard]] std::pair<double, double> energies() const {
+    const std::vector<double> each = parts_[0]->energies();
+    return {std::accumulate(each.begin(), each.end(), 0.0), parts_[0]->energy([](std::size_t) { return true; })};
   }
 
  private:
@@ -157,6 +163,8 @@ TEST(Part, TwoOfThemMoveAsTheScene) {
     EXPECT_GT(run->totals().lists, 3);
     EXPECT_GT(run->world().contacts.pressing.size(), 5U);
     EXPECT_NEAR(parts.energy(), elastic_energy(*run), 1e-12 * std::abs(elastic_energy(*run)));
+    const auto [one_by_one, at_once] = parts.energies();
+    EXPECT_NEAR(one_by_one, at_once, 1e-12 * std::abs(at_once));
   }
 }
 
