@@ -24,6 +24,7 @@
  *                  some microseconds where it is wrong, has no points, or says of close bodies no more than that they do not touch.
  * What it keeps    the first of each bucket (finding, shapes, depth), across all runs and processes that share the folder.
  * Any thread may call plumb_record and plumb_recorder_begin: no lock, no allocation. A null recorder is legal and does nothing.
+ * A child of fork() opens one of its own.
  */
 #ifndef PLUMB_RECORDER_H
 #define PLUMB_RECORDER_H
@@ -67,10 +68,10 @@ enum plumb_recorder_lacks { PLUMB_LACKS_OVERLAP = 1, PLUMB_LACKS_NORMAL = 2, PLU
 
 /* plumb_recorder_defaults has what to start from. */
 typedef struct plumb_recorder_options {
-  double
-      tolerance; /* error that is no news: angles in rad, lengths relative to the larger body; 0: what rounding allows */
+  double tolerance;      /* error that is no news: angles in rad, lengths relative to the larger body; 0: what rounding
+                    allows; negative or not finite: the default */
   unsigned lacks;        /* of enum plumb_recorder_lacks, added */
-  unsigned max_files;    /* case files that this recorder writes, and as many samples */
+  unsigned max_files;    /* case files that this recorder writes, and as many samples; what is there already is none */
   uint64_t sample_every; /* every so many calls of a thread the answer becomes a file, whatever it is; 0: none */
   int sync;              /* 1: a file outlives a loss of power as well (fsync) */
 } plumb_recorder_options;
@@ -90,7 +91,9 @@ plumb_recorder_options plumb_recorder_defaults(void);
 /* Makes the folder where it is not there, and keeps as `crash` what runs that ended inside the foreign solver left in it. Null
  * options: the defaults. A folder that cannot be written leaves a recorder that judges and counts; null: no memory. */
 plumb_recorder* plumb_recorder_open(const char* folder, const plumb_recorder_options* options);
-/* The pair that is solved next on this thread, until plumb_record: of what ends the process meanwhile a trace stays. */
+/* The pair that is solved next on this thread, until plumb_record or the next begin: of what ends the process meanwhile a trace
+ * stays, but for exit() and a return from main. One pair for each thread and recorder. Record on every path: a thread that ends
+ * with a pair begun leaves it in flight, until another thread needs its place. */
 void plumb_recorder_begin(plumb_recorder* recorder, const plumb_recorder_body* body1, const plumb_recorder_body* body2);
 /* 0 when nothing looks wrong, otherwise of enum plumb_recorder_finding. */
 int plumb_record(plumb_recorder* recorder, const plumb_recorder_body* body1, const plumb_recorder_body* body2,
@@ -134,6 +137,8 @@ int plumb_recorder_recover(const char* folder);
 enum {
   plumb__stripes = 64, /* of counters, so that threads do not share one */
   plumb__slots = 64,   /* of pairs that are being solved */
+  plumb__probes = 8,   /* slots where a thread may have its pair */
+  plumb__opened = 256, /* recorders that keep traces */
   plumb__classes = 24, /* shape kinds times slenderness */
   plumb__regimes = 6,
   plumb__buckets = PLUMB_FINDINGS * plumb__classes * plumb__regimes,
@@ -142,7 +147,7 @@ enum {
 };
 
 typedef struct plumb__slot {
-  int state; /* 0 free, 1 claimed, 2 a pair in flight */
+  unsigned state; /* 0 free, 1 claimed, else a pair in flight, and 1 + the number of the thread */
   plumb_recorder_body bodies[2];
   char spare[56];
 } plumb__slot;
@@ -154,18 +159,19 @@ struct plumb_recorder {
     char spare[112];
   } stripes[plumb__stripes];
   uint64_t counts[plumb__buckets];
-  char kept[plumb__buckets]; /* 0 no, 1 being written, 2 yes */
-  unsigned files, samples;
+  char kept[plumb__buckets];    /* 0 no, 1 being written, 2 yes */
+  unsigned files, samples, run; /* run: in the names of its samples */
   uint64_t unwritten, temporaries;
   int has_problem; /* 1: being written, 2: there */
   char problem[plumb__path + 128], folder[1024], flight[plumb__path];
   int flight_file;
+  long process;
   plumb__slot* slots;
 };
 
 static __thread struct {
   unsigned stripe; /* from 1 */
-  plumb__slot* slot;
+  unsigned begun;  /* pairs in flight, in whatever recorders */
 } plumb__thread;
 
 /* ---- shapes. F = (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1, gauge = F^(1/n1) ---- */
@@ -316,9 +322,9 @@ static plumb__allowed plumb__allow(const plumb__pair* pair, double tolerance) {
 }
 
 static int plumb__is_finite(const double* v, int count) {
-  double zero = 0;
-  for (int i = 0; i < count; ++i) zero += v[i] * 0;
-  return zero == 0;
+  int is_finite = 1;
+  for (int i = 0; i < count; ++i) is_finite &= fabs(v[i]) <= DBL_MAX;
+  return is_finite;
 }
 
 static int plumb__is_legal(const plumb_recorder_body* body) {
@@ -327,7 +333,8 @@ static int plumb__is_legal(const plumb_recorder_body* body) {
          s[4] > 1 && (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0);
 }
 
-/* Whether the point is on the body within `length`, and its normal along `sign` times n within `angle`; n unit, all but. */
+/* Whether the point is on the body within `length`, and its normal along `sign` times n within `angle`; n unit, all but. Of a point
+ * so far out that squares overflow: no. */
 static int plumb__fits(const plumb__placed* body, const double* point, const double* n, double sign,
                        const plumb__allowed* allowed) {
   const double from_centre[3] = {point[0] - body->centre[0], point[1] - body->centre[1], point[2] - body->centre[2]};
@@ -336,8 +343,8 @@ static int plumb__fits(const plumb__placed* body, const double* point, const dou
   plumb__to_body(body, n, u);
   const double excess = (plumb__level(body->shape, x, g) - 1) / body->shape[3], square = plumb__dot(g, g);
   const double across[3] = {g[1] * u[2] - g[2] * u[1], g[2] * u[0] - g[0] * u[2], g[0] * u[1] - g[1] * u[0]};
-  return excess * excess <= allowed->length * allowed->length * square && sign * plumb__dot(g, u) > 0 &&
-         plumb__dot(across, across) <= allowed->angle * allowed->angle * square;
+  return fabs(excess) <= 1 && excess * excess <= allowed->length * allowed->length * square &&
+         sign * plumb__dot(g, u) > 0 && plumb__dot(across, across) <= allowed->angle * allowed->angle * square;
 }
 
 /* The quick way: a whole answer that fits. Whatever is no number fails a comparison. */
@@ -490,18 +497,29 @@ static int plumb__verdict(const plumb__pair* pair, double deep, double apart) {
   return plumb__shares_ball(pair, x1, x2, deep);
 }
 
+/* No less than the distance of the bodies: that of their surfaces along the line of centres. */
+static double plumb__distance_bound(const plumb__pair* pair) {
+  const double* d = pair->apart;
+  const double reach1 = pair->distance / plumb__gauge_at(&pair->body[0], d);
+  const double reach2 = pair->distance / plumb__gauge_at(&pair->body[1], d);
+  return plumb__max(0, pair->distance - reach1 - reach2);
+}
+
+/* Of an overlap alone: its sign, and a distance that is too long. */
+static int plumb__judge_overlap(const plumb__pair* pair, const plumb_recorder_answer* a,
+                                const plumb__allowed* allowed) {
+  const int is_against = a->touching ? a->overlap < -allowed->depth : a->overlap > allowed->depth;
+  const int is_far = a->overlap < -allowed->depth && -a->overlap > plumb__distance_bound(pair) + allowed->depth;
+  return is_against || is_far ? PLUMB_FOUND_OVERLAP_ERROR : PLUMB_FOUND_NOTHING;
+}
+
 /* Of an answer without points: its own depth. */
 static int plumb__judge_normal(const plumb__pair* pair, const plumb_recorder_answer* a, const plumb__allowed* allowed) {
-  if (!plumb__is_finite(a->normal, 3)) return PLUMB_FOUND_NOTHING;
+  if (!plumb__is_finite(a->normal, 3)) return plumb__judge_overlap(pair, a, allowed);
   if (!plumb__has_unit_normal(a, allowed)) return PLUMB_FOUND_MISALIGNED;
   if (!plumb__is_finite(&a->overlap, 1)) return PLUMB_FOUND_NOTHING;
   return fabs(plumb__depth(pair, a->normal) - a->overlap) <= allowed->depth ? PLUMB_FOUND_NOTHING
                                                                             : PLUMB_FOUND_OVERLAP_ERROR;
-}
-
-static int plumb__judge_geometry(const plumb__pair* pair, const plumb_recorder_answer* a,
-                                 const plumb__allowed* allowed) {
-  return (plumb__is_finite(a->points[0], 6) ? plumb__judge_points : plumb__judge_normal)(pair, a, allowed);
 }
 
 /* The depth along the line of centres bounds the lowest. */
@@ -511,12 +529,18 @@ static int plumb__is_above_lowest(const plumb__pair* pair, double overlap, const
   return overlap > plumb__depth(pair, line) + allowed->depth;
 }
 
+static int plumb__judge_geometry(const plumb__pair* pair, const plumb_recorder_answer* a,
+                                 const plumb__allowed* allowed) {
+  const int has_points = plumb__is_finite(a->points[0], 6);
+  const int found = (has_points ? plumb__judge_points : plumb__judge_normal)(pair, a, allowed);
+  if (found != PLUMB_FOUND_NOTHING || !plumb__is_above_lowest(pair, a->overlap, allowed)) return found;
+  return has_points ? PLUMB_FOUND_WRONG_BRANCH : PLUMB_FOUND_OVERLAP_ERROR;
+}
+
 static int plumb__judge_contact(const plumb__pair* pair, const plumb_recorder_answer* a,
                                 const plumb__allowed* allowed) {
   if (plumb__shows_gap(pair, a->normal, allowed->depth)) return PLUMB_FOUND_FALSE_CONTACT;
-  int found = plumb__judge_geometry(pair, a, allowed);
-  const int is_above = found == PLUMB_FOUND_NOTHING && plumb__is_above_lowest(pair, a->overlap, allowed);
-  if (is_above) found = plumb__is_finite(a->points[0], 6) ? PLUMB_FOUND_WRONG_BRANCH : PLUMB_FOUND_OVERLAP_ERROR;
+  const int found = plumb__judge_geometry(pair, a, allowed);
   const int has_some = plumb__is_finite(a->normal, 3) || plumb__is_finite(a->points[0], 6);
   if (found == PLUMB_FOUND_NOTHING && has_some) return found;
   const int verdict = plumb__verdict(pair, 0, allowed->depth);
@@ -543,6 +567,15 @@ static plumb_recorder_answer plumb__given(const plumb_recorder_answer* a, unsign
   return out;
 }
 
+/* The fields that `lacks` does not name: all of them NaN. */
+static int plumb__says_nothing(const plumb_recorder_answer* a, unsigned lacks) {
+  const double *n = a->normal, *p = a->points[0], *q = a->points[1];
+  return ((lacks & PLUMB_LACKS_OVERLAP) || isnan(a->overlap)) &&
+         ((lacks & PLUMB_LACKS_NORMAL) || (isnan(n[0]) && isnan(n[1]) && isnan(n[2]))) &&
+         ((lacks & PLUMB_LACKS_POINTS) ||
+          (isnan(p[0]) && isnan(p[1]) && isnan(p[2]) && isnan(q[0]) && isnan(q[1]) && isnan(q[2])));
+}
+
 /* Fields that are half there, or infinite, or in a contact not there at all though the code gives them. */
 static int plumb__is_broken(const plumb_recorder_answer* a, unsigned lacks) {
   const double* values[3] = {&a->overlap, a->normal, a->points[0]};
@@ -562,10 +595,10 @@ static int plumb__judge(const plumb_recorder_options* options, const plumb_recor
   plumb__pair pair;
   plumb__place_pair(&pair, body1, body2);
   const plumb__allowed allowed = plumb__allow(&pair, options->tolerance), rounding = plumb__allow(&pair, 0);
-  if (!plumb__is_in_range(&pair)) return -1;
-  if (!a->touching && isnan(a->points[0][0]) && plumb__is_apart_at_once(&pair)) return PLUMB_FOUND_NOTHING;
+  if (!plumb__is_in_range(&pair) || !plumb__is_legal(body1) || !plumb__is_legal(body2)) return -1;
+  if (!a->touching && plumb__says_nothing(a, options->lacks) && plumb__is_apart_at_once(&pair))
+    return PLUMB_FOUND_NOTHING;
   if (!options->lacks && plumb__is_right(&pair, a, &allowed)) return PLUMB_FOUND_NOTHING;
-  if (!plumb__is_legal(body1) || !plumb__is_legal(body2)) return -1;
   const plumb_recorder_answer given = plumb__given(a, options->lacks);
   if (plumb__is_broken(a, options->lacks)) return PLUMB_FOUND_NOT_FINITE;
   int (*const judge)(const plumb__pair*, const plumb_recorder_answer*, const plumb__allowed*) =
@@ -708,14 +741,14 @@ static void plumb__put_case(plumb__writer* out, const char* name, int finding, u
   plumb__put_numbers(out, ", \"tolerance\": ", &options->tolerance, 1, "}}\n");
 }
 
-/* The first problem is kept: a full disk is told once. */
+/* -1. The first problem is kept: a full disk is told once. */
 static int plumb__fail(plumb_recorder* recorder, const char* path, int error) {
   int none = 0;
   (void)__atomic_fetch_add(&recorder->unwritten, 1, __ATOMIC_RELAXED);
-  if (!__atomic_compare_exchange_n(&recorder->has_problem, &none, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return 0;
+  if (!__atomic_compare_exchange_n(&recorder->has_problem, &none, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return -1;
   (void)snprintf(recorder->problem, sizeof recorder->problem, "%s: %s", path, strerror(error));
   __atomic_store_n(&recorder->has_problem, 2, __ATOMIC_RELEASE);
-  return 0;
+  return -1;
 }
 
 static int plumb__write_all(int file, const char* text, size_t size) {
@@ -727,22 +760,46 @@ static int plumb__write_all(int file, const char* text, size_t size) {
   return 1;
 }
 
-/* By way of a temporary beside it, so that what has the name is whole. A file of that name is left as it is. */
+/* 1: the file has its name; 0: there is another of that name, which stays; -1: neither. Where a file can have one name only, two
+ * processes may both have 1. */
+static int plumb__name_file(const char* beside, const char* path) {
+  if (link(beside, path) == 0) {
+    (void)unlink(beside);
+    return 1;
+  }
+  if (errno == EEXIST || access(path, F_OK) == 0) return 0;
+  return rename(beside, path) == 0 ? 1 : -1;
+}
+
+/* `beside` is where: a name that nobody has. */
+static int plumb__open_beside(plumb_recorder* recorder, const char* path, char* beside, size_t size) {
+  int file = -1;
+  for (int i = 0; i < 1000; ++i) {
+    const uint64_t number = __atomic_fetch_add(&recorder->temporaries, 1, __ATOMIC_RELAXED);
+    (void)snprintf(beside, size, "%s.%ld.%llu.tmp", path, (long)getpid(), (unsigned long long)number);
+    file = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0 || errno != EEXIST) break;
+  }
+  return file;
+}
+
+/* 1: written; 0: a file of that name is there already, and is left as it is; -1: failed. By way of a temporary beside it, so that
+ * what has the name is whole. */
 static int plumb__write_file(plumb_recorder* recorder, const char* name, const plumb__writer* text) {
   char path[plumb__path], beside[plumb__path + 64];
-  const uint64_t number = __atomic_fetch_add(&recorder->temporaries, 1, __ATOMIC_RELAXED);
   (void)snprintf(path, sizeof path, "%s/%s.json", recorder->folder, name);
-  (void)snprintf(beside, sizeof beside, "%s.%ld.%llu.tmp", path, (long)getpid(), (unsigned long long)number);
-  if (access(path, F_OK) == 0) return 1;
-  const int file = open(beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (access(path, F_OK) == 0) return 0;
+  const int file = plumb__open_beside(recorder, path, beside, sizeof beside);
   if (file < 0) return plumb__fail(recorder, path, errno);
-  int is_written = plumb__write_all(file, text->text, text->used) && (!recorder->options.sync || fsync(file) == 0);
+  const int is_whole = plumb__write_all(file, text->text, text->used) && (!recorder->options.sync || fsync(file) == 0);
   int error = errno;
-  if (close(file) != 0 && is_written) is_written = 0, error = errno;
-  if (is_written && rename(beside, path) == 0) return 1;
-  if (is_written) error = errno;
+  const int is_closed = close(file) == 0;
+  if (is_whole && !is_closed) error = errno;
+  const int named = is_whole && is_closed ? plumb__name_file(beside, path) : -1;
+  if (named > 0) return 1;
+  if (is_whole && is_closed) error = errno;
   (void)unlink(beside);
-  return plumb__fail(recorder, path, error);
+  return named < 0 ? plumb__fail(recorder, path, error) : 0;
 }
 
 /* One of max_files. */
@@ -753,48 +810,57 @@ static int plumb__take(unsigned* taken, unsigned most) {
   return 0;
 }
 
-/* Counts it, and writes the first of its bucket; after a failure again at the 2nd, 4th, 8th.. */
-static void plumb__keep(plumb_recorder* recorder, int finding, uint64_t call,
-                        const plumb_recorder_body* const bodies[2], const plumb_recorder_answer* answer) {
+/* Counts it, and writes the first of its bucket; after a failure again at the 2nd, 4th, 8th.. Whether the bucket has its file. */
+static int plumb__keep(plumb_recorder* recorder, int finding, uint64_t call, const plumb_recorder_body* const bodies[2],
+                       const plumb_recorder_answer* answer) {
   const int bucket = plumb__bucket(finding, bodies[0], bodies[1], answer ? answer->overlap : NAN);
   const uint64_t count = __atomic_add_fetch(&recorder->counts[bucket], 1, __ATOMIC_RELAXED);
   char* const kept = &recorder->kept[bucket];
-  char name[128], no = 0;
+  char name[128], now = __atomic_load_n(kept, __ATOMIC_RELAXED);
   plumb__writer text;
-  if ((count & (count - 1)) != 0 || __atomic_load_n(kept, __ATOMIC_RELAXED) != 0) return;
-  if (!__atomic_compare_exchange_n(kept, &no, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return;
-  int is_kept = 0;
+  if ((count & (count - 1)) != 0 || now != 0) return now == 2;
+  if (!__atomic_compare_exchange_n(kept, &now, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return 0;
+  int written = -1;
   if (plumb__take(&recorder->files, recorder->options.max_files)) {
     text.used = 0;
     plumb__bucket_name(bucket, name, sizeof name);
     plumb__put_case(&text, name, finding, call, &recorder->options, bodies, answer);
-    is_kept = plumb__write_file(recorder, name, &text);
-    if (!is_kept) (void)__atomic_fetch_sub(&recorder->files, 1, __ATOMIC_RELAXED);
+    written = plumb__write_file(recorder, name, &text);
+    if (written <= 0) (void)__atomic_fetch_sub(&recorder->files, 1, __ATOMIC_RELAXED);
   }
-  __atomic_store_n(kept, is_kept ? 2 : 0, __ATOMIC_RELAXED);
+  __atomic_store_n(kept, written >= 0 ? 2 : 0, __ATOMIC_RELAXED);
+  return written >= 0;
 }
 
+/* Named by run, thread and call; a run that is another's as well takes the next number. */
 static void plumb__sample(plumb_recorder* recorder, uint64_t call, const plumb_recorder_body* const bodies[2],
                           const plumb_recorder_answer* answer) {
   char name[128];
   plumb__writer text;
+  int written = 0;
   if (!plumb__is_legal(bodies[0]) || !plumb__is_legal(bodies[1])) return;
   if (!plumb__take(&recorder->samples, recorder->options.max_files)) return;
-  (void)snprintf(name, sizeof name, "sample-%u-%llu", plumb__thread.stripe, (unsigned long long)call);
-  text.used = 0;
-  plumb__put_case(&text, name, PLUMB_FOUND_NOTHING, call, &recorder->options, bodies, answer);
-  if (!plumb__write_file(recorder, name, &text)) (void)__atomic_fetch_sub(&recorder->samples, 1, __ATOMIC_RELAXED);
+  for (int i = 0; written == 0 && i < 1000; ++i) {
+    const unsigned run = i == 0 ? __atomic_load_n(&recorder->run, __ATOMIC_RELAXED)
+                                : __atomic_add_fetch(&recorder->run, 1, __ATOMIC_RELAXED);
+    (void)snprintf(name, sizeof name, "sample-%u-%u-%llu", run, plumb__thread.stripe, (unsigned long long)call);
+    text.used = 0;
+    plumb__put_case(&text, name, PLUMB_FOUND_NOTHING, call, &recorder->options, bodies, answer);
+    written = plumb__write_file(recorder, name, &text);
+  }
+  if (written <= 0) (void)__atomic_fetch_sub(&recorder->samples, 1, __ATOMIC_RELAXED);
 }
 
 /* ---- pairs in flight: a file in memory, which the kernel keeps whatever ends the process ---- */
 
-static void plumb__recover_slot(plumb_recorder* recorder, const plumb__slot* slot) {
+/* Whether nothing is lost without it. */
+static int plumb__recover_slot(plumb_recorder* recorder, const plumb__slot* slot) {
   const plumb_recorder_body* const bodies[2] = {&slot->bodies[0], &slot->bodies[1]};
-  if (slot->state == 2 && plumb__is_legal(bodies[0]) && plumb__is_legal(bodies[1]))
-    plumb__keep(recorder, PLUMB_FOUND_CRASH, 0, bodies, NULL);
+  if (slot->state < 2 || !plumb__is_legal(bodies[0]) || !plumb__is_legal(bodies[1])) return 1;
+  return plumb__keep(recorder, PLUMB_FOUND_CRASH, 0, bodies, NULL);
 }
 
-/* Of a process that has ended: a living one holds the lock. */
+/* Of a process that has ended: a living one holds the lock. What could not be kept stays for the next to try. */
 static void plumb__recover_file(plumb_recorder* recorder, const char* name) {
   char path[plumb__path];
   plumb__slot slot;
@@ -802,18 +868,30 @@ static void plumb__recover_file(plumb_recorder* recorder, const char* name) {
   const int file = open(path, O_RDONLY | O_CLOEXEC);
   if (file < 0) return;
   if (flock(file, LOCK_EX | LOCK_NB) == 0) {
-    while (read(file, &slot, sizeof slot) == (ssize_t)sizeof slot) plumb__recover_slot(recorder, &slot);
-    if (recorder->unwritten == 0) (void)unlink(path);
+    int is_kept = 1;
+    ssize_t part = (ssize_t)sizeof slot;
+    while (part == (ssize_t)sizeof slot) {
+      part = read(file, &slot, sizeof slot);
+      if (part == (ssize_t)sizeof slot) is_kept &= plumb__recover_slot(recorder, &slot);
+    }
+    if (is_kept && part >= 0) (void)unlink(path);
   }
   (void)close(file);
 }
 
-static void plumb__recover_all(plumb_recorder* recorder) {
-  static const char prefix[] = "in-flight.";
+/* Traces that were left, and the number of this run: after those of the samples that are there. */
+static void plumb__look_into(plumb_recorder* recorder) {
+  static const char flight[] = "in-flight.", sample[] = "sample-";
+  unsigned long last = 0;
   DIR* const folder = opendir(recorder->folder);
   if (!folder) return;
-  for (const struct dirent* entry = readdir(folder); entry; entry = readdir(folder))
-    if (strncmp(entry->d_name, prefix, sizeof prefix - 1) == 0) plumb__recover_file(recorder, entry->d_name);
+  for (const struct dirent* entry = readdir(folder); entry; entry = readdir(folder)) {
+    if (strncmp(entry->d_name, flight, sizeof flight - 1) == 0) plumb__recover_file(recorder, entry->d_name);
+    if (strncmp(entry->d_name, sample, sizeof sample - 1) != 0) continue;
+    const unsigned long run = strtoul(entry->d_name + sizeof sample - 1, NULL, 10);
+    if (run > last && run < UINT32_MAX) last = run;
+  }
+  recorder->run = (unsigned)last + 1;
   (void)closedir(folder);
 }
 
@@ -828,8 +906,45 @@ static int plumb__lock_new(const char* path) {
   return -1;
 }
 
-static void plumb__open_flight(plumb_recorder* recorder) {
+static plumb_recorder* plumb__all_opened[plumb__opened];
+
+/* 0: one of the two is not there. */
+static int plumb__exchange_opened(plumb_recorder* from, plumb_recorder* to) {
+  for (int i = 0; i < plumb__opened; ++i) {
+    plumb_recorder* now = from;
+    if (__atomic_compare_exchange_n(&plumb__all_opened[i], &now, to, 0, __ATOMIC_ACQ_REL, __ATOMIC_RELAXED)) return 1;
+  }
+  return 0;
+}
+
+/* A child of fork leaves its parent's. */
+static void plumb__end_flight(const plumb_recorder* recorder) {
+  if (recorder->process == (long)getpid()) (void)unlink(recorder->flight);
+}
+
+/* exit() is no crash: what threads have begun goes with the file. */
+__attribute__((destructor)) static void plumb__at_exit(void) {
+  for (int i = 0; i < plumb__opened; ++i) {
+    plumb_recorder* const none = NULL;
+    const plumb_recorder* const recorder = __atomic_exchange_n(&plumb__all_opened[i], none, __ATOMIC_ACQ_REL);
+    if (recorder) plumb__end_flight(recorder);
+  }
+}
+
+/* Written, not stretched: a mapped page that the disk has no room for would end the process. */
+static plumb__slot* plumb__map_slots(int file) {
   static const char zero[plumb__slots * sizeof(plumb__slot)] = {0};
+  if (!plumb__write_all(file, zero, sizeof zero)) return NULL;
+  void* const at = mmap(NULL, sizeof zero, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  return at == MAP_FAILED ? NULL : (plumb__slot*)at;
+}
+
+static void plumb__unmap_slots(plumb_recorder* recorder) {
+  if (recorder->slots) (void)munmap(recorder->slots, sizeof(plumb__slot) * plumb__slots);
+  recorder->slots = NULL;
+}
+
+static void plumb__open_flight(plumb_recorder* recorder) {
   for (int i = 0; recorder->flight_file < 0 && i < 1000; ++i) {
     (void)snprintf(recorder->flight, sizeof recorder->flight, "%s/in-flight.%ld.%d", recorder->folder, (long)getpid(),
                    i);
@@ -840,10 +955,10 @@ static void plumb__open_flight(plumb_recorder* recorder) {
     (void)plumb__fail(recorder, recorder->flight, errno);
     return;
   }
-  /* Written, not stretched: a mapped page that the disk has no room for would end the process. */
-  if (plumb__write_all(recorder->flight_file, zero, sizeof zero)) {
-    void* const at = mmap(NULL, sizeof zero, PROT_READ | PROT_WRITE, MAP_SHARED, recorder->flight_file, 0);
-    if (at != MAP_FAILED) recorder->slots = (plumb__slot*)at;
+  recorder->slots = plumb__map_slots(recorder->flight_file);
+  if (recorder->slots && !plumb__exchange_opened(NULL, recorder)) {
+    plumb__unmap_slots(recorder);
+    errno = EMFILE;
   }
   if (!recorder->slots) (void)plumb__fail(recorder, recorder->flight, errno);
 }
@@ -854,26 +969,50 @@ static unsigned plumb__stripe(void) {
   return plumb__thread.stripe;
 }
 
-static void plumb__land(void) {
-  if (plumb__thread.slot) __atomic_store_n(&plumb__thread.slot->state, 0, __ATOMIC_RELEASE);
-  plumb__thread.slot = NULL;
+static plumb__slot* plumb__slot_of(const plumb_recorder* recorder, unsigned thread, unsigned probe) {
+  return &recorder->slots[(thread + probe) % plumb__slots];
+}
+
+/* The pair of this thread in this recorder, if there is one. */
+static void plumb__land(const plumb_recorder* recorder) {
+  const unsigned thread = plumb__thread.stripe;
+  for (unsigned i = 0; plumb__thread.begun > 0 && recorder->slots && i < plumb__probes; ++i) {
+    plumb__slot* const slot = plumb__slot_of(recorder, thread, i);
+    unsigned own = thread + 1;
+    if (__atomic_load_n(&slot->state, __ATOMIC_RELAXED) != own) continue;
+    --plumb__thread.begun;
+    /* Another may just have taken it. */
+    (void)__atomic_compare_exchange_n(&slot->state, &own, 0, 0, __ATOMIC_RELEASE, __ATOMIC_RELAXED);
+    return;
+  }
+}
+
+static int plumb__take_slot(plumb__slot* slot, unsigned was) {
+  return __atomic_compare_exchange_n(&slot->state, &was, 1, 0, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED);
+}
+
+/* A free slot; where there is none, the first: its thread has ended, or does without. NULL: another is about to take that. */
+static plumb__slot* plumb__claim(const plumb_recorder* recorder, unsigned thread) {
+  for (unsigned i = 0; i < plumb__probes; ++i) {
+    plumb__slot* const slot = plumb__slot_of(recorder, thread, i);
+    if (__atomic_load_n(&slot->state, __ATOMIC_RELAXED) == 0 && plumb__take_slot(slot, 0)) return slot;
+  }
+  plumb__slot* const first = plumb__slot_of(recorder, thread, 0);
+  const unsigned now = __atomic_load_n(&first->state, __ATOMIC_RELAXED);
+  return now != 1 && plumb__take_slot(first, now) ? first : NULL;
 }
 
 void plumb_recorder_begin(plumb_recorder* recorder, const plumb_recorder_body* body1,
                           const plumb_recorder_body* body2) {
-  plumb__land();
   if (!recorder || !recorder->slots) return;
-  const unsigned first = plumb__stripe();
-  for (unsigned i = 0; i < plumb__slots; ++i) {
-    plumb__slot* const slot = &recorder->slots[(first + i) % plumb__slots];
-    int is_free = 0;
-    if (!__atomic_compare_exchange_n(&slot->state, &is_free, 1, 0, __ATOMIC_ACQUIRE, __ATOMIC_RELAXED)) continue;
-    slot->bodies[0] = *body1;
-    slot->bodies[1] = *body2;
-    __atomic_store_n(&slot->state, 2, __ATOMIC_RELEASE);
-    plumb__thread.slot = slot;
-    return;
-  }
+  plumb__land(recorder);
+  const unsigned thread = plumb__stripe();
+  plumb__slot* const slot = plumb__claim(recorder, thread);
+  if (!slot) return;
+  slot->bodies[0] = *body1;
+  slot->bodies[1] = *body2;
+  __atomic_store_n(&slot->state, thread + 1, __ATOMIC_RELEASE);
+  ++plumb__thread.begun;
 }
 
 /* ---- the rest of the door ---- */
@@ -881,13 +1020,13 @@ void plumb_recorder_begin(plumb_recorder* recorder, const plumb_recorder_body* b
 int plumb_record(plumb_recorder* recorder, const plumb_recorder_body* body1, const plumb_recorder_body* body2,
                  const plumb_recorder_answer* answer) {
   if (!recorder) return PLUMB_FOUND_NOTHING;
-  plumb__land();
+  plumb__land(recorder);
   const unsigned stripe = plumb__stripe() % plumb__stripes;
   const uint64_t call = __atomic_add_fetch(&recorder->stripes[stripe].calls, 1, __ATOMIC_RELAXED);
   const uint64_t every = recorder->options.sample_every;
   const plumb_recorder_body* const bodies[2] = {body1, body2};
   const int found = plumb__judge(&recorder->options, body1, body2, answer);
-  if (found > 0) plumb__keep(recorder, found, call, bodies, answer);
+  if (found > 0) (void)plumb__keep(recorder, found, call, bodies, answer);
   if (found < 0) (void)__atomic_add_fetch(&recorder->stripes[stripe].not_judged, 1, __ATOMIC_RELAXED);
   if (every > 0 && call % every == 0) plumb__sample(recorder, call, bodies, answer);
   return found > 0 ? found : PLUMB_FOUND_NOTHING;
@@ -902,14 +1041,17 @@ static plumb_recorder* plumb__open(const char* folder, const plumb_recorder_opti
   plumb_recorder* const recorder = (plumb_recorder*)calloc(1, sizeof(plumb_recorder));
   if (!recorder) return NULL;
   recorder->options = options ? *options : plumb_recorder_defaults();
+  if (!(recorder->options.tolerance >= 0 && recorder->options.tolerance <= DBL_MAX))
+    recorder->options.tolerance = plumb_recorder_defaults().tolerance;
   recorder->flight_file = -1;
+  recorder->process = (long)getpid();
   const size_t length = strlen(folder);
   memcpy(recorder->folder, folder, length < sizeof recorder->folder ? length : sizeof recorder->folder - 1);
   if (length >= sizeof recorder->folder)
     (void)plumb__fail(recorder, "folder", ENAMETOOLONG);
   else if (mkdir(folder, 0777) != 0 && errno != EEXIST)
     (void)plumb__fail(recorder, folder, errno);
-  plumb__recover_all(recorder);
+  plumb__look_into(recorder);
   return recorder;
 }
 
@@ -948,20 +1090,12 @@ const char* plumb_recorder_problem(const plumb_recorder* recorder) {
   return recorder && __atomic_load_n(&recorder->has_problem, __ATOMIC_ACQUIRE) == 2 ? recorder->problem : "";
 }
 
-/* A thread that began and never recorded still knows its slot: the memory stays. */
-static int plumb__has_flight(const plumb__slot* slots) {
-  int states = 0;
-  for (int i = 0; i < plumb__slots; ++i) states |= __atomic_load_n(&slots[i].state, __ATOMIC_RELAXED);
-  return states != 0;
-}
-
 void plumb_recorder_close(plumb_recorder* recorder) {
   if (!recorder) return;
-  plumb__land();
-  if (recorder->slots && !plumb__has_flight(recorder->slots))
-    (void)munmap(recorder->slots, sizeof(plumb__slot) * plumb__slots);
+  if (recorder->slots && !plumb__exchange_opened(recorder, NULL)) return; /* the process ends, and that has it */
+  plumb__unmap_slots(recorder);
   if (recorder->flight_file >= 0) {
-    (void)unlink(recorder->flight);
+    plumb__end_flight(recorder);
     (void)close(recorder->flight_file);
   }
   free(recorder);

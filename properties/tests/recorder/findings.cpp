@@ -97,11 +97,94 @@ TEST_F(RecorderFindings, WhatTheCodeLacksIsNoFinding) {
   EXPECT_EQ(call.give_to(recorder_), PLUMB_FOUND_OVERLAP_ERROR);
 }
 
+/// Unit spheres 1 apart.
+Recorded apart(double overlap, const Vec3<double>& normal) {
+  Pair pair;
+  pair.body1.shape = pair.body2.shape = {{1, 1, 1}, 2, 2};
+  pair.body2.position = {3, 0, 0};
+  Contact<double> contact;
+  say_apart(contact);
+  contact.overlap = overlap;
+  contact.normal = normal;
+  return recorded(pair, contact);
+}
+
+TEST_F(RecorderFindings, WhatIsSaidOfBodiesApartIsJudged) {
+  const double nan = std::nan("");
+  const Vec3<double> none(nan, nan, nan), line(1, 0, 0), across(0, 1, 0);
+  open();
+  for (const Recorded& right : {apart(nan, none), apart(-1, none), apart(-1, line), apart(nan, line)})
+    EXPECT_EQ(right.give_to(recorder_), PLUMB_FOUND_NOTHING);
+  EXPECT_EQ(apart(-99, across).give_to(recorder_), PLUMB_FOUND_OVERLAP_ERROR);
+  for (const double overlap : {-99.0, -1.01, -0.99, 5.0})
+    EXPECT_EQ(apart(overlap, none).give_to(recorder_), PLUMB_FOUND_OVERLAP_ERROR) << overlap;
+  Recorded half = apart(-1, line);
+  half.answer.points[1][2] = 0;
+  EXPECT_EQ(half.give_to(recorder_), PLUMB_FOUND_NOT_FINITE);
+  EXPECT_EQ(counts().not_judged, 0U);
+  const Ran ran = plumb("replay kept");
+  EXPECT_EQ(ran.code, 0) << ran.out;
+}
+
+/// A contact has no distance, and the highest common normal of bodies apart is a wrong one.
+TEST_F(RecorderFindings, ASignAgainstTheVerdictIsAnError) {
+  open();
+  Recorded touching = recorded(deep_pair(), answer_of("auto", deep_pair()));
+  std::fill_n(touching.answer.normal, 3, std::nan(""));
+  std::fill_n(touching.answer.points[0], 6, std::nan(""));
+  touching.answer.overlap = -5;
+  plumb_recorder_options bare = plumb_recorder_defaults();
+  bare.lacks = PLUMB_LACKS_NORMAL | PLUMB_LACKS_POINTS;
+  open(bare);
+  EXPECT_EQ(touching.give_to(recorder_), PLUMB_FOUND_OVERLAP_ERROR);
+  Recorded far = apart(5, Vec3<double>(-1, 0, 0));
+  const double points[6] = {-1, 0, 0, 4, 0, 0};
+  std::copy_n(points, 6, far.answer.points[0]);
+  open();
+  EXPECT_EQ(far.give_to(recorder_), PLUMB_FOUND_WRONG_BRANCH);
+  EXPECT_EQ(plumb("replay kept").code, 0);
+}
+
+TEST_F(RecorderFindings, PointsBeyondAllBoundsAreOffTheSurface) {
+  open();
+  Recorded call = recorded(deep_pair(), answer_of("auto", deep_pair()));
+  for (const bool is_round : {true, false}) {
+    if (is_round) std::copy_n(call.body1.shape, 5, call.body2.shape);
+    if (!is_round) call.body2.shape[3] = 40;
+    call.answer.overlap = 0;
+    for (auto& point : call.answer.points) std::fill_n(point, 3, 1e160);
+    EXPECT_NE(call.give_to(recorder_), PLUMB_FOUND_NOTHING);
+  }
+  Recorded spheres = apart(0, Vec3<double>(1, 1, 1).normalized());
+  spheres.body2.pose[0] = 1.5, spheres.answer.touching = 1;
+  for (auto& point : spheres.answer.points) std::fill_n(point, 3, 1e160);
+  EXPECT_NE(spheres.give_to(recorder_), PLUMB_FOUND_NOTHING);
+}
+
+TEST_F(RecorderFindings, AToleranceThatIsNoneIsTheDefault) {
+  const Recorded right = recorded(deep_pair(), answer_of("auto", deep_pair()));
+  for (const double tolerance : {std::nan(""), -1.0, HUGE_VAL}) {
+    plumb_recorder_options options = plumb_recorder_defaults();
+    options.tolerance = tolerance;
+    open(options);
+    EXPECT_EQ(right.give_to(recorder_), PLUMB_FOUND_NOTHING);
+    Recorded wrong = right;
+    wrong.answer.overlap += 1e-3;
+    EXPECT_EQ(wrong.give_to(recorder_), PLUMB_FOUND_OVERLAP_ERROR);
+    EXPECT_EQ(json("kept/" + kept().at(0))["provenance"]["tolerance"], 1e-6);
+    EXPECT_EQ(plumb("replay kept").code, 0);
+    fs::remove_all(folder());
+  }
+}
+
 TEST_F(RecorderFindings, NothingIsJudgedOfIllegalBodies) {
   open();
   const Pair pair = deep_pair();
   const Recorded right = recorded(pair, answer_of("auto", pair));
   std::vector<Recorded> illegal(4, right);
+  illegal.push_back(apart(-1, Vec3<double>(1, 0, 0)));
+  illegal.push_back(apart(std::nan(""), Vec3<double>::Constant(std::nan(""))));
+  illegal[4].body1.shape[3] = illegal[5].body1.shape[3] = 0.5;
   illegal[0].body1.shape[1] = -1;
   illegal[1].body2.shape[3] = 1;
   illegal[2].body2.pose[0] = std::nan("");

@@ -18,20 +18,37 @@ Recorded wrong_by(double overlap) {
   return call;
 }
 
+void begin(plumb_recorder* recorder, const Recorded& call) {
+  plumb_recorder_begin(recorder, &call.body1, &call.body2);
+}
+
 class RecorderFolders : public Folder {
  protected:
+  [[nodiscard]] plumb_recorder* another(const std::string& name = "kept") const {
+    return plumb_recorder_open((path_ / name).c_str(), nullptr);
+  }
+  /// How a process ended that did the work; it has nothing of the tests' own to put away.
+  template <class Work>
+  static int status_of(const Work& work) {
+    (void)std::fflush(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      work();
+      ::_exit(99);
+    }
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    return status;
+  }
   /// Ends a process that has begun to solve.
   void crash(int signal) const {
     const Recorded call = wrong_by(0);
-    const pid_t child = ::fork();
-    if (child == 0) {
-      plumb_recorder* const recorder = plumb_recorder_open(folder().c_str(), nullptr);
+    const int status = status_of([&] {
+      plumb_recorder* const recorder = another();
       (void)call.give_to(recorder);
-      plumb_recorder_begin(recorder, &call.body1, &call.body2);
+      begin(recorder, call);
       (void)::raise(signal);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    });
     ASSERT_TRUE(WIFSIGNALED(status));
   }
 };
@@ -79,6 +96,7 @@ TEST_F(RecorderFolders, AnotherRecorderLeavesWhatIsKept) {
   (void)wrong_by(1e-3).give_to(open());
   const std::string first = read("kept/" + kept().at(0));
   (void)wrong_by(2e-3).give_to(open());
+  EXPECT_EQ(counts().files, 0U) << "that it wrote";
   EXPECT_EQ(kept().size(), 1U);
   EXPECT_EQ(read("kept/" + kept().at(0)), first);
 }
@@ -89,6 +107,63 @@ TEST_F(RecorderFolders, NoMoreFilesThanAskedFor) {
   open(options);
   for (const double overlap : {1e-3, 0.05, 0.9}) EXPECT_NE(wrong_by(overlap).give_to(recorder_), 0);
   EXPECT_EQ(kept().size(), 2U);
+}
+
+TEST_F(RecorderFolders, WhatIsKeptAlreadyIsNoneOfTheFilesAskedFor) {
+  plumb_recorder_options options = plumb_recorder_defaults();
+  options.max_files = 1;
+  (void)wrong_by(1e-3).give_to(open(options));
+  open(options);
+  for (const double overlap : {1e-3, 0.05, 0.9}) EXPECT_NE(wrong_by(overlap).give_to(recorder_), 0);
+  EXPECT_EQ(counts().files, 1U);
+  EXPECT_EQ(kept().size(), 2U);
+}
+
+/// All at once in a folder without files: the first one's stays, and the others know.
+TEST_F(RecorderFolders, OneOfManyProcessesWritesTheCase) {
+  constexpr int processes = 4, rounds = 20;
+  for (int round = 0; round < rounds; ++round) {
+    std::array<int, 2> gate{};
+    ASSERT_EQ(::pipe(gate.data()), 0);
+    std::vector<pid_t> all;
+    for (int i = 0; i < processes; ++i) {
+      all.push_back(::fork());
+      if (all.back() != 0) continue;
+      plumb_recorder* const recorder = another();
+      char byte = 0;
+      (void)::close(gate[1]);
+      (void)!::read(gate[0], &byte, 1);
+      (void)wrong_by(1e-3 * (1 + i)).give_to(recorder);
+      ::_exit(static_cast<int>(plumb_recorder_counted(recorder).files));
+    }
+    (void)::close(gate[0]);
+    (void)::close(gate[1]);
+    int files = 0, status = 0;
+    for (const pid_t child : all) {
+      ASSERT_EQ(::waitpid(child, &status, 0), child);
+      files += WEXITSTATUS(status);
+    }
+    EXPECT_EQ(files, 1);
+    EXPECT_EQ(kept().size(), 1U);
+    fs::remove_all(folder());
+  }
+}
+
+TEST_F(RecorderFolders, SamplesOfEachRunAreKept) {
+  plumb_recorder_options options = plumb_recorder_defaults();
+  options.sample_every = 10;
+  const Recorded call = recorded(deep_pair(), answer_of("auto", deep_pair()));
+  plumb_recorder* const first = plumb_recorder_open(folder().c_str(), &options);
+  open(options);
+  for (plumb_recorder* const recorder : {first, recorder_})
+    for (int i = 0; i < 20; ++i) (void)call.give_to(recorder);
+  plumb_recorder_close(first);
+  EXPECT_EQ(kept().size(), 4U) << "of two at the same time";
+  open(options);
+  for (int i = 0; i < 20; ++i) (void)call.give_to(recorder_);
+  EXPECT_EQ(counts().samples, 2U);
+  EXPECT_EQ(kept().size(), 6U);
+  for (const std::string& name : kept()) EXPECT_EQ(parse_case(read("kept/" + name), name).name + ".json", name);
 }
 
 TEST_F(RecorderFolders, SamplesAreJudgedLater) {
@@ -141,6 +216,72 @@ TEST_F(RecorderFolders, WhatWasRecordedAndWhatWasBeingSolvedSurvivesACrash) {
     const Ran ran = plumb("replay kept");
     EXPECT_EQ(ran.code, 0) << ran.out;
     EXPECT_NE(ran.out.find("same  recorded  crash"), std::string::npos) << ran.out;
+    fs::remove_all(folder());
+  }
+}
+
+TEST_F(RecorderFolders, ATraceStaysUntilItsCaseIsKept) {
+  crash(SIGKILL);
+  plumb_recorder_options none = plumb_recorder_defaults();
+  none.max_files = 0;
+  open(none);
+  EXPECT_EQ(kept().size(), 1U) << "the wrong answer before the crash";
+  open();
+  EXPECT_EQ(kept().size(), 2U);
+  EXPECT_EQ(counts().files, 1U);
+}
+
+TEST_F(RecorderFolders, AnExitIsNoCrash) {
+  const Recorded call = wrong_by(0);
+  const int status = status_of([&] {
+    begin(another(), call);
+    std::exit(3);
+  });
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_EQ(plumb_recorder_recover(folder().c_str()), 0);
+  EXPECT_TRUE(fs::is_empty(folder()));
+}
+
+/// It has its parent's recorder, and the parent goes on.
+TEST_F(RecorderFolders, AnExitOfAForkedChildLeavesTheParentsPairs) {
+  const Recorded call = wrong_by(0);
+  const int status = status_of([&] {
+    begin(another(), call);
+    if (WEXITSTATUS(status_of([] { std::exit(3); })) == 3) (void)::raise(SIGKILL);
+  });
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(plumb_recorder_recover(folder().c_str()), 1);
+}
+
+TEST_F(RecorderFolders, AnAnswerToAnotherRecorderLeavesAPairInFlight) {
+  const Recorded call = wrong_by(0);
+  const int status = status_of([&] {
+    plumb_recorder *const one = another(), *const two = another("other");
+    begin(one, call);
+    begin(two, call);
+    (void)call.give_to(two);
+    (void)::raise(SIGKILL);
+  });
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(plumb_recorder_recover(folder().c_str()), 1);
+  EXPECT_EQ(plumb_recorder_recover((path_ / "other").c_str()), 0);
+}
+
+/// More of them than there are slots: their pairs give way to that of a thread that lives, and its record lets that one go.
+TEST_F(RecorderFolders, ThreadsThatEndedAfterBeginLeaveRoom) {
+  const Recorded call = wrong_by(0);
+  Recorded last = call;
+  for (plumb_recorder_body* body : {&last.body1, &last.body2}) *body = {{1, 1, 1, 2, 2}, {0, 0, 0, 1, 0, 0, 0}};
+  for (const bool is_recorded : {false, true}) {
+    (void)status_of([&] {
+      plumb_recorder* const recorder = another();
+      for (int i = 0; i < 200; ++i) std::jthread([&] { begin(recorder, call); }).join();
+      begin(recorder, last);
+      if (is_recorded) (void)last.give_to(recorder);
+      (void)::raise(SIGKILL);
+    });
+    EXPECT_GT(plumb_recorder_recover(folder().c_str()), 0);
+    EXPECT_EQ(fs::exists(path_ / "kept/crash-spheres-unknown.json"), !is_recorded);
     fs::remove_all(folder());
   }
 }
