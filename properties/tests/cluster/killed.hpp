@@ -80,7 +80,7 @@ class Cluster : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("plumb_cluster_") + test->name());
+    folder_ = fs::path(testing::TempDir()) / ("plumb_cluster_" + std::to_string(getpid()) + test->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     folder_ = fs::canonical(folder_);  // as the kernel calls it
