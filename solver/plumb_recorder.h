@@ -327,10 +327,15 @@ static int plumb__is_finite(const double* v, int count) {
   return is_finite;
 }
 
+static int plumb__has_exponents(const plumb_recorder_body* body) {
+  const double n1 = body->shape[3], n2 = body->shape[4];
+  return n1 > 1 && n1 <= DBL_MAX && n2 > 1 && n2 <= DBL_MAX;
+}
+
 static int plumb__is_legal(const plumb_recorder_body* body) {
   const double *s = body->shape, *q = &body->pose[3];
-  return plumb__is_finite(s, 5) && plumb__is_finite(body->pose, 7) && s[0] > 0 && s[1] > 0 && s[2] > 0 && s[3] > 1 &&
-         s[4] > 1 && (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0);
+  return plumb__is_finite(s, 5) && plumb__is_finite(body->pose, 7) && s[0] > 0 && s[1] > 0 && s[2] > 0 &&
+         plumb__has_exponents(body) && (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0);
 }
 
 /* Whether the point is on the body within `length`, and its normal along `sign` times n within `angle`; n unit, all but. Of a point
@@ -595,10 +600,12 @@ static int plumb__judge(const plumb_recorder_options* options, const plumb_recor
   plumb__pair pair;
   plumb__place_pair(&pair, body1, body2);
   const plumb__allowed allowed = plumb__allow(&pair, options->tolerance), rounding = plumb__allow(&pair, 0);
-  if (!plumb__is_in_range(&pair) || !plumb__is_legal(body1) || !plumb__is_legal(body2)) return -1;
+  /* What else may be illegal is no number in the end, and fits nothing. */
+  if (!plumb__is_in_range(&pair) || !plumb__has_exponents(body1) || !plumb__has_exponents(body2)) return -1;
   if (!a->touching && plumb__says_nothing(a, options->lacks) && plumb__is_apart_at_once(&pair))
     return PLUMB_FOUND_NOTHING;
   if (!options->lacks && plumb__is_right(&pair, a, &allowed)) return PLUMB_FOUND_NOTHING;
+  if (!plumb__is_legal(body1) || !plumb__is_legal(body2)) return -1;
   const plumb_recorder_answer given = plumb__given(a, options->lacks);
   if (plumb__is_broken(a, options->lacks)) return PLUMB_FOUND_NOT_FINITE;
   int (*const judge)(const plumb__pair*, const plumb_recorder_answer*, const plumb__allowed*) =
