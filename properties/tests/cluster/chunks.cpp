@@ -1,6 +1,7 @@
 // Chunks: shards of a shard, handed out once or more often, kept as files.
 #include "fuzz/chunks.hpp"
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <atomic>
