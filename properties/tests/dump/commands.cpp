@@ -161,8 +161,8 @@ TEST_F(DumpCommands, WhatNoDumpHoldsIsNotExported) {
   expect_refusal("export c.json", "c.json: bodies[1].position: is beyond 1e100");
   (void)file("c.json", "{}");
   expect_refusal("export c.json", "c.json: format: missing");
-  (void)file("c.json", "");
-  expect_refusal("export c.json", "c.json: holds no case and no scene");
+  (void)file("c.jsonl", "");
+  expect_refusal("export c.jsonl", "c.jsonl: holds no case and no scene");
 }
 
 TEST_F(DumpCommands, AnInterruptEndsItWith130) {
