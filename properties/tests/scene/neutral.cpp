@@ -3,6 +3,7 @@
 
 #include "properties/laws_scene.hpp"
 #include "properties/tests/scene/crowd.hpp"
+#include "solver/scene/effect/stick_slip.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -43,6 +44,16 @@ TEST(NeutralEffect, HasOtherParametersThatChangeNothing) {
   neutral = crowd();
   neutral.effects.drag = Drag{0, {3, 4, 5}};
   expect_same_state(without(crowd(), Drag::name), neutral, Drag::name);
+}
+
+// Of a turn whose square is 0, as is the limit's (fuzz/seeds/scene/a_twist_too_small_to_square).
+TEST(NeutralEffect, HoldsNothingHoweverSmall) {
+  const StickSlip law{.stiffness = 1e3, .viscous = 1, .limit = 0};
+  for (const double rate : {1e-170, 1e-300, 1e-10, 1.0}) {
+    Vec3<double> stretch(rate, 0, -rate);
+    EXPECT_TRUE(law.pull(stretch, {0, rate, rate}, 1e-3).isZero(0)) << rate;
+    EXPECT_TRUE(stretch.isZero(0)) << rate;
+  }
 }
 
 TEST(NeutralEffect, IsNotOneThatChangesABit) {

@@ -15,6 +15,10 @@ struct StickSlip {
   /// The force against the stretch, which goes on by rate * time. Once it slips the spring alone holds the limit, and is no longer
   /// than that; before, spring and dashpot together do not exceed it.
   [[nodiscard]] Vec3<double> pull(Eigen::Ref<Vec3<double>> stretch, const Vec3<double>& rate, double time) const {
+    if (limit == 0) {  // by itself, as squares of what is small enough are 0 too, and do not exceed it
+      stretch.setZero();
+      return Vec3<double>::Zero();
+    }
     stretch += rate * time;
     const double elastic = stiffness * stiffness * stretch.squaredNorm(), most = limit * limit;
     if (elastic > most) {
