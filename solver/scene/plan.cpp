@@ -90,13 +90,14 @@ void plan_contacts(Plan& plan, const Scene& scene) {
 
 void plan_turning(Plan& plan, const Scene& scene) {
   const std::string who = names_of(plan, [](const Needs& needs) { return needs.spin; });
-  bool any_shape = false, any_spin = false;
+  bool any_shape = false, any_spin = false, any_arm = false;
   for (const SceneBody& b : scene.bodies) {
     const bool has_arm = plan.needs.normal_force && !is_sphere(b.body.shape);
     const bool spins = !b.angular_velocity.isZero(0);  // its energy and momentum are results of every run
     const bool is_free = plan.analysis == Analysis::motion && !b.is_fixed;
     plan.turns.push_back(is_free && (plan.needs.spin || has_arm || spins));
     any_shape |= is_free && has_arm;
+    any_arm |= has_arm;
     any_spin |= is_free && spins;
   }
   if (!plan.has_turning())
@@ -107,7 +108,8 @@ void plan_turning(Plan& plan, const Scene& scene) {
     plan.turning_why = "bodies that are no spheres, for their contacts";
   else if (any_spin)
     plan.turning_why = "bodies that spin";
-  plan.needs.points |= any_shape || (plan.needs.normal_force && plan.needs.spin);
+  // A body that does not turn has its torque too, where bodies have any.
+  plan.needs.points |= (plan.has_turning() && any_arm) || (plan.needs.normal_force && plan.needs.spin);
 }
 
 void plan_solver(Plan& plan, const Scene& scene) {

@@ -61,6 +61,23 @@ TEST(Momentum, IsKeptToRoundingWhateverHappensInContacts) {
   EXPECT_EQ(run->totals().failed, 0);
 }
 
+// A ball beside the crown of a fixed egg, which turns about nothing, and a ball elsewhere that spins, whereby bodies have torques at
+// all: the egg's is the force's about its centre, whose line goes through the ball's.
+TEST(Torque, OfAFixedBodyIsThatOfItsContacts) {
+  Scene scene;
+  scene.bodies = {made::ball(1, {0.6, 0, 1.9}), made::body({{2, 1.5, 1}}, Vec::Zero()), made::ball(1, {9, 0, 0})};
+  scene.bodies[1].is_fixed = true;
+  scene.bodies[2].angular_velocity = {0, 0, 1};
+  scene.effects.linear = Linear{1e3};
+  scene.run.duration = 1e-3;
+  const auto run = started(scene);
+  const State& state = run->world().state;
+  const Vec force = state.force->vector(1), torque = state.torque->vector(1);
+  EXPECT_GE(force.norm(), 1);
+  EXPECT_GE(torque.norm(), 0.1);
+  EXPECT_LE((torque - made::position(*run, 0).cross(force)).norm(), 1e-9 * torque.norm());
+}
+
 /// Greatest |E - E0| / E0 in each of so many equal parts of a run.
 std::vector<double> energy_errors(Simulation& run, std::int64_t steps, std::size_t parts) {
   const double first = total_energy(run);
