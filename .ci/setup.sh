@@ -19,6 +19,7 @@ declare -A plumb_packages=(
   [engines]="clang-19 libclang-rt-19-dev llvm-19 zip unzip afl++ libclang-rt-14-dev"
   [python]="python3 python3-dev python3-numpy pybind11-dev python3-matplotlib python3-pip mypy"
   [check]="git clang-format-19 clang-tidy-19 python3-yaml"
+  [fem]="gmsh python3-gmsh calculix-ccx python3-numpy python3-matplotlib"
   [record]="git"
 )
 

@@ -1,0 +1,65 @@
+"""One contact from end to end, where gmsh and CalculiX are installed: CI does not install them."""
+
+import importlib.util
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+import numpy as np
+
+import calculix
+
+HAS_ENGINES = shutil.which("ccx") is not None and importlib.util.find_spec("gmsh") is not None
+
+
+def answer(normal, points):
+    return {"normal": normal, "points": points, "contact_point": np.mean(points, axis=0).tolist()}
+
+
+@unittest.skipUnless(HAS_ENGINES, "needs gmsh and calculix-ccx")
+class Contact(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """Two balls, 2 % of their distance in each other, along a line that no mesh knows."""
+        import contact
+
+        line = np.array([0.48, -0.6, 0.64])
+        ball = {"superellipsoid": {"semi_axes": [1, 1, 1], "exponents": [2, 2]}}
+        upright = {"quaternion_wxyz": [1, 0, 0, 0]}
+        places = [[0, 0, 0], (1.96 * line).tolist()]
+        case = {"bodies": [{"shape": ball, "position": place, "orientation": upright} for place in places]}
+        cls.line, cls.contact = line, contact
+        cls.answer = answer(line.tolist(), [line.tolist(), (0.96 * line).tolist()])
+        setting = calculix.Setting()
+        meshes, deck = contact.meshes_and_deck(case, cls.answer, contact.Mode(order=1, division=3), setting)
+        with tempfile.TemporaryDirectory() as folder:
+            cls.result = calculix.run(pathlib.Path(folder), deck, meshes, setting)
+
+    def test_the_force_is_along_the_line(self):
+        judged = self.contact.judged(self.result, {"auto": self.answer})
+        self.assertLess(judged["angles_deg"]["auto"], 0.05)
+        self.assertLess(judged["centre_off"]["auto"], 0.02)
+        self.assertLess(judged["balance"], 1e-5)
+        self.assertLess(judged["elements_agree"], 1e-5)
+
+    def test_the_force_is_of_hertzs_size(self):
+        """Within what coarse meshes, an overlap that is not small and the half that is held leave."""
+        hertz = 4 / 3 / (2 * (1 - 0.3**2)) * np.sqrt(0.5) * 0.04**1.5
+        self.assertLess(abs(np.linalg.norm(self.result.forces[1]) / hertz - 1), 0.2)
+
+    def test_a_kept_result_is_the_result(self):
+        again = calculix.Result.from_json(self.result.to_json())
+        np.testing.assert_array_equal(again.forces, self.result.forces)
+        self.assertEqual((again.area, again.nodes), (self.result.area, self.result.nodes))
+
+
+@unittest.skipUnless(HAS_ENGINES, "needs gmsh and calculix-ccx")
+class Failure(unittest.TestCase):
+    def test_an_engine_that_does_not_end_is_said(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(calculix.EngineFailure, "contact.log"):
+            calculix.run(pathlib.Path(folder), "*NODE\n", [], calculix.Setting())
+
+
+if __name__ == "__main__":
+    unittest.main()

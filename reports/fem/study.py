@@ -1,0 +1,279 @@
+#!/usr/bin/python3
+"""The study: which method's normal is along the force that two bodies pressed into each other have upon each other.
+
+reports/fem/run calls it. Prints the tables and writes DIR/fem.jsonl, the lines that reports/README.md describes.
+"""
+
+import argparse
+import dataclasses
+import json
+import os
+import pathlib
+import sys
+
+import numpy as np
+
+import calculix
+import half_space
+import tables
+from contact import Mode, degrees_between, pair_of
+from methods import TOP, CommandFailure, answers, placed
+from tasks import Task, engine_versions, run_all
+
+MODES = {"quick": Mode(order=1, division=4), "full": Mode(order=2, division=2.5)}
+RATIOS = (0.002, 0.005, 0.01, 0.02)
+HELD = "all nodes of each body's far half: beyond the plane through its centre across the line to the contact"
+CHECK_MODE = Mode(order=2, division=4)
+SMALL = (0.002, 0.005)  # ratios at which half-spaces are asked
+VARIED_AT = ("G3", "Q3")
+VARIED_RATIO = 0.01
+
+
+class BadInput(Exception):
+    """One line: file, field, reason."""
+
+
+def read_geometries(path):
+    try:
+        lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadInput(f"{path}: {getattr(error, 'strerror', None) or 'not text in UTF-8'}") from None
+    out = []
+    for number, line in enumerate(lines, start=1):
+        try:
+            case = json.loads(line)
+        except json.JSONDecodeError as error:
+            raise BadInput(f"{path}:{number}: {error.msg}") from None
+        if not isinstance(case, dict) or not isinstance(case.get("placement"), dict) or not case.get("name"):
+            raise BadInput(f"{path}:{number}: placement: a geometry is a case with a name and a placement")
+        out.append(case)
+    names = [case["name"] for case in out]
+    if len(set(names)) != len(names) or not names:
+        raise BadInput(f"{path}: name: {'no case' if not names else 'two cases have one'}")
+    return out
+
+
+def at_ratio(geometry, ratio):
+    return geometry | {"placement": geometry["placement"] | {"overlap_ratio": ratio}}
+
+
+def asked(geometries, ratios):
+    """(name, ratio, case with positions, answers), of each geometry at each ratio."""
+    pairs = [(g["name"], ratio) for g in geometries for ratio in ratios]
+    cases = placed([at_ratio(g, ratio) for g in geometries for ratio in ratios])
+    return [(*pair, case, of) for pair, case, of in zip(pairs, cases, answers(cases))]
+
+
+def spheres():
+    """Two balls that overlap little against their size, off the axes of both meshes: Hertz's own case."""
+    ball = {"superellipsoid": {"semi_axes": [1, 1, 1]}}
+    turned = {"shape": ball, "orientation": {"euler_zxz_deg": [10, 50, 0]}}
+    fixed = {"shape": ball, "position": [0, 0, 0], "orientation": {"quaternion_wxyz": [1, 0, 0, 0]}}
+    placement = {"line_deg": [40, 20], "overlap_ratio": 2e-4}
+    return {"format": "plumb/case-1", "name": "spheres", "bodies": [fixed, turned], "placement": placement}
+
+
+def variations(mode):
+    """(what, which, mode, setting) beside the study's own; of quick meshes the two that say most for their time."""
+    base = calculix.Setting()
+
+    def changed(**fields):
+        return mode, dataclasses.replace(base, **fields)
+
+    yield "swap", "body 1 is the slave", *changed(is_swapped=True)
+    yield "held", "up to 0.4 of the way to the contact", *changed(held=0.4)
+    if mode.order == 1:
+        return
+    yield "held", "from the centre back to 0.5 of that way", *changed(held=-0.5)
+    for division in (1.5, 4):
+        yield "mesh", f"{division} elements from the lens's middle to its rim, not {mode.division}", Mode(2, division), base
+    yield "order", "linear tetrahedra, as in quick mode", MODES["quick"], base
+    for penalty in (100, 1000):
+        yield "penalty", f"{penalty} E / patch radius, not {base.penalty}", *changed(penalty=penalty)
+    for increments in (1, 2, 8):
+        yield "increments", f"{increments}, not {base.increments}", *changed(increments=increments)
+    yield "solver", "SPOOLES, direct", *changed(solver="SPOOLES")
+
+
+def hertz_lines(task, result):
+    overlap = task.answers["auto"]["overlap"]
+    modulus = calculix.YOUNG / (2 * (1 - calculix.POISSON**2))
+    force = 4 / 3 * modulus * np.sqrt(0.5) * overlap**1.5
+    yield "hertz_force", abs(result["force"] / force - 1), 0.02, "relative"
+    yield "hertz_direction", result["angles_deg"]["auto"], 0.01, "degrees"
+    yield "hertz_area", abs(result["patch_radius"] / np.sqrt(0.5 * overlap) - 1), 0.1, "relative, radius of the patch"
+
+
+def balance_lines(results):
+    whole = [r for r in results if "reason" not in r]
+    if whole:
+        yield "action = reaction", max(r["balance"] for r in whole), 1e-5, "of the force, worst of all"
+        yield "action = reaction, moments", max(r["moment_balance"] for r in whole), 2e-3, "of force x distance"
+        yield "contact elements = reactions", max(r["elements_agree"] for r in whole), 1e-5, "of the force"
+
+
+def geometry_line(geometry, case):
+    shapes = [body["shape"]["superellipsoid"] for body in case["bodies"]]
+    is_round = all(s["exponents"] == [2, 2] and s["semi_axes"][0] == s["semi_axes"][1] for s in shapes)
+    return {
+        "kind": "geometry",
+        "name": geometry["name"],
+        "shape": "spheroid" if is_round else "superquadric",
+        "bodies": shapes,
+        "line_deg": geometry["placement"]["line_deg"],
+        "quaternion": case["bodies"][1]["orientation"]["quaternion_wxyz"],
+    }
+
+
+def answer_line(task, result):
+    of = task.answers
+    gp = of.get("geometric_potential")
+    angle = degrees_between(of["auto"]["normal"], gp["normal"]) if gp else None
+    head = {"kind": "answer", "geometry": task.geometry, "ratio": task.ratio, "cn_to_gp_deg": angle}
+    return head | result
+
+
+def convergence_line(task, what, which, result, base):
+    if "reason" in result or "reason" in base:
+        return {"kind": "convergence", "geometry": task.geometry, "ratio": task.ratio, "varied": what, "setting": which,
+                "reason": result.get("reason") or "the study's own setting has no answer"}  # fmt: skip
+    shift = np.array(result["centre"]) - np.array(base["centre"])
+    return {
+        "kind": "convergence",
+        "geometry": task.geometry,
+        "ratio": task.ratio,
+        "varied": what,
+        "setting": which,
+        "turned_deg": degrees_between(result["direction"], base["direction"]),
+        "force_change": result["force"] / base["force"] - 1,
+        "centre_shift": float(np.linalg.norm(shift) / base["patch_radius"]),
+    }
+
+
+def half_space_lines(task, result):
+    """The plane from three starts, to where each settles, against the common normal and the finite elements."""
+    pair, of = pair_of(task.case), task.answers
+    modulus = calculix.YOUNG / (2 * (1 - calculix.POISSON**2))
+    centre_line = pair[1].position - pair[0].position
+    starts = {name: of[name]["normal"] for name in ("auto", "geometric_potential") if name in of}
+    starts["centre_line"] = (centre_line / np.linalg.norm(centre_line)).tolist()
+    for name, normal in starts.items():
+        head = {"kind": "half_space", "geometry": task.geometry, "ratio": task.ratio, "start": name}
+        try:
+            yield head | half_space_fields(pair, of["auto"], np.array(normal), modulus, result)
+        except half_space.NotSettled as error:
+            yield head | {"reason": str(error)}
+
+
+def half_space_fields(pair, cn, normal, modulus, result):
+    pressed, planes = half_space.settle(*pair, normal, np.array(cn["contact_point"]), modulus)
+    end = pressed.force / np.linalg.norm(pressed.force)
+    out = {
+        "start_deg": degrees_between(normal, end),
+        "planes": planes,
+        "cn_deg": degrees_between(end, cn["normal"]),
+        "direction": end.tolist(),
+        "force": float(np.linalg.norm(pressed.force)),
+        "patch_radius": float(np.sqrt(pressed.area / np.pi)),
+    }
+    if "reason" in result:
+        return out
+    off = pressed.centre - np.array(result["centre"])
+    off -= off @ end * end
+    return out | {
+        "fem_deg": degrees_between(end, result["direction"]),
+        "fem_force": result["force"] / out["force"],
+        "fem_patch": result["patch_radius"] / out["patch_radius"],
+        "centre_off": float(np.linalg.norm(off) / out["patch_radius"]),
+    }
+
+
+class Study:
+    """All tasks of a mode, in one list, so that they run side by side, and the lines that they give."""
+
+    def __init__(self, geometries, ratios, mode):
+        self.geometries, own = geometries, MODES[mode]
+        self.answered = [Task(*of, own) for of in asked(geometries, ratios)]
+        name, ratio, case, of = asked([spheres()], [2e-4])[0]
+        self.hertz = Task(name, ratio, case, of, CHECK_MODE)
+        self.varied = [
+            (base, what, which, Task(base.geometry, base.ratio, base.case, base.answers, varied, setting))
+            for base in self.answered
+            if base.geometry in VARIED_AT and base.ratio == VARIED_RATIO
+            for what, which, varied, setting in variations(own)
+        ]
+
+    def tasks(self):
+        """The longest first."""
+        return [self.hertz, *(of[3] for of in self.varied), *self.answered]
+
+    def lines(self, results):
+        by_task = dict(zip(map(id, self.tasks()), results))
+        answered = [by_task[id(task)] for task in self.answered]
+        cases = {task.geometry: task.case for task in self.answered}
+        yield from (geometry_line(g, cases[g["name"]]) for g in self.geometries)
+        hertz = by_task[id(self.hertz)]
+        checks = [*(() if "reason" in hertz else hertz_lines(self.hertz, hertz)), *balance_lines(answered)]
+        for name, value, limit, unit in checks:
+            yield {"kind": "check", "check": name, "value": float(value), "limit": limit, "unit": unit}
+        for base, what, which, task in self.varied:
+            yield convergence_line(task, what, which, by_task[id(task)], by_task[id(base)])
+        yield from (answer_line(task, result) for task, result in zip(self.answered, answered))
+        for task, result in zip(self.answered, answered):
+            if task.ratio in SMALL:
+                yield from half_space_lines(task, result)
+
+
+def run_line(arguments, engines):
+    host = {"commit": os.environ.get("PLUMB_COMMIT", "?"), "cores": str(os.cpu_count()), "numpy": np.__version__, **engines}
+    return {
+        "kind": "run",
+        "command": "reports/fem/run --" + arguments.mode,
+        "host": host,
+        "mode": arguments.mode,
+        "young": calculix.YOUNG,
+        "poisson": calculix.POISSON,
+        "held": HELD,
+    }
+
+
+def show_progress(done, of):
+    print(f"\r{done} of {of} calculations", end="\n" if done == of else "", file=sys.stderr, flush=True)
+
+
+def parsed(words):
+    parser = argparse.ArgumentParser(prog="reports/fem/run", description=__doc__)
+    parser.add_argument("--quick", dest="mode", action="store_const", const="quick", default="full")
+    parser.add_argument("--geometries", default=str(pathlib.Path(__file__).parent / "geometries.jsonl"), metavar="FILE")
+    parser.add_argument("--ratios", type=float, nargs="+", default=RATIOS)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--out", default=str(TOP / "build/fem"), metavar="DIR")
+    arguments = parser.parse_args(words)
+    if not all(0 < ratio <= 0.1 for ratio in arguments.ratios):
+        raise BadInput("--ratios: more than 0 and at most 0.1")
+    if arguments.jobs < 1:
+        raise BadInput("--jobs: at least 1")
+    return arguments
+
+
+def main(words):
+    arguments = parsed(words)
+    out = pathlib.Path(arguments.out)
+    study = Study(read_geometries(arguments.geometries), arguments.ratios, arguments.mode)
+    engines = engine_versions()
+    results = run_all(study.tasks(), out, engines["ccx"], arguments.jobs, show_progress)
+    lines = [run_line(arguments, engines), *study.lines(results)]
+    (out / "fem.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    print(tables.text(lines))
+    return 1 if tables.findings(lines) else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except (BadInput, CommandFailure, OSError) as error:
+        print(error, file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        print("\ninterrupted: what was calculated is kept, and not made again", file=sys.stderr)
+        sys.exit(130)

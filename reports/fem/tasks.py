@@ -1,0 +1,74 @@
+"""Calculations that are kept, each by its deck, so that a study goes on where it was stopped and makes none twice."""
+
+import concurrent.futures
+import dataclasses
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+
+import calculix
+import contact
+from mesh import MeshFailure
+
+
+@dataclasses.dataclass(frozen=True)
+class Task:
+    geometry: str
+    ratio: float
+    case: dict  # with positions and quaternions
+    answers: dict  # method -> answer
+    mode: contact.Mode
+    setting: calculix.Setting = calculix.Setting()
+
+
+def engine_versions():
+    """As the engines say themselves; FileNotFoundError where one is not there."""
+    ccx = subprocess.run(["ccx", "-v"], capture_output=True, text=True, check=False).stdout.split()
+    gmsh = subprocess.run(["gmsh", "-version"], capture_output=True, text=True, check=False)
+    return {"ccx": ccx[-1] if ccx else "?", "gmsh": (gmsh.stdout + gmsh.stderr).strip()}
+
+
+def _calculated(task, out, engine):
+    """In a process of its own: what contact.judged gives, or why there is none."""
+    try:
+        meshes, deck = contact.meshes_and_deck(task.case, task.answers["auto"], task.mode, task.setting)
+        key = hashlib.sha256((engine + deck).encode()).hexdigest()[:24]
+        path = out / "kept" / f"{key}.json"
+        if not path.exists():
+            folder = out / "work" / key
+            _keep(path, calculix.run(folder, deck, meshes, task.setting).to_json())
+            shutil.rmtree(folder)  # megabytes a calculation; of a failed one they are what is left to look at
+        return contact.judged(calculix.Result.from_json(json.loads(path.read_text())), task.answers)
+    except (MeshFailure, calculix.EngineFailure) as error:
+        return {"reason": str(error)}
+
+
+def _keep(path, result):
+    """Whole or not at all."""
+    part = path.with_suffix(f".{os.getpid()}")
+    part.write_text(json.dumps(result))
+    part.replace(path)
+
+
+def _deaf():
+    """Ctrl-C is the parent's to hear; the engine, in this process's group, ends by it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def run_all(tasks, out, engine, jobs, tell):
+    """The results in the order of the tasks, through `jobs` processes; tell(done, of) goes along."""
+    out = pathlib.Path(out)
+    (out / "kept").mkdir(parents=True, exist_ok=True)
+    with concurrent.futures.ProcessPoolExecutor(jobs, initializer=_deaf) as pool:
+        waiting = [pool.submit(_calculated, task, out, engine) for task in tasks]
+        try:
+            for number, _ in enumerate(concurrent.futures.as_completed(waiting), start=1):
+                tell(number, len(tasks))
+        except KeyboardInterrupt:
+            pool.shutdown(wait=True, cancel_futures=True)
+            raise
+    return [each.result() for each in waiting]
