@@ -39,6 +39,9 @@ struct Shown {
 /// From the JSON lines of `plumb report-study --out FILE`; throws InputFailure.
 [[nodiscard]] Json study_json(const std::filesystem::path& file);
 
+/// From the JSON lines of `reports/fem/run`, with what is asked of each answer and whether it holds; throws InputFailure.
+[[nodiscard]] Json fem_json(const std::filesystem::path& file);
+
 /// Whether `plumb scene --out` wrote into the folder; and what it left there, DIR/playback.jsonl; throws InputFailure.
 [[nodiscard]] bool holds_playback(const std::filesystem::path& folder);
 [[nodiscard]] Json playback_json(const std::filesystem::path& folder);

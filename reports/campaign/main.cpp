@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, precision, stability, study, solver;
+  std::string out, precision, stability, study, fem, solver;
   std::size_t failures = 500;
 };
 
@@ -29,7 +29,7 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option(
       "DIR", args.folders,
       "folders of campaigns, the first of which the others are compared with, and of plumb scene --out; none "
-      "are needed beside --study");
+      "are needed beside --study or --fem");
   app.add_option("-o,--out", args.out, "the page, FILE.html")->required();
   app.add_option("--precision", args.precision,
                  "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
@@ -37,6 +37,7 @@ void declare(CLI::App& app, Arguments& args) {
                  "what plumb report-stability --out left; else the last DIR's stability.jsonl, where there is one");
   app.add_option("--study", args.study,
                  "what plumb report-study --out left; else the last DIR's study.jsonl, where there is one");
+  app.add_option("--fem", args.fem, "what reports/fem/run left; else the last DIR's fem.jsonl, where there is one");
   app.add_option("--solver", args.solver,
                  "the shared library of a foreign solver whose failures are to be solved again");
   app.add_option("--failures", args.failures,
@@ -82,6 +83,7 @@ std::string command_of(const Arguments& args) {
   if (!args.precision.empty()) out += " --precision " + shell_word(args.precision);
   if (!args.stability.empty()) out += " --stability " + shell_word(args.stability);
   if (!args.study.empty()) out += " --study " + shell_word(args.study);
+  if (!args.fem.empty()) out += " --fem " + shell_word(args.fem);
   if (!args.solver.empty()) out += " --solver " + shell_word(args.solver);
   if (args.failures != Arguments().failures) out += fmt::format(" --failures {}", args.failures);
   return out + " -o " + shell_word(args.out);
@@ -129,6 +131,7 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
       {"precision", nullptr},
       {"stability", nullptr},
       {"study", nullptr},
+      {"fem", nullptr},
       {"findings", findings_json()},
       {"laws", laws_json()}};
   Shown shown{args.failures, std::nullopt};
@@ -145,6 +148,8 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   if (!stability.empty()) out["stability"] = stability_json(stability);
   const fs::path study = given_or_beside(args.study, args, "study.jsonl");
   if (!study.empty()) out["study"] = study_json(study);
+  const fs::path fem = given_or_beside(args.fem, args, "fem.jsonl");
+  if (!fem.empty()) out["fem"] = fem_json(fem);
   return out;
 }
 
@@ -166,8 +171,8 @@ std::vector<Run> read_runs(const Arguments& args) {
 }
 
 int report(const Arguments& args) {
-  if (args.folders.empty() && args.study.empty())
-    throw InputFailure("DIR", 0, "", "is required where there is no --study");
+  if (args.folders.empty() && args.study.empty() && args.fem.empty())
+    throw InputFailure("DIR", 0, "", "is required where there is neither --study nor --fem");
   refuse_bad_page(args);
   const fs::path page = args.out;
   const std::vector<Run> runs = read_runs(args);
@@ -197,10 +202,10 @@ int report(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::reports::Arguments args;
-  CLI::App app("Campaigns, scenes and the source's study as one self-contained page, with .json, .csv, .ladders.csv, "
-               ".md, .junit.xml and "
-               ".sarif beside it.",
-               "plumb report");
+  CLI::App app(
+      "Campaigns, scenes, the source's study and the finite elements as one self-contained page, with .json, .csv, "
+      ".ladders.csv, .md, .junit.xml and .sarif beside it.",
+      "plumb report");
   plumb::reports::declare(app, args);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(args); });
 }

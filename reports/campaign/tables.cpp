@@ -190,6 +190,35 @@ std::string study_list(const Json& study) {
   return out;
 }
 
+std::string fem_held(const Json& asked) {
+  const auto of = [](const Json& what) { return fmt::format("{} of {}\n", what["held"].dump(), what["of"].dump()); };
+  std::string out;
+  for (const Json& bound : asked["cn"])
+    out += fmt::format("- overlap ratio {}: force less than {} degrees from CN in {}", bound["ratio"].get<double>(),
+                       bound["below_deg"].get<double>(), of(bound));
+  const Json& gp = asked["gp"];
+  return out + fmt::format("- where GP is more than {} degrees from CN: more than {} times as far from the force in {}",
+                           gp["apart_deg"].get<double>(), gp["times"].get<double>(), of(gp));
+}
+
+std::string checks_lines(const Json& checks) {
+  const auto within = std::count_if(checks.begin(), checks.end(), [](const Json& c) { return c["within"] == true; });
+  std::string out = fmt::format("- checks within their limits: {} of {}\n", within, checks.size());
+  for (const Json& check : checks)
+    if (check["within"] != true)
+      out += fmt::format("- **check {}**: {} {}, limit {}\n", check["check"].get<std::string>(),
+                         check["value"].get<double>(), check["unit"].get<std::string>(), check["limit"].get<double>());
+  return out;
+}
+
+std::string fem_list(const Json& fem) {
+  if (fem.is_null()) return "";
+  std::string out = fmt::format("\n### Against finite elements, CalculiX {}, commit {}, {}{}\n\n",
+                                fem["host"]["ccx"].get<std::string>(), fem["commit"].get<std::string>(),
+                                fem["mode"].get<std::string>(), fem["interrupted"] == true ? " - INCOMPLETE" : "");
+  return out + fem_held(fem["asked"]) + checks_lines(fem["checks"]);
+}
+
 std::string playback_line(const Json& playback) {
   const Json& end = playback["end"];
   const std::string frames =
@@ -256,6 +285,7 @@ std::string markdown(const std::vector<Run>& runs, const Json& report) {
   std::string out = runs.empty() ? "## plumb\n" : run_tables(runs.back(), report["runs"].back());
   out += stability_list(report["stability"]);
   out += study_list(report["study"]);
+  out += fem_list(report["fem"]);
   for (const Json& comparison : report["comparisons"]) out += changes(comparison);
   if (!report["playbacks"].empty()) out += "\n### Playback\n\n";
   for (const Json& playback : report["playbacks"]) out += playback_line(playback);

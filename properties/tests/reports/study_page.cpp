@@ -137,7 +137,7 @@ TEST_F(StudyReport, OfTheLastFolder) {
 }
 
 TEST_F(StudyReport, AFolderIsNeededWithoutIt) {
-  expect_refusal("report -o page.html", "DIR: is required where there is no --study");
+  expect_refusal("report -o page.html", "DIR: is required where there is neither --study nor --fem");
   expect_refusal("report --study none.jsonl -o page.html", "none.jsonl: No such file or directory");
 }
 

@@ -2,18 +2,20 @@
  * The document that `plumb report` puts into the page and beside it (FILE.json): its one description. Written by reports/
  * (campaign/), read by this page. Lengths in the case's unit, angles as named; a figure that is not known is null.
  */
+import type { Fem } from "./data_fem";
 
 export interface Report {
   format: "plumb/report-1";
   /** What made the page. */
   made: { commit: string; compiler: string; flags: string; command: string };
-  /** In the order of the command line; the page begins with the last. Empty where only scenes or a study were given. */
+  /** In the order of the command line; the page begins with the last. Empty where only scenes, a study or finite elements were given. */
   runs: Run[];
   /** The first run against each of the others. */
   comparisons: Comparison[];
   precision: Precision | null;
   stability: Stability | null;
   study: Study | null;
+  fem: Fem | null;
   /** Scenes, in the order of the command line. */
   playbacks: Playback[];
   /** The contract's words with what each means, in order of precedence; "none" last. */

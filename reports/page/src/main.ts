@@ -5,6 +5,7 @@ import { preparePaper } from "./paper";
 import { loadPlotly } from "./plot";
 import { atlasSection } from "./sections/atlas";
 import { compareSection } from "./sections/compare";
+import { femSection } from "./sections/fem";
 import { footer } from "./sections/footer";
 import { gallerySection } from "./sections/gallery";
 import { header } from "./sections/header";
@@ -25,7 +26,7 @@ function readReport(): Report | null {
   return text ? (JSON.parse(text) as Report) : null;
 }
 
-/** Of scenes or a study alone, what is about campaigns is left out. */
+/** Of scenes, a study or finite elements alone, what is about campaigns is left out. */
 function sections(state: State): HTMLElement[] {
   const { runs, precision } = state.report;
   const isCampaign = runs.length > 0;
@@ -35,6 +36,7 @@ function sections(state: State): HTMLElement[] {
     isCampaign ? atlasSection(state) : null,
     laddersSection(state),
     studySection(state.report),
+    femSection(state.report),
     isCampaign ? gallerySection(state) : null,
     playbackSection(state.report),
     isCampaign ? compareSection(state) : null,
@@ -46,8 +48,8 @@ function sections(state: State): HTMLElement[] {
 function show(report: Report, page: HTMLElement): void {
   meetMethods(report);
   const newest = report.runs.at(-1);
-  if (!newest && report.playbacks.length === 0 && !report.study) {
-    page.append(h("p", { class: "notice" }, "The report holds no run, no scene and no study."));
+  if (!newest && report.playbacks.length === 0 && !report.study && !report.fem) {
+    page.append(h("p", { class: "notice" }, "The report holds no run, no scene, no study and no finite elements."));
     return;
   }
   const state: State = { report, run: newest ? new Watched(newest) : null };

@@ -57,6 +57,8 @@ export function meetMethods(report: Report): void {
   for (const ladder of report.stability?.ladders ?? []) for (const row of ladder.rows) meet(row.method);
   for (const set of report.precision?.sets ?? []) for (const point of set.points) meet(point.method);
   if (report.study) studyMethods(report.study).forEach(meet);
+  for (const { angles_deg, centre_off } of report.fem?.answers ?? [])
+    [...Object.keys(angles_deg), ...Object.keys(centre_off)].forEach(meet);
   for (const comparison of report.comparisons) for (const row of comparison.rows) meet(row.method);
   own.add("auto");
 }

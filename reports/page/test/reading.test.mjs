@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { bring, launch, open } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
+import { makeFem } from "./support/fixture-fem.mjs";
 import { makePlayback } from "./support/fixture-playback.mjs";
 import { makeStudy } from "./support/fixture-study.mjs";
 import { withFolder, writePage } from "./support/pages.mjs";
@@ -30,15 +31,17 @@ const withPage = (report, options, use) =>
 
 const small = (options) => makeReport({ failures: 8, cases: 1000, ...options });
 const scenes = () => [makePlayback({ bodies: 8, frames: 5 }), makePlayback({ name: "cut", frames: 5, ended: false })];
+const whole = () => ({ second: true, playbacks: scenes(), study: makeStudy(), fem: makeFem() });
 
 for (const dark of [false, true])
   test(`axe finds nothing serious, ${dark ? "dark" : "light"}`, () =>
-    withPage(small({ second: true, playbacks: scenes(), study: makeStudy() }), { dark }, async (page) => {
+    withPage(small(whole()), { dark }, async (page) => {
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });
       await bring(page, "#precision .plot");
       await bring(page, "#study .plot");
+      await bring(page, "#fem .plot");
       await bring(page, "#gallery canvas");
       await bring(page, "#playback canvas");
       await page.evaluate(axe);
@@ -52,7 +55,7 @@ for (const dark of [false, true])
 
 for (const width of [400, 1400])
   test(`nothing is wider than a page of ${width} pixels`, () =>
-    withPage(small({ second: true, playbacks: scenes(), study: makeStudy() }), { width }, async (page) => {
+    withPage(small(whole()), { width }, async (page) => {
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });
@@ -67,7 +70,7 @@ const HOSTILE = '</script><script>window.hurt=1</script><img src=x onerror="wind
 
 const PACKED = ["positions", "orientations", "wall_points", "boxes", "pairs", "points", "normals", "forces"];
 
-/** Every text and every name of an energy or a share of the document, but its format and what is looked up by name. */
+/** Every text and every name of an energy, a share or an angle of the document, but its format and what is looked up by name. */
 function poisoned(value, key = "") {
   const kept = [
     "format",
@@ -85,32 +88,26 @@ function poisoned(value, key = "") {
   if (typeof value === "string") return kept.includes(key) ? value : `${value}${HOSTILE}`;
   if (Array.isArray(value)) return value.map((item) => poisoned(item, typeof item === "string" ? key : ""));
   if (value === null || typeof value !== "object") return value;
-  const isNamed = ["energy", "shares"].includes(key);
+  const isNamed = ["energy", "shares", "angles_deg", "centre_off"].includes(key);
   return Object.fromEntries(
     Object.entries(value).map(([name, item]) => [isNamed ? `${name}${HOSTILE}` : name, poisoned(item, name)]),
   );
 }
 
 test("hostile words in the data are words", () =>
-  withPage(
-    poisoned(
-      small({ second: true, playbacks: scenes(), study: makeStudy(), harnessErrors: { [`failed ${HOSTILE}`]: 2 } }),
-    ),
-    {},
-    async (page, noticed) => {
-      for (const id of ["precision", "atlas", "playback", "compare"]) await bring(page, `#${id} .plot`);
-      for (const id of ["study-angles", "study-maps", "study-limits"]) await bring(page, `#${id} .plot`);
-      for (const id of ["gallery", "playback"]) await bring(page, `#${id} canvas`);
-      await page.evaluate(() => {
-        for (const closed of document.querySelectorAll("details")) closed.open = true;
-      });
-      assert.equal(await page.evaluate(() => window.hurt), undefined);
-      assert.equal(await page.$("#page img"), null);
-      assert.equal(await page.$("#page script"), null);
-      assert.match(await page.$eval("header", (top) => top.textContent), /onerror/);
-      assert.deepEqual(noticed, { console: [], requests: [] });
-    },
-  ));
+  withPage(poisoned(small({ ...whole(), harnessErrors: { [`failed ${HOSTILE}`]: 2 } })), {}, async (page, noticed) => {
+    for (const id of ["precision", "atlas", "playback", "compare"]) await bring(page, `#${id} .plot`);
+    for (const id of ["study-angles", "study-maps", "study-limits", "fem-angles"]) await bring(page, `#${id} .plot`);
+    for (const id of ["gallery", "playback"]) await bring(page, `#${id} canvas`);
+    await page.evaluate(() => {
+      for (const closed of document.querySelectorAll("details")) closed.open = true;
+    });
+    assert.equal(await page.evaluate(() => window.hurt), undefined);
+    assert.equal(await page.$("#page img"), null);
+    assert.equal(await page.$("#page script"), null);
+    assert.match(await page.$eval("header", (top) => top.textContent), /onerror/);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  }));
 
 test("an incomplete run and errors of the harness are announced", () =>
   withPage(small({ incomplete: true, harnessErrors: { "reference beaten": 3 } }), {}, async (page) => {
@@ -175,7 +172,7 @@ test("answers that could not be solved anew are shown without them", () => {
 });
 
 test("paper is light, with everything open", () =>
-  withPage(small({ study: makeStudy() }), { dark: true }, async (page) => {
+  withPage(small({ study: makeStudy(), fem: makeFem() }), { dark: true }, async (page) => {
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     const state = await page.evaluate(() => ({
       closed: document.querySelectorAll("details:not([open]):not([data-print=closed])").length,

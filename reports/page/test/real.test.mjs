@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { bring, launch, open } from "./support/browser.mjs";
+import { femLines, femOf } from "./support/fixture-fem.mjs";
 import { playbackLines, playbackOf } from "./support/fixture-playback.mjs";
 import { studyLines, studyOf } from "./support/fixture-study.mjs";
 import { withFolder } from "./support/pages.mjs";
@@ -110,6 +111,24 @@ test("a study's lines become the document that the made-up data are, and are sho
       const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
       for (const id of ["study-angles", "study-maps", "study-limits"]) await bring(page, `#${id} .plot`);
       assert.match(await page.$eval('[role="alert"]', (alarm) => alarm.textContent), /study is incomplete/);
+      assert.deepEqual(noticed, { console: [], requests: [] });
+    } finally {
+      await browser.close();
+    }
+  }),
+);
+
+test("the lines of finite elements become the document that the made-up data are, and are shown alone", { skip }, () =>
+  withFolder(async (folder) => {
+    const lines = [...femLines(), { kind: "interrupted" }];
+    writeFileSync(join(folder, "fem.jsonl"), lines.map((line) => `${JSON.stringify(line)}\n`).join(""));
+    run(folder, "plumb", "report", "--fem", "fem.jsonl", "-o", "page.html");
+    assert.deepEqual(JSON.parse(readFileSync(join(folder, "page.json"), "utf8")).fem, femOf(lines));
+    const browser = await launch();
+    try {
+      const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
+      await bring(page, "#fem-angles .plot");
+      assert.match(await page.$eval('[role="alert"]', (alarm) => alarm.textContent), /element study is incomplete/);
       assert.deepEqual(noticed, { console: [], requests: [] });
     } finally {
       await browser.close();

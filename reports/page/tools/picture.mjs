@@ -1,13 +1,14 @@
 // npm run picture -- PAGE.html FILE.png SET: work and precision of one set, as the README shows it; in SET's place also
-//   study-angles, study-maps [ASPECT PHI RATIO], study-limits [angle_deg | point | overlap]: figures of the source's study.
+//   study-angles, study-maps [ASPECT PHI RATIO], study-limits [angle_deg | point | overlap]: figures of the source's study;
+//   fem-angles: the figure of the finite elements.
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { bring, launch, open } from "../test/support/browser.mjs";
 
 const [file, picture, what, ...choices] = process.argv.slice(2);
 if (!file || !picture || !what)
-  throw new Error("usage: npm run picture -- PAGE.html FILE.png SET|study-FIGURE [CHOICE..]");
-const STUDY = ["study-angles", "study-maps", "study-limits"];
+  throw new Error("usage: npm run picture -- PAGE.html FILE.png SET|study-FIGURE|fem-angles [CHOICE..]");
+const BLOCKS = ["study-angles", "study-maps", "study-limits", "fem-angles"];
 
 /** The option of the first list that begins with the set's name. */
 async function choose(page, name) {
@@ -56,7 +57,7 @@ async function chooseAll(block) {
 }
 
 /** All its panels in view at once, without the tables behind them. */
-async function pictureOfStudy(page) {
+async function pictureOfBlock(page) {
   const block = await page.$(`#${what}`);
   if (!block) throw new Error(`${file}: the page has no ${what}`);
   const hidden = `#${what} details, .bar { display: none !important } #${what} { padding: 0.8rem }`;
@@ -73,7 +74,7 @@ async function pictureOfStudy(page) {
 const browser = await launch();
 try {
   const { page } = await open(browser, pathToFileURL(resolve(file)).href, { width: 1100, height: 1400 });
-  await (STUDY.includes(what) ? pictureOfStudy(page) : pictureOfSet(page));
+  await (BLOCKS.includes(what) ? pictureOfBlock(page) : pictureOfSet(page));
 } finally {
   await browser.close();
 }

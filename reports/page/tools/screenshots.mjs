@@ -33,7 +33,7 @@ async function shoot(browser, width, dark) {
     content: ".bar { position: static !important; } html { scroll-behavior: auto !important; }",
   });
   for (const id of await page.$$eval("main > section", (sections) => sections.map((section) => section.id))) {
-    await page.setViewport({ width, height: id === "study" ? LONGEST : 4000 });
+    await page.setViewport({ width, height: ["study", "fem"].includes(id) ? LONGEST : 4000 });
     await page.evaluate((target) => document.getElementById(target).scrollIntoView(), id);
     if (id !== "gallery") await settled(page, id);
     else await pause(4000);

@@ -1,6 +1,7 @@
 import type { Playback, Report, Run, Study } from "../data";
 import { h } from "../dom";
 import { count, number } from "../numbers";
+import { femLine } from "./fem_words";
 
 function alarm(run: Run): HTMLElement | null {
   const errors = Object.entries(run.harness_errors);
@@ -30,9 +31,9 @@ function studyLine({ groups, commit }: Study): string {
   return `study: ${words}commit ${commit}`;
 }
 
-function studyCutShort(study: Study | null): HTMLElement | null {
-  if (!study?.interrupted) return null;
-  const words = h("strong", {}, "The study is incomplete. ");
+function partCutShort(name: string, part: { interrupted: boolean } | null): HTMLElement | null {
+  if (!part?.interrupted) return null;
+  const words = h("strong", {}, `The ${name} is incomplete. `);
   return h("div", { class: "alarm", role: "alert" }, words, "It was interrupted: it shows only what was done.");
 }
 
@@ -40,7 +41,9 @@ export function header(report: Report): HTMLElement {
   const runs = report.runs.map(
     (run) => `${run.name}: ${count(run.cases)} cases, seed ${run.seed}, commit ${run.commit}`,
   );
-  const lines = [...runs, ...report.playbacks.map(sceneLine), ...(report.study ? [studyLine(report.study)] : [])];
+  const { playbacks, study, fem } = report;
+  const parts = [study && studyLine(study), fem && femLine(fem)].filter((line) => line !== null);
+  const lines = [...runs, ...playbacks.map(sceneLine), ...parts];
   return h(
     "header",
     { class: "top" },
@@ -49,6 +52,7 @@ export function header(report: Report): HTMLElement {
     h("ul", { class: "runs" }, ...lines.map((text) => h("li", {}, text))),
     ...report.runs.map(alarm),
     ...report.playbacks.map(cutShort),
-    studyCutShort(report.study),
+    partCutShort("study", report.study),
+    partCutShort("finite element study", report.fem),
   );
 }

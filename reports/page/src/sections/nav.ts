@@ -41,6 +41,7 @@ const NAMES: Record<string, string> = {
   atlas: "Atlas",
   ladders: "Ladders",
   study: "Study",
+  fem: "Elements",
   gallery: "Gallery",
   playback: "Playback",
   compare: "Compare",

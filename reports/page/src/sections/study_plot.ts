@@ -61,8 +61,8 @@ function panelDrawing(panel: Panel): Drawing {
 const ratioAxis = (dots: Dot[]): Partial<LayoutAxis> => logAxis(logScale(dots.map(({ x }) => x)), "overlap ratio", 5);
 
 /** Of values within a decade or two, each is written. */
-function valueAxis(dots: Dot[], title: string): Partial<LayoutAxis> {
-  const values = [...new Set(dots.map(({ x }) => x))].sort((a, b) => a - b);
+export function valueAxis(at: number[], title: string): Partial<LayoutAxis> {
+  const values = [...new Set(at)].sort((a, b) => a - b);
   const powers = values.map(Math.log10);
   const [low, high] = [Math.min(...powers), Math.max(...powers)];
   const rim = Math.max(0.05, 0.06 * (high - low));
@@ -114,7 +114,8 @@ export function limitsDrawing(rows: StudyLimit[], quantity: Quantity, y: LogScal
     return { method: row.system, x: row.x, y: row[quantity], words };
   });
   const sweep = rows[0]?.sweep ?? "";
-  const x = sweep === "ratio" ? ratioAxis(dots) : valueAxis(dots, plain(sweepName(sweep)));
+  const values = dots.map(({ x }) => x);
+  const x = sweep === "ratio" ? ratioAxis(dots) : valueAxis(values, plain(sweepName(sweep)));
   return panelDrawing({ dots, y, yTitle: AXIS_TITLES[quantity], x, shapes: [] });
 }
 

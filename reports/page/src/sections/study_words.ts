@@ -11,7 +11,7 @@ const OFF_RESIDUE = Math.sin((OFF_DEG * Math.PI) / 180);
 export const isOff = (deg: number | null): boolean => deg !== null && deg > OFF_DEG;
 
 /** Not by its colour alone. */
-function marked(text: string, fails: boolean): Child {
+export function marked(text: string, fails: boolean): Child {
   if (!fails) return text;
   const sign = h("span", { "aria-hidden": "true" }, "✗ ");
   return h("span", { class: "flag wrong figure" }, sign, h("span", { class: "unseen" }, "fails: "), text);

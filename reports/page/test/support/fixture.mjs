@@ -292,6 +292,7 @@ export function makeReport(options = {}) {
     precision,
     stability: options.stability === false ? null : makeStability(stream(17), METHODS),
     study: options.study ?? null,
+    fem: options.fem ?? null,
     playbacks: options.playbacks ?? [],
     findings: FINDINGS,
     laws: LAWS,
