@@ -1,5 +1,5 @@
 // The document of plumb report, "plumb/report-1": what the page shows and what lies beside it as FILE.json. Its one description is
-// reports/page/src/data.ts.
+// reports/page/src/data.ts, with data_fem.ts.
 #pragma once
 
 #include <filesystem>
