@@ -74,10 +74,11 @@ def draw_contact(task, path):
         view.autoscale()
     views[0].set_title(f"{task.geometry} at an overlap of {100 * task.ratio:g} %, deformed")
     views[1].set(xlim=(-3 * radius, 3 * radius), ylim=(-3 * radius, 3 * radius), title="where they touch")
-    for method in ("geometric_potential", "auto"):
-        tip = plane @ np.array(answers[method]["normal"]) * 2.4 * radius
-        views[1].annotate(METHODS[method], tip, (0, 0), arrowprops={"arrowstyle": "<-", "color": COLOURS[method], "lw": 1.5}, color=COLOURS[method])
-    views[1].annotate("force", [0, -2.4 * radius], (0, 0), arrowprops={"arrowstyle": "<-", "color": "black", "lw": 1.5})
+    arrows = [(METHODS[method], answers[method]["normal"], COLOURS[method], 1) for method in ("geometric_potential", "auto")]
+    for name, direction, colour, sense in [*arrows, ("force", up, "black", -1)]:
+        style = {"arrowstyle": "<-" if sense > 0 else "->", "color": colour, "lw": 1.8}
+        at = sense * 2.5 * radius * (plane @ np.array(direction))
+        views[1].annotate(name, (0, 0), at, arrowprops=style, color=colour, ha="center", va="center", weight="bold")
     figure.savefig(path, dpi=120)
     pyplot.close(figure)
 

@@ -12,6 +12,7 @@ import subprocess
 
 import calculix
 import contact
+import planes
 from mesh import MeshFailure
 
 
@@ -23,6 +24,7 @@ class Task:
     answers: dict  # method -> answer
     mode: contact.Mode
     setting: calculix.Setting = calculix.Setting()
+    has_planes: bool = False  # half-spaces are asked too
 
 
 def engine_versions():
@@ -33,18 +35,23 @@ def engine_versions():
 
 
 def _calculated(task, out, engine):
-    """In a process of its own: what contact.judged gives, or why there is none."""
+    """In a process of its own: what contact.judged gives, or why there is nothing; "planes", those of half-spaces."""
     try:
-        meshes, deck = contact.meshes_and_deck(task.case, task.answers["auto"], task.mode, task.setting)
-        key = hashlib.sha256((engine + deck).encode()).hexdigest()[:24]
-        path = out / "kept" / f"{key}.json"
-        if not path.exists():
-            folder = out / "work" / key
-            _keep(path, calculix.run(folder, deck, meshes, task.setting).to_json())
-            shutil.rmtree(folder)  # megabytes a calculation; of a failed one they are what is left to look at
-        return contact.judged(calculix.Result.from_json(json.loads(path.read_text())), task.answers)
+        result = contact.judged(_result(task, out, engine), task.answers)
     except (MeshFailure, calculix.EngineFailure) as error:
-        return {"reason": str(error)}
+        result = {"reason": str(error)}
+    return result | {"planes": planes.settled(task.case, task.answers, result) if task.has_planes else []}
+
+
+def _result(task, out, engine):
+    meshes, deck = contact.meshes_and_deck(task.case, task.answers["auto"], task.mode, task.setting)
+    key = hashlib.sha256((engine + deck).encode()).hexdigest()[:24]
+    path = out / "kept" / f"{key}.json"
+    if not path.exists():
+        folder = out / "work" / key
+        _keep(path, calculix.run(folder, deck, meshes, task.setting).to_json())
+        shutil.rmtree(folder)  # megabytes a calculation; of a failed one they are what is left to look at
+    return calculix.Result.from_json(json.loads(path.read_text()))
 
 
 def _keep(path, result):

@@ -7,6 +7,7 @@ endif()
 get_target_property(interpreter python PLUMB_INTERPRETER)
 foreach(name parts contact)
   add_test(NAME fem/${name} COMMAND ${interpreter} -B -m unittest --verbose test_${name} WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR})
-  set_tests_properties(fem/${name} PROPERTIES TIMEOUT 300 ENVIRONMENT "PYTHONPATH=${PROJECT_SOURCE_DIR}/reports/fem")
+  set_tests_properties(fem/${name} PROPERTIES TIMEOUT 300 ENVIRONMENT
+                       "PYTHONPATH=${PROJECT_SOURCE_DIR}/reports/fem;OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1")
 endforeach()
 set_tests_properties(fem/contact PROPERTIES SKIP_REGULAR_EXPRESSION "skipped 'needs")

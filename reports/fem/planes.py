@@ -1,0 +1,45 @@
+"""The plane in which half-spaces settle, from several starts, beside the common normal and the finite elements."""
+
+import numpy as np
+
+import calculix
+import half_space
+from contact import degrees_between, pair_of
+
+MODULUS = calculix.YOUNG / (2 * (1 - calculix.POISSON**2))  # of both bodies together
+
+
+def settled(case, answers, fem):
+    """A dictionary for each start; `fem`: what contact.judged gave, or a reason why there is nothing to compare with."""
+    pair = pair_of(case)
+    starts = {name: np.array(answers[name]["normal"]) for name in ("auto", "geometric_potential") if name in answers}
+    line = pair[1].position - pair[0].position
+    starts["centre_line"] = line / np.linalg.norm(line)
+    return [{"start": name} | _settled(pair, normal, answers["auto"], fem) for name, normal in starts.items()]
+
+
+def _settled(pair, normal, cn, fem):
+    try:
+        pressed, planes = half_space.settle(*pair, normal, np.array(cn["contact_point"]), MODULUS)
+    except half_space.NotSettled as error:
+        return {"reason": str(error)}
+    force = float(np.linalg.norm(pressed.force))
+    end, radius = pressed.force / force, float(np.sqrt(pressed.area / np.pi))
+    own = {
+        "start_deg": degrees_between(normal, end),
+        "planes": planes,
+        "cn_deg": degrees_between(end, cn["normal"]),
+        "force": force,
+        "patch_radius": radius,
+    }
+    return own if "reason" in fem else own | _beside(fem, end, pressed.centre, force, radius)
+
+
+def _beside(fem, end, centre, force, radius):
+    off = centre - np.array(fem["centre"])
+    return {
+        "fem_deg": degrees_between(end, fem["direction"]),
+        "fem_force": fem["force"] / force,
+        "fem_patch": fem["patch_radius"] / radius,
+        "centre_off": float(np.linalg.norm(off - off @ end * end) / radius),
+    }
