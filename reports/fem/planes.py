@@ -25,14 +25,32 @@ def _settled(pair, normal, cn, fem):
         return {"reason": str(error)}
     force = float(np.linalg.norm(pressed.force))
     end, radius = pressed.force / force, float(np.sqrt(pressed.area / np.pi))
+    cn_normal = np.array(cn["normal"])
     own = {
         "start_deg": degrees_between(normal, end),
         "planes": planes,
-        "cn_deg": degrees_between(end, cn["normal"]),
+        "cn_deg": degrees_between(end, cn_normal),
         "force": force,
         "patch_radius": radius,
+        "curvatures": curvatures(pair, cn_normal, np.array(cn["contact_point"]), pressed.centre, radius),
     }
     return own if "reason" in fem else own | _beside(fem, end, pressed.centre, force, radius)
+
+
+def curvatures(pair, normal, point, centre, radius):
+    """Of the gap along the common normal, where it is a patch's radius away: on the far side, at the point and on the side to which the
+    pressure's centre has moved. Alike, and the force is along the common normal."""
+    shift = centre - point
+    shift -= shift @ normal * normal
+    along = shift / np.linalg.norm(shift)
+    step = 0.15 * radius
+
+    def gap_at(places):
+        base = point + places[:, None] * along
+        return pair[1].heights(base, normal, -1) - pair[0].heights(base, normal, +1)
+
+    places = radius * np.array([-1.0, 0.0, 1.0])
+    return ((gap_at(places + step) - 2 * gap_at(places) + gap_at(places - step)) / step**2).tolist()
 
 
 def _beside(fem, end, centre, force, radius):

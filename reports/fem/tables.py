@@ -101,12 +101,13 @@ def answers(lines):
 
 def half_spaces(lines):
     yield "\nHalf-spaces pressed together along a plane, and again along the force that comes out, until the two are one. turned: from the first"
-    yield "plane to the last; to CN, to FEM: of the last; FEM's force, patch and centre against the half-spaces' (radii of the patch)"
-    head = ["geometry", "start", "ratio", "turned", "planes", "to CN", "to FEM", "force", "patch", "centre"]
+    yield "plane to the last; to CN, to FEM: of the last; FEM's force, patch and centre against the half-spaces' (radii of the patch); bends: by how"
+    yield "much the gap's curvature a patch's radius away from the contact point, against the centre's shift, is that on its side"
+    head = ["geometry", "start", "ratio", "turned", "planes", "to CN", "to FEM", "force", "patch", "centre", "bends"]
     table = [
         [x["geometry"], x["start"], f"{x['ratio']:g}", number(x.get("start_deg")), str(x.get("planes", "-"))]
         + [number(x.get(name)) for name in ("cn_deg", "fem_deg", "fem_force", "fem_patch")]
-        + [number(x.get("centre_off"), 2)]
+        + [number(x.get("centre_off"), 2), number(x["curvatures"][0] / x["curvatures"][2] if "curvatures" in x else None)]
         for x in lines
     ]
     yield from rows(head, table)
