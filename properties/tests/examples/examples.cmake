@@ -3,6 +3,10 @@ set(plumb_installed ${PROJECT_BINARY_DIR}/installed)
 add_test(NAME install/tree COMMAND env BUILD=${PROJECT_BINARY_DIR} PREFIX=${plumb_installed} ${CMAKE_CURRENT_LIST_DIR}/install/run)
 set_tests_properties(install/tree PROPERTIES FIXTURES_SETUP installed TIMEOUT 120)
 
+add_test(NAME install/library_only
+         COMMAND ${CMAKE_CURRENT_LIST_DIR}/library_only ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/examples/library_only)
+set_tests_properties(install/library_only PROPERTIES TIMEOUT 300)
+
 # add_example(NAME FOLDER [VARIABLE=VALUE..]): FOLDER/run in a copy of FOLDER; it must print FOLDER/expected.
 function(add_example name folder)
   add_test(NAME install/${name} COMMAND env ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/check
