@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,6 +18,12 @@ other = plumb.Body((1, 1, 2), (1.5, 0, 0))
 print(plumb.find_program())
 print(plumb.solve(ball, other).overlap, plumb.certify(ball, other, digits=2).unique)
 print(plumb.campaign("spheroid", 3, method="auto").summary["cases"], plumb.scene(plumb.named_scene("impact"))["complete"])
+"""
+
+# In the place of CMake, which takes minutes: what it needs of Python, and the wheel of this build.
+CMAKE = """#!/bin/sh -e
+/usr/bin/python3 -c "import numpy"
+[ "$1" != --build ] || /usr/bin/python3 '{make_wheel}' '{described}' build/release/dist
 """
 
 
@@ -34,6 +41,20 @@ class Wheel(unittest.TestCase):
             said = run("-c", USED, cwd=folder, env={"PYTHONPATH": str(target), "PATH": "/usr/bin:/bin"})
             program = target / "plumb/bin/plumb"
             self.assertEqual(said, f"{program}\n0.5 proved\n3 True\n")
+
+    @unittest.skipUnless(sys.executable == "/usr/bin/python3", "is of Debian's Python")
+    def test_pip_makes_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            tree, out, bin = (pathlib.Path(folder, name) for name in ("tree", "out", "bin"))
+            for file in ("make_wheel.py", "pyproject.toml", "wheel_backend.py"):
+                (tree / "solver/python").mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / "solver/python" / file, tree / "solver/python")
+            bin.mkdir()
+            (bin / "cmake").write_text(CMAKE.format(make_wheel=tree / "solver/python/make_wheel.py", described=DESCRIBED))
+            (bin / "cmake").chmod(0o755)
+            pip = ["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", out, tree / "solver/python"]
+            run(*pip, env={**os.environ, "PATH": f"{bin}:/usr/bin:/bin"})
+            self.assertEqual([file.name for file in out.iterdir()], [file.name for file in (tree / "build/release/dist").iterdir()])
 
 
 if __name__ == "__main__":
