@@ -8,6 +8,7 @@
 #include "corpus/fields.hpp"
 #include "corpus/words.hpp"
 #include "solver/diagnosis.hpp"
+#include "solver/method/methods.hpp"
 
 namespace plumb {
 namespace {
@@ -102,11 +103,40 @@ void require_something_to_judge(const Field& answer) {
   throw FieldError("status, verdict, overlap, normal, points", "all missing, so there is nothing to judge");
 }
 
+/// What answer_json writes.
+void require_known_fields(const Field& answer) {
+  answer.require_object({"name", "method", "status", "verdict", "overlap", "normal", "points", "contact_point",
+                         "iterations", "evaluations", "angles_deg", "residuals", "curvature", "derivatives", "timing"});
+}
+
+/// Names of solvers that need not be here: a library (--solver), a peer, the recorder's answers, and those of no name. All are
+/// judged as common-normal solvers.
+bool names_a_foreign_solver(const std::string& name) {
+  return name == "answer" || name == "recorded" || name.starts_with("solver:") || name.starts_with("peer_");
+}
+
+Problem read_problem(const Field& method) {
+  const std::string said = method.text();
+  if (const Method* known = find_method(said)) return known->problem;
+  std::string words;
+  for (const Problem problem : problems) {
+    if (said == name(problem)) return problem;
+    words += std::string(name(problem)) + ", ";
+  }
+  if (names_a_foreign_solver(said)) return Problem::common_normal;
+  method.fail("must be one of the problems " + words + "a method's name (plumb methods) or \"solver:NAME\", not '" +
+              said + "'");
+}
+
 GivenAnswer read_answer(const Field& answer) {
   require_something_to_judge(answer);
-  GivenAnswer out{"", "answer", {}};
+  require_known_fields(answer);
+  GivenAnswer out{"", "answer", Problem::common_normal, {}};
   if (const auto name = given(answer, "name")) out.name = name->text();
-  if (const auto method = given(answer, "method")) out.method = method->text();
+  if (const auto method = given(answer, "method")) {
+    out.method = method->text();
+    out.problem = read_problem(*method);
+  }
   read_geometry(out.contact, answer);
   const auto status = given(answer, "status"), verdict = given(answer, "verdict");
   out.contact.status = status ? read_status(*status) : Status::converged;
@@ -125,7 +155,7 @@ RecordedAnswer read_recorded(const Field& answer) {
   if (!finding) return {read_answer(answer)};
   require_word(*finding, std::array<std::string_view, 2>{"crash", "slow"});
   const auto detail = given(answer, "x_detail");
-  return {{"", "answer", {}}, Answer::None{finding->text(), detail ? detail->text() : ""}};
+  return {{"", "answer", Problem::common_normal, {}}, Answer::None{finding->text(), detail ? detail->text() : ""}};
 }
 
 }  // namespace

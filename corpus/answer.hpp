@@ -34,14 +34,15 @@ struct Answer {
 
 /// Anybody's answer to a case.
 struct GivenAnswer {
-  std::string name;    ///< empty when it does not say
-  std::string method;  ///< "answer" when it does not say
+  std::string name;                          ///< empty when it does not say
+  std::string method;                        ///< "answer" when it does not say
+  Problem problem = Problem::common_normal;  ///< the one that `method` is, or solves
   Contact<double>
       contact;  ///< NaN where it is silent; converged, and with the overlap's verdict, unless it says otherwise
 };
 
-/// Reads the fields of `plumb solve`; null is absent, and fields of other names are ignored. Throws InputFailure, also when
-/// there is nothing that could be judged.
+/// Reads the fields of `plumb solve`; null is absent. Throws InputFailure: for other fields (but "x_.."), for a "method" that is
+/// no method's, problem's or foreign solver's name, and when there is nothing that could be judged.
 [[nodiscard]] GivenAnswer parse_answer(const std::string& text, const std::string& file, int line = 0);
 
 /// The answer that a case holds itself, under "x_answer": the flight recorder's (solver/plumb_recorder.h).

@@ -118,7 +118,7 @@ Json hit_json(const Pair& pair, const Contact<double>& answer) {
 
 FindingKind check_answer(const Case& c, const GivenAnswer& answer, const ReferenceSource& source) {
   Judge judge(c.pair, source);
-  const Judgement judgement = judge.judge(problem_of(answer.method), answer.contact);
+  const Judgement judgement = judge.judge(answer.problem, answer.contact);
   const Json angles = angles_json(c.pair, answer.contact, certified_sign(judge.reference()));
   Json out = judgement_json(c, answer, judgement, angles);
   out["reference"] = name(judge.reference().effort);

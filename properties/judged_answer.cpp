@@ -55,7 +55,7 @@ JudgedAnswer judge_recorded(Judge& judge, const RecordedAnswer& recorded) {
   JudgedAnswer out;
   out.answer = recorded.given.contact;
   if (!recorded.none) {
-    out.judgement = judge.judge(problem_of(recorded.given.method), out.answer);
+    out.judgement = judge.judge(recorded.given.problem, out.answer);
     return out;
   }
   out.judgement.finding = {finding_kind(recorded.none->finding).value_or(FindingKind::crash),

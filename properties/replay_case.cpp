@@ -111,8 +111,7 @@ Reply reply_of(Judge& judge, const Case& c, const Solver& solver) {
 }
 
 Reply reply_of(Judge& judge, const RecordedAnswer& recorded) {
-  const std::string& method = recorded.given.method;
-  return {method, problem_of(method), true, false, true, judge_recorded(judge, recorded)};
+  return {recorded.given.method, recorded.given.problem, true, false, true, judge_recorded(judge, recorded)};
 }
 
 /// What the folder asks is about the case's own method.

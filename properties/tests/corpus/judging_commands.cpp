@@ -93,6 +93,44 @@ TEST_F(Judging, CheckRefusesWhatHoldsNothingToJudge) {
   expect_refusal("check a.json --answer answer.json", "answer.json: holds no answer");
 }
 
+TEST_F(Judging, CheckRefusesFieldsThatItDoesNotKnow) {
+  (void)file("a.json", sample_case());
+  for (const std::string field : {"overlp", "ponits", "verdct", "colour"}) {
+    (void)file("answer.json", "{\"" + field + "\": 1, " + std::string(right_answer).substr(1));
+    expect_refusal("check a.json --answer answer.json", "answer.json: " + field + ": unknown field");
+  }
+  (void)file("answer.json", "{\"x_colour\": \"red\", " + std::string(right_answer).substr(1));
+  EXPECT_EQ(plumb("check a.json --answer answer.json").code, 0);
+  const Ran all = plumb("solve a.json --want overlap,normal,points,curvature,derivatives --json >answers; " +
+                        plumb_program + "check a.json --answer answers");
+  EXPECT_EQ(all.code, 0) << all.out;
+}
+
+/// The deepest points of two spheroids that cross, under the name of a method, of a problem, of nobody.
+TEST_F(Judging, CheckJudgesByTheProblemThatTheMethodNames) {
+  fs::copy_file(std::string(PLUMB_SOURCE_DIR) + "/corpus/cases/published/g1.jsonl", path_ / "g1.jsonl");
+  EXPECT_EQ(plumb("--version >/dev/null; head -n 1 g1.jsonl >a.jsonl").code, 0);
+  const auto finding = [&](const std::string& method, const std::string& claimed) {
+    const Ran ran = plumb("solve a.jsonl --method " + method + " --json | sed 's/\"" + method + "\"/\"" + claimed +
+                          "\"/' >b; " + plumb_program + "check a.jsonl --answer b");
+    return lines_of(ran.out).at(0).at("finding").get<std::string>();
+  };
+  for (const Solver& solver : all_solvers()) {
+    if (solver.problem == Problem::common_normal) continue;
+    EXPECT_EQ(finding(solver.name, solver.name), "none");
+    EXPECT_EQ(finding(solver.name, std::string(name(solver.problem))), "none");
+    EXPECT_EQ(finding(solver.name, "auto"), "misaligned");
+    EXPECT_EQ(finding(solver.name, "solver:mine.so"), "misaligned");
+  }
+  EXPECT_EQ(finding("auto", "common_normal"), "none");
+  EXPECT_EQ(finding("auto", "peer_of_another_build"), "none");
+  (void)file("b.json", R"({"method": "geometric_potentail", "overlap": 1})");
+  expect_refusal(
+      "check a.jsonl --answer b.json",
+      "b.json: method: must be one of the problems common_normal, deepest_points, midway, first_touch, a method's name "
+      "(plumb methods) or \"solver:NAME\", not 'geometric_potentail'");
+}
+
 TEST_F(Judging, CheckReadsAnAnswerOverSeveralLines) {
   (void)file("a.json", sample_case());
   (void)file("answer.json", "\n" + Json::parse(right_answer).dump(2) + "\n");

@@ -119,7 +119,7 @@ TEST(Writing, AnswersReadBack) {
 }
 
 TEST(Writing, AnAnswerWithoutWordsVouchesForItself) {
-  const GivenAnswer answer = parse_answer(R"({"overlap": -0.1, "normal": null, "colour": "red"})", "a.json");
+  const GivenAnswer answer = parse_answer(R"({"overlap": -0.1, "normal": null, "x_colour": "red"})", "a.json");
   EXPECT_EQ(answer.contact.status, Status::converged);
   EXPECT_EQ(answer.contact.verdict, Verdict::separated);
   EXPECT_TRUE(std::isnan(answer.contact.normal[0]));

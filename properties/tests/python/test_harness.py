@@ -107,6 +107,8 @@ class Harness(unittest.TestCase):
             ("plumb scene: .*nowhere.json", lambda: plumb.scene("nowhere.json")),
             ("plumb scenes: .*nothing", lambda: plumb.named_scene("nothing")),
             ("plumb check: .*normal", lambda: plumb.check(ball, ball, {"normal": "up"})),
+            ("plumb check: .*overlp: unknown field", lambda: plumb.check(ball, ball, {"overlap": 2, "overlp": 2})),
+            ("plumb check: .*method: must be one of", lambda: plumb.check(ball, ball, {"overlap": 2, "method": "best"})),
             ("plumb replay: .*nowhere", lambda: plumb.replay("nowhere")),
             ("case: has not two bodies", lambda: plumb.bodies_of({"bodies": [{}, {}]})),
             ("not JSON compliant", lambda: plumb.check(ball, ball, {"overlap": np.nan})),

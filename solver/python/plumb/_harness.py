@@ -135,10 +135,11 @@ def check(body1: Body, body2: Body, answer: Contact | Mapping[str, Any], *, moti
     """Judges anybody's answer by the certified reference.
 
     answer  a Contact, or the fields of `plumb solve --json`: "overlap", "normal", "points", ...; "method" says which problem
-            it answers
+            it answers, by the problem's name ("deepest_points") or by that of a method which solves it; without it the
+            common normal
 
     Gives "finding" ("none" where nothing is wrong), "severity" (error over what the condition number allows), "angle_error_deg" and
-    more.
+    more. ValueError for a field of another name (but "x_..."), and for a "method" of none of these names.
 
     >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
     >>> other = plumb.Body((1, 1, 2), (1.5, 0, 0))
@@ -194,12 +195,13 @@ def _answer(contact: Contact) -> Json:
     """As `plumb solve` writes it: what is not valid is absent."""
     out: Json = {
         "name": "python",
-        "method": contact.method,
         "status": contact.status.name,
         "verdict": contact.verdict.name,
         "iterations": contact.iterations,
         "evaluations": contact.evaluations,
     }
+    if contact.method:
+        out["method"] = contact.method
     if math.isfinite(contact.overlap):
         out["overlap"] = contact.overlap
     for field in ("normal", "points", "contact_point"):
