@@ -1,6 +1,8 @@
 // plumb merge: the results of several campaigns as one.
 #include "fuzz/merge.hpp"
 
+#include <filesystem>
+
 #include "corpus/command.hpp"
 #include "fuzz/table.hpp"
 
@@ -13,9 +15,27 @@ struct Arguments {
   bool partial = false;
 };
 
+/// `source`: a folder, or a file of it or of its chunks/.
+bool lies_in(const std::filesystem::path& source, const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::absolute(source).parent_path();
+  const auto is_folder = [&](const std::filesystem::path& path) {
+    return std::filesystem::equivalent(path, folder, error);
+  };
+  if (!std::filesystem::is_regular_file(source, error)) return is_folder(source);
+  return is_folder(parent) || (parent.filename() == "chunks" && is_folder(parent.parent_path()));
+}
+
+void require_another_folder(const Arguments& args) {
+  for (const std::string& source : args.folders)
+    if (lies_in(source, args.out))
+      throw InputFailure(args.out, 0, "--out", "is a folder to merge, whose shards would be lost");
+}
+
 int merge(const Arguments& args) {
+  require_another_folder(args);
   const Results all = merge_folders(args.folders, args.partial ? Gaps::counted : Gaps::refused);
-  // After the reading: --out may be one of the folders that were read.
+  // After the reading: what cannot be merged leaves an earlier result as it was.
   prepare_folder(args.out);
   return report(all, args.out);
 }

@@ -131,6 +131,24 @@ TEST(Commands, MergeOfOneShardTwice) {
   EXPECT_EQ(summary_in(folder / "half").at("incomplete"), true);
 }
 
+TEST(Commands, MergeIntoAFolderThatItReads) {
+  const fs::path folder = scratch();
+  for (const char* shard : {"1/2", "2/2"})
+    ASSERT_EQ(exit_of(start({"campaign", "--family", "spheroid", "--cases", "4", "--method", "new_cn", "--shard", shard,
+                             "--out", (folder / std::string(1, *shard)).string()},
+                            folder / "stderr")),
+              0);
+  const std::string before = text_of(folder / "1/campaign.bins");
+  for (const char* script :
+       {"plumb merge 1 2 --out 1", "plumb merge 1 2 --out ./2/", "plumb merge 1 2/campaign.bins --out 2"}) {
+    EXPECT_EQ(exit_of_script(script, folder), 2) << script;
+    const std::string out = script + std::string(script).rfind(' ') + 1;
+    EXPECT_EQ(text_of(folder / "stderr"), out + ": --out: is a folder to merge, whose shards would be lost\n");
+  }
+  EXPECT_EQ(text_of(folder / "1/campaign.bins"), before);
+  EXPECT_EQ(exit_of_script("plumb merge 1 2 --out 3 && plumb merge 1 2 --out 3", folder), 0);
+}
+
 TEST(Commands, FamiliesAreListed) {
   EXPECT_EQ(exit_of(start({"families"}, scratch() / "stderr")), 0);
 }
