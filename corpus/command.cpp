@@ -96,6 +96,11 @@ std::string refuse_count(const std::string& text) {
   return count && *count > 0 ? "" : "'" + text + "' is not a whole number above 0";
 }
 
+std::string refuse_seed(const std::string& text) {
+  if (number_from<std::uint64_t>(text)) return "";
+  return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
+}
+
 std::string refuse_seconds(const std::string& text) {
   const auto seconds = number_from<double>(text);
   return seconds && *seconds > 0 && *seconds <= 1e6 ? "" : "'" + text + "' is not a number above 0, at most 1e6";

@@ -36,6 +36,9 @@ enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interru
 /// wrong with the text of a whole number above 0, empty when nothing is.
 [[nodiscard]] std::string refuse_count(const std::string& text);
 
+/// The same of a whole number of 64 bits, 0 among them: a seed, an index. CLI11 takes -1 for the greatest.
+[[nodiscard]] std::string refuse_seed(const std::string& text);
+
 /// The same of a time: a number above 0.
 [[nodiscard]] std::string refuse_seconds(const std::string& text);
 

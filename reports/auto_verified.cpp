@@ -30,15 +30,15 @@ struct Options {
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
-  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str();
+  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str()->check(refuse_seed);
   app.add_option("--family", options.family, "one family in the place of all");
   app.add_option("--unit", options.unit, "all lengths times this")->capture_default_str()->check(CLI::PositiveNumber);
   app.add_option("--shift", options.shift, "both bodies moved by this many sizes along (1, 2, 3)")
       ->capture_default_str();
   app.add_option("--sample", options.sample, "judge one case in this many by all laws")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  app.add_option("--threads", options.threads, "changes nothing but the time")->capture_default_str();
+      ->check(refuse_count);
+  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
   app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
 }

@@ -96,6 +96,19 @@ TEST(Commands, NoMinutes) {
 TEST(Commands, NegativeCases) {
   expect_refused({"campaign", "--family", "all", "--cases", "-3"}, "--cases");
 }
+TEST(Commands, NoSeed) {
+  const std::vector<std::vector<std::string>> commands{
+      {"campaign", "--family", "all", "--cases", "1"}, {"fuzz-run"}, {"ladder"}};
+  for (const char* seed : {"-1", "18446744073709551616", "99999999999999999999999", "1.5", "x"})
+    for (std::vector<std::string> arguments : commands) {
+      arguments.insert(arguments.end(), {"--seed", seed});
+      expect_refused(arguments, std::string("--seed: '") + seed + "' is not");
+    }
+}
+TEST(Commands, NoThreads) {
+  for (const char* threads : {"0", "-1", "99999999999999999999999", "1.5", "nan"})
+    expect_refused({"campaign", "--family", "all", "--cases", "1", "--threads", threads}, "--threads");
+}
 TEST(Commands, UnknownMethod) {
   expect_refused({"campaign", "--family", "all", "--cases", "1", "--method", "magic"}, "magic");
 }

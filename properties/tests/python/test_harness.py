@@ -109,6 +109,7 @@ class Harness(unittest.TestCase):
             ("plumb check: .*normal", lambda: plumb.check(ball, ball, {"normal": "up"})),
             ("plumb check: .*overlp: unknown field", lambda: plumb.check(ball, ball, {"overlap": 2, "overlp": 2})),
             ("plumb check: .*method: must be one of", lambda: plumb.check(ball, ball, {"overlap": 2, "method": "best"})),
+            ("plumb campaign: --seed: '-1' is not", lambda: plumb.campaign("spheroid", 1, seed=-1)),
             ("plumb replay: .*nowhere", lambda: plumb.replay("nowhere")),
             ("case: has not two bodies", lambda: plumb.bodies_of({"bodies": [{}, {}]})),
             ("not JSON compliant", lambda: plumb.check(ball, ball, {"overlap": np.nan})),
