@@ -1,8 +1,9 @@
-# cpack -G DEB --config BUILD/CPackConfig.cmake: a Debian package for each component that is built.
+# cpack -G DEB --config BUILD/CPackConfig.cmake: a Debian package for each component that is built, in BUILD/packages (-B elsewhere).
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_CONTACT "the plumb developers <plumb@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
