@@ -15,7 +15,7 @@ constexpr std::array kStarts{"auto", "geometric_potential", "centre_line"};
 
 /// What is asked of the angles between the force and the normals of CN (auto) and GP (geometric_potential).
 struct Bound {
-  double ratio;
+  double ratio;  ///< up to this, and above the one before
   double below_deg;
 };
 constexpr std::array kBounds{Bound{0.005, 0.2}, Bound{0.02, 1}};
@@ -25,8 +25,11 @@ constexpr double kApartDeg = 5;  ///< where the two are further apart than this
 /// With how many answers it was asked of, and how many hold.
 Json asked() {
   Json bounds = Json::array();
-  for (const auto& [ratio, below_deg] : kBounds)
-    bounds.push_back({{"ratio", ratio}, {"below_deg", below_deg}, {"held", 0}, {"of", 0}});
+  double above = 0;
+  for (const auto& [ratio, below_deg] : kBounds) {
+    bounds.push_back({{"above", above}, {"ratio", ratio}, {"below_deg", below_deg}, {"held", 0}, {"of", 0}});
+    above = ratio;
+  }
   return {{"cn", bounds}, {"gp", {{"times", kTimes}, {"apart_deg", kApartDeg}, {"held", 0}, {"of", 0}}}};
 }
 
@@ -102,8 +105,22 @@ void refuse_unknown(const Json& out, const Field& line) {
   name.fail("'" + name.text() + "' is of no line before this one");
 }
 
-void take_convergence(Json& out, const Field& line) {
+/// What has a reason in the place of its figures.
+bool take_reason(Json& out, const Field& line) {
   refuse_unknown(out, line);
+  if (!line.has("reason")) return false;
+  out["unanswered"].push_back(read_parts(line, {{"kind", as::text},
+                                                {"geometry", as::text},
+                                                {"ratio", as::positive},
+                                                {"varied", as::text, true},
+                                                {"setting", as::text, true},
+                                                {"start", as::text, true},
+                                                {"reason", as::text}}));
+  return true;
+}
+
+void take_convergence(Json& out, const Field& line) {
+  if (take_reason(out, line)) return;
   out["convergence"].push_back(read_parts(line, {{"geometry", as::text},
                                                  {"ratio", as::positive},
                                                  {"varied", as::text},
@@ -128,7 +145,7 @@ Json counted(Json& what, bool held) {
 /// Whether CN is as near as is asked at this ratio; null where nothing is.
 Json cn_within(Json& bounds, const Json& answer) {
   for (Json& bound : bounds)
-    if (std::abs(answer["ratio"].get<double>() / bound["ratio"].get<double>() - 1) <= 1e-9)
+    if (answer["ratio"] <= bound["ratio"])
       return counted(bound, angle_to(answer, "auto") < bound["below_deg"].get<double>());
   return nullptr;
 }
@@ -140,7 +157,7 @@ Json gp_beyond(Json& asked, const Json& answer) {
 }
 
 void take_fem_answer(Json& out, const Field& line) {
-  refuse_unknown(out, line);
+  if (take_reason(out, line)) return;
   Json answer = read_parts(line, {{"geometry", as::text},
                                   {"ratio", as::positive},
                                   {"force", as::not_negative},
@@ -158,7 +175,7 @@ void take_fem_answer(Json& out, const Field& line) {
 }
 
 void take_half_space(Json& out, const Field& line) {
-  refuse_unknown(out, line);
+  if (take_reason(out, line)) return;
   out["half_space"].push_back(read_parts(line, {{"geometry", as::text},
                                                 {"ratio", as::positive},
                                                 {"start", as::one_of<kStarts>},
@@ -183,10 +200,15 @@ const std::vector<Kind>& fem_kinds() {
 }  // namespace
 
 Json fem_json(const std::filesystem::path& file) {
-  const Json empty{{"host", nullptr},          {"interrupted", false},
-                   {"asked", asked()},         {"geometries", Json::array()},
-                   {"checks", Json::array()},  {"convergence", Json::array()},
-                   {"answers", Json::array()}, {"half_space", Json::array()}};
+  const Json empty{{"host", nullptr},
+                   {"interrupted", false},
+                   {"asked", asked()},
+                   {"geometries", Json::array()},
+                   {"checks", Json::array()},
+                   {"convergence", Json::array()},
+                   {"answers", Json::array()},
+                   {"half_space", Json::array()},
+                   {"unanswered", Json::array()}};
   return read_kinds(file, empty, take_fem_run, fem_kinds(), "reports/fem/run");
 }
 

@@ -194,8 +194,9 @@ std::string fem_held(const Json& asked) {
   const auto of = [](const Json& what) { return fmt::format("{} of {}\n", what["held"].dump(), what["of"].dump()); };
   std::string out;
   for (const Json& bound : asked["cn"])
-    out += fmt::format("- overlap ratio {}: force less than {} degrees from CN in {}", bound["ratio"].get<double>(),
-                       bound["below_deg"].get<double>(), of(bound));
+    out += fmt::format("- overlap ratio above {} up to {}: force less than {} degrees from CN in {}",
+                       bound["above"].get<double>(), bound["ratio"].get<double>(), bound["below_deg"].get<double>(),
+                       of(bound));
   const Json& gp = asked["gp"];
   return out + fmt::format("- where GP is more than {} degrees from CN: more than {} times as far from the force in {}",
                            gp["apart_deg"].get<double>(), gp["times"].get<double>(), of(gp));
@@ -216,7 +217,8 @@ std::string fem_list(const Json& fem) {
   std::string out = fmt::format("\n### Against finite elements, CalculiX {}, commit {}, {}{}\n\n",
                                 fem["host"]["ccx"].get<std::string>(), fem["commit"].get<std::string>(),
                                 fem["mode"].get<std::string>(), fem["interrupted"] == true ? " - INCOMPLETE" : "");
-  return out + fem_held(fem["asked"]) + checks_lines(fem["checks"]);
+  out += fem_held(fem["asked"]) + checks_lines(fem["checks"]);
+  return fem["unanswered"].empty() ? out : out + fmt::format("- without an answer: {}\n", fem["unanswered"].size());
 }
 
 std::string playback_line(const Json& playback) {

@@ -78,8 +78,8 @@ TEST_F(FemReport, InTheSummary) {
   ASSERT_EQ(plumb("report --fem fem.jsonl -o page.html").code, 0);
   EXPECT_EQ(read("page.md"),
             "## plumb\n\n### Against finite elements, CalculiX 2.20, commit 0fe0fe0, quick\n\n"
-            "- overlap ratio 0.005: force less than 0.2 degrees from CN in 1 of 1\n"
-            "- overlap ratio 0.02: force less than 1 degrees from CN in 0 of 0\n"
+            "- overlap ratio above 0 up to 0.005: force less than 0.2 degrees from CN in 1 of 1\n"
+            "- overlap ratio above 0.005 up to 0.02: force less than 1 degrees from CN in 0 of 0\n"
             "- where GP is more than 5 degrees from CN: more than 5 times as far from the force in 1 of 1\n"
             "- checks within their limits: 0 of 1\n- **check hertz_force**: 3.5 %, limit 2\n");
 }
@@ -116,13 +116,14 @@ TEST_F(FemReport, WhatIsAskedIsCountedAndMarked) {
                           fem_answer_at(0.005, 0.2, 1, 5.1), fem_answer_at(0.01, 0.1, 0.2, 5),
                           fem_answer_at(0.02, 0.99, nullptr, 20), fem_answer_at(0.05, nullptr, 20, 20)});
   const std::vector<std::pair<Json, Json>> verdicts{
-      {nullptr, true}, {false, false}, {nullptr, nullptr}, {true, false}, {nullptr, false}};
+      {false, true}, {false, false}, {true, nullptr}, {true, false}, {nullptr, false}};
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     EXPECT_EQ(found["answers"][i]["cn_within"], verdicts[i].first) << i;
     EXPECT_EQ(found["answers"][i]["gp_beyond"], verdicts[i].second) << i;
   }
-  EXPECT_EQ(found["asked"], Json::parse(R"({"cn": [{"ratio": 0.005, "below_deg": 0.2, "held": 0, "of": 1},
-      {"ratio": 0.02, "below_deg": 1.0, "held": 1, "of": 1}], "gp": {"times": 5.0, "apart_deg": 5.0, "held": 1, "of": 4}})"));
+  EXPECT_EQ(found["asked"], Json::parse(R"({"cn": [{"above": 0.0, "ratio": 0.005, "below_deg": 0.2, "held": 0, "of": 2},
+      {"above": 0.005, "ratio": 0.02, "below_deg": 1.0, "held": 2, "of": 2}],
+      "gp": {"times": 5.0, "apart_deg": 5.0, "held": 1, "of": 4}})"));
 }
 
 TEST_F(FemReport, NumbersThatAreNotThereAreNull) {
@@ -135,6 +136,25 @@ TEST_F(FemReport, NumbersThatAreNotThereAreNull) {
   EXPECT_EQ(found["answers"][0]["gp_beyond"], nullptr);
   EXPECT_EQ(found["half_space"][0]["fem_deg"], nullptr);
   EXPECT_EQ(found["half_space"][0]["centre_off"], nullptr);
+}
+
+TEST_F(FemReport, AReasonInThePlaceOfFigures) {
+  const Json place{{"geometry", "S01"}, {"ratio", 0.01}};
+  Json answer{{"kind", "answer"}, {"reason", "did not converge"}},
+      plane{{"kind", "half_space"}, {"reason", "turns on"}};
+  answer.update(place);
+  plane.update(place);
+  plane["start"] = "auto";
+  const Json found = fem({fem_line(kFemRun), fem_line(kFemGeometry), fem_line(kFemAnswer), answer, plane});
+  EXPECT_EQ(found["answers"].size(), 1u);
+  EXPECT_EQ(found["half_space"], Json::array());
+  ASSERT_EQ(found["unanswered"].size(), 2u);
+  EXPECT_EQ(found["unanswered"][0]["reason"], "did not converge");
+  EXPECT_EQ(found["unanswered"][0]["start"], nullptr);
+  EXPECT_EQ(found["unanswered"][1]["start"], "auto");
+  refuses({fem_line(kFemRun), answer}, "2: geometry: 'S01' is of no line before this one");
+  answer["reason"] = 1;
+  refuses({fem_line(kFemRun), fem_line(kFemGeometry), answer}, "3: reason: must be a string, not a number");
 }
 
 TEST_F(FemReport, WrongValuesAreRefused) {

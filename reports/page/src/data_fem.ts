@@ -23,14 +23,27 @@ export interface Fem {
   convergence: FemConvergence[];
   answers: FemAnswer[];
   half_space: HalfSpace[];
+  /** Lines with a reason in the place of their figures. */
+  unanswered: Unanswered[];
 }
 interface Counted {
   held: number;
   of: number;
 }
+/** Of overlap ratios above `above`, up to `ratio`. */
 export interface FemBound extends Counted {
+  above: number;
   ratio: number;
   below_deg: number;
+}
+export interface Unanswered {
+  kind: "answer" | "convergence" | "half_space";
+  geometry: string;
+  ratio: number;
+  varied: string | null;
+  setting: string | null;
+  start: string | null;
+  reason: string;
 }
 export interface FemGeometry {
   name: string;

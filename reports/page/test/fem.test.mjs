@@ -70,8 +70,8 @@ test("the plot has a mark for each geometry and method, which names it, and a bo
 test("what is asked is counted, and each answer of which it does not hold is marked, in words as well", () =>
   withPage(fem, async (page) => {
     const [first, second, third] = await textsOf(page, "#fem .fem-asked li");
-    assert.match(first, /ratio of 0.005 .* less than 0.2° from CN: in ✗ fails: 3 of 4 answers/);
-    assert.match(second, /ratio of 0.02 .* less than 1° from CN: in 4 of 4 answers/);
+    assert.match(first, /ratios up to 0.005 .* less than 0.2° from CN: in ✗ fails: 7 of 8 answers/);
+    assert.match(second, /above 0.005 up to 0.02 .* less than 1° from CN: in 8 of 8 answers/);
     assert.match(third, /more than 5° from CN, .* 5 times .*: in ✗ fails: 11 of 12 answers/);
     const rows = await rowsOf(page, /^Angle between the force .* patch radii/);
     assert.equal(rows.length, fem.answers.length);
@@ -104,6 +104,8 @@ test("checks, convergence and half-spaces have a row each; a check above its lim
     const halfSpaces = await rowsOf(page, /^Where the plane ends/);
     assert.equal(halfSpaces.length, fem.half_space.length);
     assert.match(halfSpaces.join(), /S010.002GP8/);
+    const unanswered = await textsOf(page, "#fem .fem-unanswered li");
+    assert.deepEqual(unanswered, ["S02 at 0.01, convergence (penalty, 1000): did not converge"]);
   }));
 
 test("each run and the geometries unfold", () =>
@@ -116,7 +118,7 @@ test("each run and the geometries unfold", () =>
     assert.match(geometries[3], /superquadric1 × 1.2 × 1, exponents 4 and 3; 1 × 1 × 1.5, exponents 4 and 3/);
   }));
 
-const nothing = { geometries: [], checks: [], convergence: [], answers: [], half_space: [] };
+const nothing = { geometries: [], checks: [], convergence: [], answers: [], half_space: [], unanswered: [] };
 
 test("an interrupted study says so, and one without answers has no figure", () =>
   withPage({ ...fem, ...nothing, checks: fem.checks, interrupted: true }, async (page, noticed) => {

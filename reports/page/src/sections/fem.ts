@@ -9,7 +9,7 @@ import { legend, methodName } from "../swatch";
 import { definitions } from "../table";
 import { femDrawing } from "./fem_plot";
 import { anglesTable, behind, checksBlock, convergenceBlock, halfSpaceBlock, plotTable } from "./fem_tables";
-import { askedWords, describeFem, methodsOf } from "./fem_words";
+import { askedWords, describeFem, methodsOf, unansweredWords } from "./fem_words";
 import { marked } from "./study_words";
 
 const QUESTION = "Which normal does the force have when the bodies are elastic, and how far is it from each method's?";
@@ -80,6 +80,12 @@ function answersBlock(fem: Fem): Child[] {
   ];
 }
 
+function unansweredBlock({ unanswered }: Fem): Child[] {
+  if (unanswered.length === 0) return [];
+  const items = unanswered.map((one) => h("li", {}, unansweredWords(one)));
+  return [h("h3", {}, "Without an answer"), h("ul", { class: "fem-unanswered" }, ...items)];
+}
+
 export function femSection({ fem }: Report): HTMLElement | null {
   if (!fem) return null;
   const { checks, convergence, half_space, commit, command: text, interrupted } = fem;
@@ -90,6 +96,7 @@ export function femSection({ fem }: Report): HTMLElement | null {
     h("p", { class: "what" }, WHAT),
     ...answersBlock(fem),
     ...behind(fem),
+    ...unansweredBlock(fem),
     ...checksBlock(checks),
     ...convergenceBlock(convergence),
     ...halfSpaceBlock(half_space),

@@ -19,10 +19,12 @@ function words(answer: FemAnswer, method: string): string {
   return `<b>${plain(answer.geometry)}</b>, ${plain(method)}<br>overlap ratio ${number(answer.ratio)}: ${value}${mark}`;
 }
 
-/** Short dashes where an angle to CN is asked for. */
-const bounds = ({ asked }: Fem): Partial<Shape>[] =>
-  asked.cn.map(({ ratio, below_deg }) => {
-    const [x0, x1] = [ratio * 10 ** (-4 * BESIDE), ratio * 10 ** (4 * BESIDE)];
+/** Dashes where an angle to CN is asked for. */
+const bounds = ({ asked, answers }: Fem): Partial<Shape>[] =>
+  asked.cn.map(({ above, ratio, below_deg }) => {
+    const rim = 10 ** (4 * BESIDE);
+    const least = Math.min(...answers.map((answer) => answer.ratio));
+    const [x0, x1] = [above > 0 ? above * rim : Math.min(least, ratio) / rim, ratio * rim];
     const line = { color: ink().bad, width: 1.4, dash: "dash" };
     return { type: "line", x0, x1, y0: below_deg, y1: below_deg, layer: "below", line } as Partial<Shape>;
   });

@@ -1,5 +1,5 @@
 /** The finite elements in words. */
-import type { Fem, FemAnswer, FemBody, FemGeometry } from "../data_fem";
+import type { Fem, FemAnswer, FemBody, FemGeometry, Unanswered } from "../data_fem";
 import { inOrder } from "../methods";
 import { count, error, number } from "../numbers";
 
@@ -16,8 +16,8 @@ export function isMarked({ cn_within, gp_beyond }: FemAnswer, method: string): b
 
 /** What is asked, with how many answers hold it and of how many it is asked. */
 export function askedWords({ asked: { cn, gp } }: Fem): { words: string; held: number; of: number }[] {
-  const bounds = cn.map(({ ratio, below_deg, held, of }) => ({
-    words: `At an overlap ratio of ${number(ratio)} the force is less than ${number(below_deg)}° from CN`,
+  const bounds = cn.map(({ above, ratio, below_deg, held, of }) => ({
+    words: `At overlap ratios ${above > 0 ? `above ${number(above)} ` : ""}up to ${number(ratio)} the force is less than ${number(below_deg)}° from CN`,
     held,
     of,
   }));
@@ -30,6 +30,12 @@ function rangeWords(method: string, answers: FemAnswer[]): string {
   const angles = answers.map((answer) => angleTo(answer, method)).filter((angle) => angle !== null);
   if (angles.length === 0) return `${method} no answer`;
   return `${method} from ${error(Math.min(...angles))}° to ${error(Math.max(...angles))}°`;
+}
+
+export function unansweredWords({ kind, geometry, ratio, varied, setting, start, reason }: Unanswered): string {
+  const which = [varied, setting, start].filter((word) => word !== null).join(", ");
+  const of = kind === "answer" ? "" : `, ${kind.replace("_", "-")}${which ? ` (${which})` : ""}`;
+  return `${geometry} at ${number(ratio)}${of}: ${reason}`;
 }
 
 export function describeFem(answers: FemAnswer[], methods: string[]): string {

@@ -67,6 +67,15 @@ const CHECKS = [
   { kind: "check", check: "balance", value: 1e-9, limit: 1e-6, unit: "relative" },
 ];
 
+const UNANSWERED = {
+  kind: "convergence",
+  geometry: "S02",
+  ratio: 0.01,
+  varied: "penalty",
+  setting: "1000",
+  reason: "did not converge",
+};
+
 const convergence = () =>
   ["mesh", "order", "penalty", "increments", "swap", "held"].map((varied, index) => ({
     kind: "convergence",
@@ -99,13 +108,10 @@ const halfSpaces = () =>
 export function femLines() {
   const random = stream(2020);
   const answers = NAMES.flatMap((name) => RATIOS.map((ratio) => answer(random, name, ratio)));
-  return [RUN, ...NAMES.map(geometry), ...CHECKS, ...convergence(), ...answers, ...halfSpaces()];
+  return [RUN, ...NAMES.map(geometry), ...CHECKS, ...convergence(), ...answers, ...halfSpaces(), UNANSWERED];
 }
 
-function cnWithin({ ratio, angles_deg }) {
-  const below_deg = { 0.005: 0.2, 0.02: 1 }[ratio];
-  return below_deg === undefined ? null : angles_deg.auto < below_deg;
-}
+const cnWithin = ({ ratio, angles_deg }) => angles_deg.auto < (ratio <= 0.005 ? 0.2 : 1);
 
 const gpBeyond = ({ cn_to_gp_deg, angles_deg }) =>
   cn_to_gp_deg > 5 ? angles_deg.geometric_potential > 5 * angles_deg.auto : null;
@@ -117,14 +123,16 @@ const counted = (verdicts) => ({
 
 /** As reports/campaign/fem.cpp reads them. */
 export function femOf(lines) {
-  const of = (wanted) => lines.filter(({ kind }) => kind === wanted).map(({ kind, ...line }) => line);
+  const whole = lines.filter(({ reason }) => reason === undefined);
+  const of = (wanted) => whole.filter(({ kind }) => kind === wanted).map(({ kind, ...line }) => line);
   const [{ host: all, command, mode, young, poisson, held }] = of("run");
   const { commit, ...host } = all;
   const answers = of("answer").map((one) => ({ ...one, cn_within: cnWithin(one), gp_beyond: gpBeyond(one) }));
-  const at = (ratio) => counted(answers.filter((one) => one.ratio === ratio).map(({ cn_within }) => cn_within));
+  const within = (above, most) =>
+    counted(answers.filter(({ ratio }) => ratio > above && ratio <= most).map(({ cn_within }) => cn_within));
   const bounds = [
-    [0.005, 0.2],
-    [0.02, 1],
+    [0, 0.005, 0.2],
+    [0.005, 0.02, 1],
   ];
   return {
     commit,
@@ -136,7 +144,7 @@ export function femOf(lines) {
     poisson,
     held,
     asked: {
-      cn: bounds.map(([ratio, below_deg]) => ({ ratio, below_deg, ...at(ratio) })),
+      cn: bounds.map(([above, ratio, below_deg]) => ({ above, ratio, below_deg, ...within(above, ratio) })),
       gp: { times: 5, apart_deg: 5, ...counted(answers.map(({ gp_beyond }) => gp_beyond)) },
     },
     geometries: of("geometry"),
@@ -144,6 +152,9 @@ export function femOf(lines) {
     convergence: of("convergence"),
     answers,
     half_space: of("half_space"),
+    unanswered: lines
+      .filter(({ reason }) => reason !== undefined)
+      .map((line) => ({ varied: null, setting: null, start: null, ...line })),
   };
 }
 
