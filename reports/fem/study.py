@@ -16,7 +16,7 @@ import numpy as np
 import calculix
 import tables
 from contact import Mode, degrees_between
-from methods import TOP, CommandFailure, answers, placed
+from methods import TOP, CommandFailure, answers, placed, plumb
 from tasks import Task, engine_versions, run_all
 
 MODES = {"quick": Mode(order=1, division=4), "full": Mode(order=2, division=2.5)}
@@ -34,22 +34,16 @@ class BadInput(Exception):
 
 
 def read_geometries(path):
-    try:
-        lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(f"{path}: {getattr(error, 'strerror', None) or 'not text in UTF-8'}") from None
-    out = []
-    for number, line in enumerate(lines, start=1):
-        try:
-            case = json.loads(line)
-        except json.JSONDecodeError as error:
-            raise BadInput(f"{path}:{number}: {error.msg}") from None
-        if not isinstance(case, dict) or not isinstance(case.get("placement"), dict) or not case.get("name"):
-            raise BadInput(f"{path}:{number}: placement: a geometry is a case with a name and a placement")
-        out.append(case)
+    plumb(["export", path], "")  # refuses what is no case file, with line, field and reason
+    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
+    out = [json.loads(line) for line in lines if line.strip()]
+    for number, case in enumerate(out, start=1):
+        for field in ("name", "placement"):
+            if not case.get(field):
+                raise BadInput(f"{path}:{number}: {field}: is missing; a geometry has a name and a placement")
     names = [case["name"] for case in out]
-    if len(set(names)) != len(names) or not names:
-        raise BadInput(f"{path}: name: {'no case' if not names else 'two cases have one'}")
+    if len(set(names)) != len(names):
+        raise BadInput(f"{path}: name: two geometries have one")
     return out
 
 
@@ -203,8 +197,13 @@ def show_progress(done, of):
     print(f"\r{done} of {of} calculations", end="\n" if done == of else "", file=sys.stderr, flush=True)
 
 
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise BadInput(f"{self.prog}: {message}")
+
+
 def parsed(words):
-    parser = argparse.ArgumentParser(prog="reports/fem/run", description=__doc__)
+    parser = Parser(prog="reports/fem/run", description=__doc__)
     parser.add_argument("--quick", dest="mode", action="store_const", const="quick", default="full")
     parser.add_argument("--geometries", default=str(pathlib.Path(__file__).parent / "geometries.jsonl"), metavar="FILE")
     parser.add_argument("--ratios", type=float, nargs="+", metavar="R")
@@ -231,8 +230,7 @@ def draw(study, lines, out):
             figures.draw_contact(task, out / "contact.png")
 
 
-def main(words):
-    arguments = parsed(words)
+def main(arguments):
     out = pathlib.Path(arguments.out)
     study = Study(read_geometries(arguments.geometries), arguments.ratios, arguments.mode)
     engines = engine_versions()
@@ -245,12 +243,21 @@ def main(words):
     return 1 if tables.findings(lines) else 0
 
 
-if __name__ == "__main__":
+def answered(words):
+    """The exit code, with one line where there is nothing to show."""
+    arguments = None
     try:
-        sys.exit(main(sys.argv[1:]))
-    except (BadInput, CommandFailure, OSError) as error:
+        arguments = parsed(words)
+        return main(arguments)
+    except (BadInput, CommandFailure) as error:
         print(error, file=sys.stderr)
-        sys.exit(2)
+    except OSError as error:  # of a full disk without the file's name
+        print(f"{error.filename or arguments.out}: {error.strerror}", file=sys.stderr)
     except KeyboardInterrupt:
         print("\ninterrupted: what was calculated is kept, and not made again", file=sys.stderr)
-        sys.exit(130)
+        return 130
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(answered(sys.argv[1:]))
