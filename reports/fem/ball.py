@@ -4,11 +4,16 @@ It has no superellipsoid, and meshes an ellipsoid of its own only after a boolea
 """
 
 import dataclasses
+import signal
 
 import gmsh
 import numpy as np
 
 from mesh import MeshFailure
+
+# gmsh takes Ctrl-C's handler away when it is imported, and puts it back where it is closed, in whatever process that is.
+signal.signal(signal.SIGINT, gmsh.oldsig)
+gmsh.oldsig = None
 
 ORDER_TYPES = {1: (4, 2), 2: (11, 9)}  # gmsh's numbers of tetrahedra and triangles
 

@@ -61,16 +61,16 @@ def _keep(path, result):
     part.replace(path)
 
 
-def _deaf():
-    """Ctrl-C is the parent's to hear; the engine, in this process's group, ends by it."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _mortal():
+    """Ctrl-C ends this process, and the engine that it waits for, at once: the parent says what there is to say."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def run_all(tasks, out, engine, jobs, tell):
     """The results in the order of the tasks, through `jobs` processes; tell(done, of) goes along."""
     out = pathlib.Path(out)
     (out / "kept").mkdir(parents=True, exist_ok=True)
-    with concurrent.futures.ProcessPoolExecutor(jobs, initializer=_deaf) as pool:
+    with concurrent.futures.ProcessPoolExecutor(jobs, initializer=_mortal) as pool:
         waiting = [pool.submit(_calculated, task, out, engine) for task in tasks]
         try:
             for number, _ in enumerate(concurrent.futures.as_completed(waiting), start=1):

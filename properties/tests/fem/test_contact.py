@@ -1,9 +1,14 @@
 """One contact from end to end, where gmsh and CalculiX are installed: CI does not install them."""
 
 import importlib.util
+import os
 import pathlib
 import shutil
+import signal
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 
 import numpy as np
@@ -59,6 +64,31 @@ class Failure(unittest.TestCase):
     def test_an_engine_that_does_not_end_is_said(self):
         with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(calculix.EngineFailure, "contact.log"):
             calculix.run(pathlib.Path(folder), "*NODE\n", [], calculix.Setting())
+
+
+def is_of_session(entry, session):
+    try:
+        state, *numbers = (entry / "stat").read_text().rpartition(")")[2].split()
+    except OSError:  # it has ended
+        return False
+    return int(numbers[2]) == session and state != "Z"
+
+
+@unittest.skipUnless(HAS_ENGINES, "needs gmsh and calculix-ccx")
+class Interrupting(unittest.TestCase):
+    def test_ctrl_c_is_one_line_and_leaves_no_engine(self):
+        study = pathlib.Path(calculix.__file__).with_name("study.py")
+        with tempfile.TemporaryDirectory() as out:
+            words = [sys.executable, "-B", study, "--quick", "--jobs", "1", "--out", out]
+            # A session is the group that a terminal's Ctrl-C goes to.
+            with subprocess.Popen(words, start_new_session=True, stderr=subprocess.PIPE, text=True) as running:
+                while running.poll() is None and not any(pathlib.Path(out).glob("work/*/contact.inp")):
+                    time.sleep(0.05)
+                os.killpg(running.pid, signal.SIGINT)
+                self.assertRegex(running.communicate()[1], r"\A\ninterrupted: [^\n]*\n\Z")
+            self.assertEqual(running.returncode, 130)
+            left = [e for e in pathlib.Path("/proc").iterdir() if e.name.isdigit() and is_of_session(e, running.pid)]
+            self.assertEqual(left, [])
 
 
 if __name__ == "__main__":
