@@ -5,6 +5,7 @@ are, overlapping, and nothing is moved: CalculiX lets the overlap come in over t
 """
 
 import dataclasses
+import inspect
 import io
 import os
 import re
@@ -25,11 +26,20 @@ class EngineFailure(Exception):
 class Setting:
     """What a result should not depend on, beside the mesh."""
 
-    penalty: float = 300  # of the contact: stiffness / (Young's modulus / patch radius)
+    penalty: float = 300  # of the contact: stiffness / (Young's modulus / the patch's narrow radius)
     increments: int = 4
     is_swapped: bool = False  # body 1 is the slave
     held: float = 0  # nodes at most this part of the way from the centre to the contact are held
     solver: str = "ITERATIVE CHOLESKY"
+
+
+@dataclasses.dataclass(frozen=True)
+class Zone:
+    """Where the bodies touch."""
+
+    point: np.ndarray
+    narrow: float  # the patch's radius where it is narrowest, about
+    reach: float  # no point of the bodies further than this from `point` is in the other
 
 
 @dataclasses.dataclass
@@ -72,7 +82,7 @@ def held_nodes(mesh, centre, contact, part):
     return np.flatnonzero((mesh.nodes - centre) @ along <= part)
 
 
-def deck_of(meshes, centres, contact, patch_radius, setting, is_shown=False):
+def deck_of(meshes, centres, zone, setting, is_shown=False):
     """The input file. Displacements are asked for where they are to be shown."""
     with io.StringIO() as out:
         nodes, elements = 0, 0
@@ -85,24 +95,24 @@ def deck_of(meshes, centres, contact, patch_radius, setting, is_shown=False):
             for k, of in enumerate((mesh.elements + nodes + 1).tolist(), start=elements + 1):
                 out.write(f"{k}, " + ", ".join(map(str, of)) + "\n")
             out.write(f"*SURFACE, NAME=SKIN{body}, TYPE=ELEMENT\n")
-            near = _near_faces(mesh, contact, patch_radius)
+            near = _near_faces(mesh, zone)
             out.writelines(f"{element + elements + 1}, S{face}\n" for element, face in near.tolist())
-            held = held_nodes(mesh, centre, contact, setting.held) + nodes + 1
+            held = held_nodes(mesh, centre, zone.point, setting.held) + nodes + 1
             out.write(f"*NSET, NSET=HELD{body}\n" + _rows(held.tolist()))
             nodes += len(mesh.nodes)
             elements += len(mesh.elements)
-        out.write(_step(patch_radius, setting, is_shown))
+        out.write(_step(zone.narrow, setting, is_shown))
         return out.getvalue()
 
 
-def _near_faces(mesh, contact, patch_radius):
+def _near_faces(mesh, zone):
     """Faces of the surface by the contact: pairing costs by those that it goes through, and no others can touch."""
     of = np.take_along_axis(mesh.elements[mesh.faces[:, 0]], FACES[mesh.faces[:, 1] - 1], axis=1)
-    distance = np.linalg.norm(mesh.nodes[of] - contact, axis=2).min(axis=1)
-    return mesh.faces[distance < 2.2 * patch_radius]
+    distance = np.linalg.norm(mesh.nodes[of] - zone.point, axis=2).min(axis=1)
+    return mesh.faces[distance < max(2.2 * zone.narrow, zone.reach)]
 
 
-def _step(patch_radius, setting, is_shown):
+def _step(narrow, setting, is_shown):
     slave, master = ("SKIN1", "SKIN2") if setting.is_swapped else ("SKIN2", "SKIN1")
     part = _number(1 / setting.increments)
     shown = "*NODE PRINT, NSET=ALL{0}, FREQUENCY=1000\nU\n"
@@ -110,7 +120,7 @@ def _step(patch_radius, setting, is_shown):
         f"*MATERIAL, NAME=ELASTIC\n*ELASTIC\n{YOUNG}, {POISSON}\n"
         "*SOLID SECTION, ELSET=BODY1, MATERIAL=ELASTIC\n*SOLID SECTION, ELSET=BODY2, MATERIAL=ELASTIC\n"
         "*SURFACE INTERACTION, NAME=TOUCH\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n"
-        f"{_number(setting.penalty * YOUNG / patch_radius)}\n"
+        f"{_number(setting.penalty * YOUNG / narrow)}\n"
         f"*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE\n{slave}, {master}\n"
         "*BOUNDARY\nHELD1, 1, 3\nHELD2, 1, 3\n"
         f"*STEP, NLGEOM, INC=1000\n*STATIC, SOLVER={setting.solver}\n{part}, 1., 1e-6, {part}\n"
@@ -161,6 +171,11 @@ def _read(folder, meshes, setting):
         offset,
         displacements,
     )
+
+
+def reading():
+    """The text of what reads: what is kept of a calculation is no longer right where this has changed."""
+    return "".join(map(inspect.getsource, (Result, _read, _table, _line_after)))
 
 
 def _table(text, heading):

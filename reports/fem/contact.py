@@ -6,9 +6,9 @@ import numpy as np
 
 import calculix
 from ball import Sizes, ball_mesh
-from gap import basis_of, lens_window
+from gap import basis_of, gap_on, lens_window
 from mesh import MeshFailure, onto_body
-from superellipsoid import Body
+from superellipsoid import pair_of
 
 
 @dataclasses.dataclass(frozen=True)
@@ -25,24 +25,26 @@ def degrees_between(u, v):
     return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(u, v)), np.dot(u, v))))
 
 
-def pair_of(case):
-    return tuple(Body.of(body) for body in case["bodies"])
-
-
 @dataclasses.dataclass(frozen=True)
 class Lens:
     """Where two bodies overlap, seen along the common normal."""
 
     frame: np.ndarray
     centre: np.ndarray
-    half: np.ndarray  # along frame[0] and frame[1]
+    half: np.ndarray  # of the box around it, along frame[0] and frame[1]
+    area: float
 
     @staticmethod
     def of(pair, answer):
         margin = 1.15
         frame = basis_of(np.array(answer["normal"]))
         centre, half = lens_window(*pair, frame, np.array(answer["contact_point"]), margin=margin)
-        return Lens(frame, centre, half / margin)
+        gap = gap_on(*pair, frame, centre, half, cells=192)
+        return Lens(frame, centre, half / margin, np.count_nonzero(gap.values < 0) * gap.step.prod())
+
+    def patch_radius(self):
+        """Of the circle that is as large as Hertz's patch, which has half the area of the lens. What "radii of the patch" are."""
+        return float(np.sqrt(self.area / 2 / np.pi))
 
     def rim(self):
         return self.centre + np.array([sign * self.half[k] * self.frame[k] for k in (0, 1) for sign in (-1, 1)])
@@ -69,15 +71,14 @@ def mesh_of(body, sizes, order):
 
 
 def meshes_and_deck(case, answer, mode, setting, is_shown=False):
-    """Of an overlapping pair and the answer of auto to it."""
+    """Of an overlapping pair and CN's answer to it."""
     pair = pair_of(case)
     lens = Lens.of(pair, answer)
     meshes = [
         mesh_of(body, sizes_for(body, lens, point, mode), mode.order) for body, point in zip(pair, answer["points"])
     ]
-    patch_radius = lens.half.min() / np.sqrt(2)  # Hertz: the patch has half the area of the lens
-    centres, contact = [body.position for body in pair], np.array(answer["contact_point"])
-    return meshes, calculix.deck_of(meshes, centres, contact, patch_radius, setting, is_shown)
+    zone = calculix.Zone(np.array(answer["contact_point"]), lens.half.min() / np.sqrt(2), lens.half.max())
+    return meshes, calculix.deck_of(meshes, [body.position for body in pair], zone, setting, is_shown)
 
 
 def pressure_centre(result):
@@ -88,10 +89,11 @@ def pressure_centre(result):
     return foot + force * ((result.middle - foot) @ force) / square
 
 
-def judged(result, answers):
-    """The fields of an answer line: the force against each method's normal, its line against each method's contact point."""
+def judged(result, answers, radius):
+    """The fields of an answer line: the force against each method's normal, its line against each method's contact point, in
+    parts of the patch's radius."""
     force, centre = result.forces[1], pressure_centre(result)
-    size, radius = np.linalg.norm(force), np.sqrt(result.area / np.pi)
+    size = np.linalg.norm(force)
     direction = force / size
 
     def off(answer):
@@ -104,7 +106,8 @@ def judged(result, answers):
         "angles_deg": {name: degrees_between(direction, a["normal"]) for name, a in answers.items()},
         "centre": centre.tolist(),
         "centre_off": {name: off(a) for name, a in answers.items()},
-        "patch_radius": float(radius),
+        "patch_radius": radius,
+        "fem_patch_radius": float(np.sqrt(result.area / np.pi)),
         "balance": float(np.linalg.norm(result.forces.sum(axis=0)) / size),
         "lines_apart": float(np.linalg.norm(np.cross(result.moments.sum(axis=0), direction)) / (size * radius)),
         "elements_agree": float(np.linalg.norm(result.contact_force - force) / size),

@@ -17,7 +17,6 @@ class Mesh:
     nodes: np.ndarray  # n x 3, world
     elements: np.ndarray  # m x 4 or m x 10, rows of nodes, CalculiX's order
     faces: np.ndarray  # k x 2: element and face 1 to 4, of the surface
-    surface: np.ndarray  # bool, n
 
 
 def onto_body(body, nodes, elements, triangles):
@@ -32,7 +31,7 @@ def onto_body(body, nodes, elements, triangles):
         elements = elements[:, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]]
     if volumes(local, elements).min() <= 0:
         raise MeshFailure("the map turns an element inside out")
-    return Mesh(body.to_world(local), elements, _faces(elements, triangles), surface)
+    return Mesh(body.to_world(local), elements, _faces(elements, triangles))
 
 
 def _straighten(local, elements, surface):

@@ -4,7 +4,8 @@ import numpy as np
 
 import calculix
 import half_space
-from contact import degrees_between, pair_of
+from contact import degrees_between
+from superellipsoid import pair_of
 
 MODULUS = calculix.YOUNG / (2 * (1 - calculix.POISSON**2))  # of both bodies together
 
@@ -30,6 +31,7 @@ def _settled(pair, normal, cn, fem):
         "start_deg": degrees_between(normal, end),
         "planes": planes,
         "cn_deg": degrees_between(end, cn_normal),
+        "direction": end.tolist(),
         "force": force,
         "patch_radius": radius,
         "curvatures": curvatures(pair, cn_normal, np.array(cn["contact_point"]), pressed.centre, radius),
@@ -58,6 +60,6 @@ def _beside(fem, end, centre, force, radius):
     return {
         "fem_deg": degrees_between(end, fem["direction"]),
         "fem_force": fem["force"] / force,
-        "fem_patch": fem["patch_radius"] / radius,
+        "fem_patch": fem["fem_patch_radius"] / radius,
         "centre_off": float(np.linalg.norm(off - off @ end * end) / radius),
     }

@@ -9,23 +9,29 @@ import dataclasses
 import json
 import os
 import pathlib
+import shlex
 import sys
 
 import numpy as np
 
 import calculix
+import checks
 import tables
 from contact import Mode, degrees_between
 from methods import TOP, CommandFailure, answers, placed, plumb
-from tasks import Task, engine_versions, run_all
+from tasks import Busy, Task, engine_versions, run_all
 
 MODES = {"quick": Mode(order=1, division=4), "full": Mode(order=2, division=2.5)}
 RATIOS = {"quick": (0.005, 0.02), "full": (0.002, 0.005, 0.01, 0.02)}
 HELD = "all nodes of each body's far half: beyond the plane through its centre across the line to the contact"
-HERTZ_MODE = Mode(order=2, division=4)
+HERTZ_RATIO = 2e-4
+# Meshes of Hertz's two balls, with limits for force, direction (degrees) and the patch's radius: a fine one, and the study's own.
+FINE = (Mode(order=2, division=4), "Hertz", (0.02, 0.01, 0.1))
+HERTZ = {"quick": [FINE, (MODES["quick"], "Hertz, this mode's mesh", (0.2, 0.1, 0.4))],
+         "full": [FINE, (MODES["full"], "Hertz, this mode's mesh", (0.1, 0.05, 0.2))]}  # fmt: skip
 SMALL = (0.002, 0.005)  # ratios at which half-spaces are asked
 VARIED_AT = ("G3", "Q3")
-VARIED_RATIO = 0.01
+VARIED_RATIO = 0.01  # or the study's own nearest to it
 SHOWN_AT = "G3"
 
 
@@ -35,16 +41,25 @@ class BadInput(Exception):
 
 def read_geometries(path):
     plumb(["export", path], "")  # refuses what is no case file, with line, field and reason
-    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    out = [json.loads(line) for line in lines if line.strip()]
-    for number, case in enumerate(out, start=1):
-        for field in ("name", "placement"):
-            if not case.get(field):
-                raise BadInput(f"{path}:{number}: {field}: is missing; a geometry has a name and a placement")
+    out = []
+    for number, line in enumerate(pathlib.Path(path).read_text(encoding="utf-8").splitlines(), start=1):
+        if line.strip():
+            out.append(geometry_of(line, f"{path}:{number}"))
     names = [case["name"] for case in out]
     if len(set(names)) != len(names):
         raise BadInput(f"{path}: name: two geometries have one")
     return out
+
+
+def geometry_of(line, where):
+    try:
+        case = json.loads(line)
+    except ValueError:
+        raise BadInput(f"{where}: is no whole case: one a line") from None
+    for field in ("name", "placement"):
+        if not case.get(field):
+            raise BadInput(f"{where}: {field}: is missing; a geometry has a name and a placement")
+    return case
 
 
 def at_ratio(geometry, ratio):
@@ -55,7 +70,11 @@ def asked(geometries, ratios):
     """(name, ratio, case with positions, answers), of each geometry at each ratio."""
     pairs = [(g["name"], ratio) for g in geometries for ratio in ratios]
     cases = placed([at_ratio(g, ratio) for g in geometries for ratio in ratios])
-    return [(*pair, case, of) for pair, case, of in zip(pairs, cases, answers(cases))]
+    out = [(*pair, case, of) for pair, case, of in zip(pairs, cases, answers(cases))]
+    for name, ratio, _, of in out:
+        if "auto" not in of:
+            raise BadInput(f"{name} at {ratio:g}: auto: no common normal to mesh by")
+    return out
 
 
 def spheres():
@@ -78,7 +97,7 @@ def variations(mode):
     yield "held", "up to 0.4 of the way to the contact", *changed(held=0.4)
     if mode.order == 1:
         return
-    yield "held", "from the centre back to 0.5 of that way", *changed(held=-0.5)
+    yield "held", "what is 0.5 of that way and more behind the centre", *changed(held=-0.5)
     for division in (1.5, 4):
         yield "mesh", f"{division} elements from the lens's middle to its rim, not {mode.division}", Mode(2, division), base
     yield "order", "linear tetrahedra, as in quick mode", MODES["quick"], base
@@ -89,30 +108,14 @@ def variations(mode):
     yield "solver", "SPOOLES, direct", *changed(solver="SPOOLES")
 
 
-def hertz_lines(task, result):
-    overlap = task.answers["auto"]["overlap"]
-    modulus = calculix.YOUNG / (2 * (1 - calculix.POISSON**2))
-    force = 4 / 3 * modulus * np.sqrt(0.5) * overlap**1.5
-    yield "hertz_force", abs(result["force"] / force - 1), 0.02, "relative"
-    yield "hertz_direction", result["angles_deg"]["auto"], 0.01, "degrees"
-    yield "hertz_area", abs(result["patch_radius"] / np.sqrt(0.5 * overlap) - 1), 0.1, "relative, radius of the patch"
-
-
-def balance_lines(results):
-    whole = [r for r in results if "reason" not in r]
-    if whole:
-        yield "action = reaction", max(r["balance"] for r in whole), 1e-5, "of the force, worst of all"
-        yield "action and reaction on one line", max(r["lines_apart"] for r in whole), 0.1, "radii of the patch, worst of all"
-        yield "contact elements = reactions", max(r["elements_agree"] for r in whole), 1e-5, "of the force"
-
-
 def geometry_line(geometry, case):
     shapes = [body["shape"]["superellipsoid"] for body in case["bodies"]]
-    is_round = all(s["exponents"] == [2, 2] and s["semi_axes"][0] == s["semi_axes"][1] for s in shapes)
+    is_ellipsoid = all(s["exponents"] == [2, 2] for s in shapes)
+    is_round = all(s["semi_axes"][0] == s["semi_axes"][1] for s in shapes)
     return {
         "kind": "geometry",
         "name": geometry["name"],
-        "shape": "spheroid" if is_round else "superquadric",
+        "shape": "superquadric" if not is_ellipsoid else "spheroid" if is_round else "ellipsoid",
         "bodies": shapes,
         "line_deg": geometry["placement"]["line_deg"],
         "quaternion": case["bodies"][1]["orientation"]["quaternion_wxyz"],
@@ -140,6 +143,7 @@ def convergence_line(task, what, which, result, base):
         "setting": which,
         "turned_deg": degrees_between(result["direction"], base["direction"]),
         "force_change": result["force"] / base["force"] - 1,
+        "patch_change": result["fem_patch_radius"] / base["fem_patch_radius"] - 1,
         "centre_shift": float(np.linalg.norm(shift) / base["patch_radius"]),
     }
 
@@ -150,46 +154,51 @@ class Study:
     def __init__(self, geometries, ratios, mode):
         self.geometries, own = geometries, MODES[mode]
         self.answered = [Task(*of, own, has_planes=of[1] in SMALL) for of in asked(geometries, ratios)]
-        name, ratio, case, of = asked([spheres()], [2e-4])[0]
-        self.hertz = Task(name, ratio, case, of, HERTZ_MODE)
+        balls = asked([spheres()], [HERTZ_RATIO])[0]
+        self.hertz = [(Task(*balls, mesh), *limits) for mesh, *limits in HERTZ[mode]]
+        nearest = min(ratios, key=lambda ratio: abs(ratio - VARIED_RATIO))
         self.varied = [
             (base, what, which, Task(base.geometry, base.ratio, base.case, base.answers, varied, setting))
             for base in self.answered
-            if base.geometry in VARIED_AT and base.ratio == VARIED_RATIO
+            if base.geometry in VARIED_AT and base.ratio == nearest
             for what, which, varied, setting in variations(own)
         ]
 
     def tasks(self):
         """The longest first."""
-        return [self.hertz, *(of[3] for of in self.varied), *self.answered]
+        return [*(of[0] for of in self.hertz), *(of[3] for of in self.varied), *self.answered]
 
     def lines(self, results):
         by_task = dict(zip(map(id, self.tasks()), results))
         answered = [by_task[id(task)] for task in self.answered]
         cases = {task.geometry: task.case for task in self.answered}
         yield from (geometry_line(g, cases[g["name"]]) for g in self.geometries)
-        hertz = by_task[id(self.hertz)]
-        checks = [*(() if "reason" in hertz else hertz_lines(self.hertz, hertz)), *balance_lines(answered)]
-        for name, value, limit, unit in checks:
+        convergence = [
+            convergence_line(task, what, which, by_task[id(task)], by_task[id(base)]) for base, what, which, task in self.varied
+        ]
+        whole = [result for result in answered if "reason" not in result]
+        checked = [check for task, *of in self.hertz for check in checks.hertz(task, by_task[id(task)], *of)]
+        checked += [*checks.balance(whole), *checks.half_spaces(answered), *checks.variations(convergence)]
+        for name, value, limit, unit in checked:
             yield {"kind": "check", "check": name, "value": float(value), "limit": limit, "unit": unit}
-        for base, what, which, task in self.varied:
-            yield convergence_line(task, what, which, by_task[id(task)], by_task[id(base)])
+        yield from convergence
         yield from (answer_line(task, result) for task, result in zip(self.answered, answered))
         for task, result in zip(self.answered, answered):
             head = {"kind": "half_space", "geometry": task.geometry, "ratio": task.ratio}
             yield from (head | plane for plane in result["planes"])
 
 
-def run_line(arguments, engines):
+def run_line(arguments, words, engines):
     host = {"commit": os.environ.get("PLUMB_COMMIT", "?"), "cores": str(os.cpu_count()), "numpy": np.__version__, **engines}
     return {
         "kind": "run",
-        "command": "reports/fem/run --" + arguments.mode,
+        "command": shlex.join(["reports/fem/run", *words]),
         "host": host,
         "mode": arguments.mode,
         "young": calculix.YOUNG,
         "poisson": calculix.POISSON,
         "held": HELD,
+        "limits": tables.LIMITS,
     }
 
 
@@ -230,12 +239,12 @@ def draw(study, lines, out):
             figures.draw_contact(task, out / "contact.png")
 
 
-def main(arguments):
+def main(arguments, words):
     out = pathlib.Path(arguments.out)
     study = Study(read_geometries(arguments.geometries), arguments.ratios, arguments.mode)
     engines = engine_versions()
     results = run_all(study.tasks(), out, engines["ccx"], arguments.jobs, show_progress)
-    lines = [run_line(arguments, engines), *study.lines(results)]
+    lines = [run_line(arguments, words, engines), *study.lines(results)]
     (out / "fem.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
     if arguments.pictures:
         draw(study, lines, out)
@@ -248,8 +257,8 @@ def answered(words):
     arguments = None
     try:
         arguments = parsed(words)
-        return main(arguments)
-    except (BadInput, CommandFailure) as error:
+        return main(arguments, words)
+    except (BadInput, CommandFailure, Busy, checks.NoCheck) as error:
         print(error, file=sys.stderr)
     except OSError as error:  # of a full disk without the file's name
         print(f"{error.filename or arguments.out}: {error.strerror}", file=sys.stderr)

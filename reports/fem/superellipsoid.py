@@ -117,3 +117,7 @@ class Body:
             is_left = self.gauge(start + a[:, None] * along) < self.gauge(start + b[:, None] * along)
             low, high = np.where(is_left, low, a), np.where(is_left, b, high)
         return (low + high) / 2
+
+
+def pair_of(case):
+    return tuple(Body.of(body) for body in case["bodies"])

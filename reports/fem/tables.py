@@ -7,9 +7,9 @@ METHODS = {
     "first_touch": "touch",
     "original_cn": "original",
 }
-# The direction of the force is the common normal's to this many degrees: at the least overlap of the kind and below it.
-LIMITS = ((0.005, 0.2), (0.02, 1.0))
-TIMES, APART_DEG = 5, 5  # the force is so many times further from GP's normal, where that is so far from the common one
+# cn: the force is less than this from the common normal, at that overlap and below. It is so many times further from GP's normal, where the
+# two normals are so far apart.
+LIMITS = {"cn": [{"ratio": 0.005, "below_deg": 0.2}, {"ratio": 0.02, "below_deg": 1.0}], "times": 5, "apart_deg": 5}
 
 
 def of_kind(lines, kind):
@@ -35,11 +35,13 @@ def answer_findings(line):
     if "reason" in line:
         return [line["reason"]]
     angles, out = line["angles_deg"], []
-    limit = next((most for ratio, most in LIMITS if line["ratio"] <= ratio), None)
+    limit = next((of["below_deg"] for of in LIMITS["cn"] if line["ratio"] <= of["ratio"]), None)
     if limit is not None and not angles["auto"] < limit:
         out.append(f"the force is {angles['auto']:.3g} degrees from the common normal, not below {limit:g}")
     apart = line["cn_to_gp_deg"]
-    if apart is not None and apart > APART_DEG and not angles["geometric_potential"] > TIMES * angles["auto"]:
+    if apart is None:
+        out.append("GP has no answer")
+    elif apart > LIMITS["apart_deg"] and not angles["geometric_potential"] > LIMITS["times"] * angles["auto"]:
         out.append(f"the force is {angles['geometric_potential']:.3g} degrees from GP's, {angles['auto']:.3g} from CN's")
     return out
 
@@ -84,7 +86,8 @@ def checks(lines):
 
 def answers(lines):
     yield "\nDegrees between the force and each method's normal; off: from the pressure's centre to the contact point, across the force, in"
-    yield "radii of the patch; patch: its radius in parts of body 1's largest semi-axis. -: the method does not answer"
+    yield "radii of the patch; patch: its radius in parts of body 1's largest semi-axis. CN: auto; GP, midway, touch: as certified; original: where"
+    yield "original_cn converges; -: no answer"
     head = ["geometry", "ratio", *METHODS.values(), "CN to GP", *(f"off {name}" for name in METHODS.values()), "patch"]
     largest = {g["name"]: max(g["bodies"][0]["semi_axes"]) for g in of_kind(lines, "geometry")}
     table = []
@@ -102,7 +105,8 @@ def answers(lines):
 def half_spaces(lines):
     yield "\nHalf-spaces pressed together along a plane, and again along the force that comes out, until the two are one. turned: from the first"
     yield "plane to the last; to CN, to FEM: of the last; FEM's force, patch and centre against the half-spaces' (radii of the patch); bends: by how"
-    yield "much the gap's curvature a patch's radius away from the contact point, against the centre's shift, is that on its side"
+    yield "much the gap's curvature a patch's radius away from the contact point, against the centre's shift, is that on its side. Of FEM's patch"
+    yield "the radius is that of the contact elements under pressure"
     head = ["geometry", "start", "ratio", "turned", "planes", "to CN", "to FEM", "force", "patch", "centre", "bends"]
     table = [
         [x["geometry"], x["start"], f"{x['ratio']:g}", number(x.get("start_deg")), str(x.get("planes", "-"))]
@@ -114,10 +118,10 @@ def half_spaces(lines):
 
 
 def variations(lines):
-    yield "\nWhat the result does not hang on: against the study's own setting, degrees that the force turns, its relative change, and the shift of"
-    yield "the pressure's centre in radii of the patch"
-    head = ["geometry", "varied", "setting", "turned", "force", "centre"]
-    fields = ("turned_deg", "force_change", "centre_shift")
+    yield "\nWhat the result hangs on: against the study's own setting, degrees that the force turns, its relative change, that of the radius of the"
+    yield "contact elements under pressure, and the shift of the pressure's centre in radii of the patch"
+    head = ["geometry", "varied", "setting", "turned", "force", "patch", "centre"]
+    fields = ("turned_deg", "force_change", "patch_change", "centre_shift")
     yield from rows(
         head, [[x["geometry"], x["varied"], x["setting"], *(number(x.get(name), 2) for name in fields)] for x in lines]
     )
@@ -135,9 +139,9 @@ def summary(lines):
 
 
 def gp_range(lines):
-    apart = [x for x in lines if (x["cn_to_gp_deg"] or 0) > APART_DEG]
+    apart = [x for x in lines if (x["cn_to_gp_deg"] or 0) > LIMITS["apart_deg"]]
     if not apart:
-        return "GP nowhere further than 5 degrees from CN"
+        return f"GP nowhere further than {LIMITS['apart_deg']} degrees from CN"
     gp = [x["angles_deg"]["geometric_potential"] for x in apart]
     least = min(x["angles_deg"]["geometric_potential"] / x["angles_deg"]["auto"] for x in apart)
-    return f"{min(gp):.3g} to {max(gp):.3g} from GP where that is > 5 from CN ({len(gp)}), at least {least:.3g} times as far"
+    return f"{min(gp):.3g} to {max(gp):.3g} from GP where that is > {LIMITS['apart_deg']} from CN ({len(gp)}), at least {least:.3g} times as far"

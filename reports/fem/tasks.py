@@ -1,7 +1,9 @@
 """Calculations that are kept, each by its deck, so that a study goes on where it was stopped and makes none twice."""
 
 import concurrent.futures
+import contextlib
 import dataclasses
+import fcntl
 import hashlib
 import json
 import os
@@ -14,6 +16,11 @@ import calculix
 import contact
 import planes
 from mesh import MeshFailure
+from superellipsoid import pair_of
+
+
+class Busy(Exception):
+    """One line: another run is at work in the same folder."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -37,7 +44,8 @@ def engine_versions():
 def _calculated(task, out, engine):
     """In a process of its own: what contact.judged gives, or why there is nothing; "planes", those of half-spaces."""
     try:
-        result = contact.judged(_result(task, out, engine), task.answers)
+        radius = contact.Lens.of(pair_of(task.case), task.answers["auto"]).patch_radius()
+        result = contact.judged(_result(task, out, engine), task.answers, radius)
     except (MeshFailure, calculix.EngineFailure) as error:
         result = {"reason": str(error)}
     return result | {"planes": planes.settled(task.case, task.answers, result) if task.has_planes else []}
@@ -45,13 +53,15 @@ def _calculated(task, out, engine):
 
 def _result(task, out, engine):
     meshes, deck = contact.meshes_and_deck(task.case, task.answers["auto"], task.mode, task.setting)
-    key = hashlib.sha256((engine + deck).encode()).hexdigest()[:24]
+    key = hashlib.sha256((calculix.reading() + engine + deck).encode()).hexdigest()[:24]
     path = out / "kept" / f"{key}.json"
-    if not path.exists():
-        folder = out / "work" / key
-        _keep(path, calculix.run(folder, deck, meshes, task.setting).to_json())
-        shutil.rmtree(folder)  # megabytes a calculation; of a failed one they are what is left to look at
-    return calculix.Result.from_json(json.loads(path.read_text()))
+    with contextlib.suppress(OSError, ValueError, TypeError):  # not there, or not whole: calculated again
+        return calculix.Result.from_json(json.loads(path.read_text()))
+    folder = out / "work" / key
+    result = calculix.run(folder, deck, meshes, task.setting)
+    _keep(path, result.to_json())
+    shutil.rmtree(folder)  # megabytes a calculation; of a failed one they are what is left to look at
+    return result
 
 
 def _keep(path, result):
@@ -66,16 +76,28 @@ def _mortal():
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
-def run_all(tasks, out, engine, jobs, tell):
-    """The results in the order of the tasks, through `jobs` processes; tell(done, of) goes along."""
-    out = pathlib.Path(out)
+@contextlib.contextmanager
+def _alone_in(out):
+    """Two runs would write one calculation's files."""
     (out / "kept").mkdir(parents=True, exist_ok=True)
-    with concurrent.futures.ProcessPoolExecutor(jobs, initializer=_mortal) as pool:
+    with (out / "kept" / "lock").open("w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise Busy(f"{out}: another run is writing there") from None
+        yield
+
+
+def run_all(tasks, out, engine, jobs, tell):
+    """The results in the order of the tasks, through `jobs` processes; tell(done, of) goes along. Busy, or what a task raises."""
+    out = pathlib.Path(out)
+    with _alone_in(out), concurrent.futures.ProcessPoolExecutor(jobs, initializer=_mortal) as pool:
         waiting = [pool.submit(_calculated, task, out, engine) for task in tasks]
         try:
-            for number, _ in enumerate(concurrent.futures.as_completed(waiting), start=1):
+            for number, done in enumerate(concurrent.futures.as_completed(waiting), start=1):
+                done.result()
                 tell(number, len(tasks))
-        except KeyboardInterrupt:
+        except BaseException:
             pool.shutdown(wait=True, cancel_futures=True)
             raise
-    return [each.result() for each in waiting]
+        return [each.result() for each in waiting]

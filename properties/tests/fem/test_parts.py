@@ -12,6 +12,8 @@ import numpy as np
 import calculix
 import draw
 import half_space
+import methods
+import planes
 import tables
 from gap import basis_of, gap_on, lens_window
 from mesh import Mesh, onto_body, volumes
@@ -159,8 +161,8 @@ class Meshes(unittest.TestCase):
 class Decks(unittest.TestCase):
     def deck(self, setting=calculix.Setting()):
         nodes = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1e-17, -2e-5 / 3, 1 / 3]])
-        mesh = Mesh(nodes, np.array([[0, 1, 2, 3]]), np.array([[0, 3]]), np.array([0, 1, 1, 1], bool))
-        return calculix.deck_of([mesh, mesh], [np.zeros(3)] * 2, np.array([0.5, 0.5, 0]), 0.5, setting)
+        mesh = Mesh(nodes, np.array([[0, 1, 2, 3]]), np.array([[0, 3]]))
+        return calculix.deck_of([mesh, mesh], [np.zeros(3)] * 2, calculix.Zone(np.array([0.5, 0.5, 0]), 0.5, 0.7), setting)
 
     def test_no_field_is_longer_than_the_engine_reads(self):
         for line in self.deck().splitlines():
@@ -178,6 +180,49 @@ class Decks(unittest.TestCase):
         self.assertIn("OVERCLOSURE=LINEAR\n2.000000000000e+02\n", deck)
 
 
+class Holding(unittest.TestCase):
+    def test_the_far_half_is_beyond_the_centre(self):
+        nodes = np.array([[0, 0, z] for z in (-1, -0.4, 0, 0.3, 1)], float)
+        mesh = Mesh(nodes, np.zeros((0, 4), int), np.zeros((0, 2), int))
+        held = [calculix.held_nodes(mesh, np.zeros(3), np.array([0, 0, 2.0]), part).tolist() for part in (0, 0.2, -0.2)]
+        self.assertEqual(held, [[0, 1, 2], [0, 1, 2, 3], [0, 1]])
+
+
+class Methods(unittest.TestCase):
+    def case(self):
+        spheroid = {"shape": {"superellipsoid": {"semi_axes": [1, 1, 2], "exponents": [2, 2]}}}
+        poses = [([0, 0, 0], [1, 0, 0, 0]), ([0.3, 1.5, 1.2], [0.8, 0.6, 0, 0])]
+        bodies = [spheroid | {"position": p, "orientation": {"quaternion_wxyz": q}} for p, q in poses]
+        return {"format": "plumb/case-1", "bodies": bodies}
+
+    def test_definitions_have_answers_with_points_as_they_ask(self):
+        """GP: each point deepest in the other body; midway: as deep in one as in the other."""
+        case = self.case()
+        of = methods.answers([case])[0]
+        self.assertEqual(set(of), {"auto", "original_cn", *methods.DEFINITIONS})
+        first, second = methods.pair_of(case)
+        x1, x2 = map(np.array, of["geometric_potential"]["points"])
+        for on, other, point in ((first, second, x1), (second, first, x2)):
+            self.assertAlmostEqual(on.gauge(on.to_body(point[None]))[0], 1, delta=1e-12)
+            normals = [body.normals(point[None])[0] for body in (on, other)]
+            self.assertLess(np.linalg.norm(np.cross(*normals)), 1e-9)
+            self.assertLess(other.gauge(other.to_body(point[None]))[0], 1)
+        middle = np.array(of["geometric_potential_midway"]["contact_point"])[None]
+        self.assertAlmostEqual(first.gauge(first.to_body(middle))[0], second.gauge(second.to_body(middle))[0], delta=1e-12)
+
+    def test_what_is_no_case_is_refused_with_the_commands_own_line(self):
+        with self.assertRaisesRegex(methods.CommandFailure, "bodies"):
+            methods.plumb(["solve", "-"], '{"format": "plumb/case-1"}')
+
+
+class Bends(unittest.TestCase):
+    def test_of_balls_are_the_sum_of_their_curvatures(self):
+        pair = ball(), ball([0, 0, 1.5], 0.5)
+        point, normal = np.array([0, 0, 1.0]), np.array([0, 0, 1.0])
+        values = planes.curvatures(pair, normal, point, point + np.array([1e-3, 0, 0]), 0.01)
+        np.testing.assert_allclose(values, 3, rtol=1e-3)
+
+
 class Tables(unittest.TestCase):
     def answer(self, **fields):
         angles = {"auto": 0.1, "geometric_potential": 20.0}
@@ -193,6 +238,9 @@ class Tables(unittest.TestCase):
         near = self.answer(angles_deg={"auto": 0.1, "geometric_potential": 0.4})
         self.assertEqual(len(tables.answer_findings(near)), 1)
         self.assertEqual(tables.answer_findings(near | {"cn_to_gp_deg": 4}), [])
+
+    def test_a_geometric_potential_without_an_answer_is_a_finding(self):
+        self.assertEqual(tables.answer_findings(self.answer(cn_to_gp_deg=None)), ["GP has no answer"])
 
     def test_no_answer_is_a_finding(self):
         self.assertEqual(tables.answer_findings(self.answer(reason="ccx did not end")), ["ccx did not end"])
