@@ -10,27 +10,35 @@ namespace plumb::reports {
 namespace {
 
 constexpr std::array kModes{"quick", "full"};
-constexpr std::array kShapes{"spheroid", "superquadric"};
+constexpr std::array kShapes{"spheroid", "ellipsoid", "superquadric"};
 constexpr std::array kStarts{"auto", "geometric_potential", "centre_line"};
 
-/// What is asked of the angles between the force and the normals of CN (auto) and GP (geometric_potential).
-struct Bound {
-  double ratio;  ///< up to this, and above the one before
-  double below_deg;
-};
-constexpr std::array kBounds{Bound{0.005, 0.2}, Bound{0.02, 1}};
-constexpr double kTimes = 5;     ///< GP is to be more than so many times as far off as CN,
-constexpr double kApartDeg = 5;  ///< where the two are further apart than this
+/// With how many answers it was asked of, and how many hold: so far none.
+Json uncounted(Json what) {
+  what.update({{"held", 0}, {"of", 0}});
+  return what;
+}
 
-/// With how many answers it was asked of, and how many hold.
-Json asked() {
-  Json bounds = Json::array();
+/// Each holds above the overlap ratio of the one before it, up to its own.
+Json cn_bounds(const Field& field) {
+  Json out = Json::array();
   double above = 0;
-  for (const auto& [ratio, below_deg] : kBounds) {
-    bounds.push_back({{"above", above}, {"ratio", ratio}, {"below_deg", below_deg}, {"held", 0}, {"of", 0}});
-    above = ratio;
+  for (const Field& bound : field.elements()) {
+    Json one{{"above", above}};
+    one.update(read_parts(bound, {{"ratio", as::positive}, {"below_deg", as::positive}}));
+    if (!(one["ratio"] > above)) bound.member("ratio").fail("must be above the one before it");
+    above = one["ratio"].get<double>();
+    out.push_back(uncounted(std::move(one)));
   }
-  return {{"cn", bounds}, {"gp", {{"times", kTimes}, {"apart_deg", kApartDeg}, {"held", 0}, {"of", 0}}}};
+  if (out.empty()) field.fail("is empty");
+  return out;
+}
+
+/// What is asked of the angles between the force and the normals of CN (auto) and GP (geometric_potential).
+Json asked(const Field& limits) {
+  Json out = read_parts(limits, {{"cn", cn_bounds}});
+  out["gp"] = uncounted(read_parts(limits, {{"times", as::positive}, {"apart_deg", as::not_negative}}));
+  return out;
 }
 
 Json angle(const Field& field) {
@@ -68,6 +76,7 @@ void take_fem_run(Json& out, const Field& line) {
                                {"young", as::positive},
                                {"poisson", poisson},
                                {"held", as::text}}));
+  out["asked"] = asked(line.member("limits"));
   out["commit"] = line.member("host").member("commit").text();
 }
 
@@ -127,6 +136,7 @@ void take_convergence(Json& out, const Field& line) {
                                                  {"setting", as::text},
                                                  {"turned_deg", angle},
                                                  {"force_change", as::number},
+                                                 {"patch_change", as::number},
                                                  {"centre_shift", as::not_negative}}));
 }
 
@@ -150,10 +160,13 @@ Json cn_within(Json& bounds, const Json& answer) {
   return nullptr;
 }
 
-/// Whether GP is as much further off as is asked; null where it and CN are too near to each other.
+/// Whether GP is as much further off as is asked; without an answer it is not. Null where it and CN are too near to each other.
 Json gp_beyond(Json& asked, const Json& answer) {
-  if (answer["cn_to_gp_deg"].is_null() || !(answer["cn_to_gp_deg"] > kApartDeg)) return nullptr;
-  return counted(asked, angle_to(answer, "geometric_potential") > kTimes * angle_to(answer, "auto"));
+  const Json& apart = answer["cn_to_gp_deg"];
+  if (apart.is_null()) return counted(asked, false);
+  if (!(apart > asked["apart_deg"])) return nullptr;
+  const double times = asked["times"].get<double>();
+  return counted(asked, angle_to(answer, "geometric_potential") > times * angle_to(answer, "auto"));
 }
 
 void take_fem_answer(Json& out, const Field& line) {
@@ -166,6 +179,7 @@ void take_fem_answer(Json& out, const Field& line) {
                                   {"cn_to_gp_deg", as::or_null<angle>, true},
                                   {"centre_off", by_method<as::not_negative>},
                                   {"patch_radius", as::positive},
+                                  {"fem_patch_radius", as::positive},
                                   {"balance", as::not_negative},
                                   {"nodes", as::count},
                                   {"iterations", as::count}});
@@ -174,18 +188,29 @@ void take_fem_answer(Json& out, const Field& line) {
   out["answers"].push_back(std::move(answer));
 }
 
+/// How many times the gap is as curved on the far side as where the pressure's centre has moved; null where that is not known.
+Json bends(const Json& curvatures) {
+  if (curvatures.is_null() || curvatures[2] == 0) return nullptr;
+  return curvatures[0].get<double>() / curvatures[2].get<double>();
+}
+
 void take_half_space(Json& out, const Field& line) {
   if (take_reason(out, line)) return;
-  out["half_space"].push_back(read_parts(line, {{"geometry", as::text},
-                                                {"ratio", as::positive},
-                                                {"start", as::one_of<kStarts>},
-                                                {"start_deg", angle},
-                                                {"planes", as::count},
-                                                {"cn_deg", angle},
-                                                {"fem_deg", as::or_null<angle>, true},
-                                                {"force", as::not_negative},
-                                                {"patch_radius", as::positive},
-                                                {"centre_off", as::or_null<as::not_negative>, true}}));
+  Json plane = read_parts(line, {{"geometry", as::text},
+                                 {"ratio", as::positive},
+                                 {"start", as::one_of<kStarts>},
+                                 {"start_deg", angle},
+                                 {"planes", as::count},
+                                 {"cn_deg", angle},
+                                 {"fem_deg", as::or_null<angle>, true},
+                                 {"force", as::not_negative},
+                                 {"patch_radius", as::positive},
+                                 {"fem_force", as::or_null<as::positive>, true},
+                                 {"fem_patch", as::or_null<as::positive>, true},
+                                 {"centre_off", as::or_null<as::not_negative>, true},
+                                 {"curvatures", as::or_null<as::numbers<3>>, true}});
+  plane["bends"] = bends(plane["curvatures"]);
+  out["half_space"].push_back(std::move(plane));
 }
 
 const std::vector<Kind>& fem_kinds() {
@@ -202,7 +227,7 @@ const std::vector<Kind>& fem_kinds() {
 Json fem_json(const std::filesystem::path& file) {
   const Json empty{{"host", nullptr},
                    {"interrupted", false},
-                   {"asked", asked()},
+                   {"asked", nullptr},
                    {"geometries", Json::array()},
                    {"checks", Json::array()},
                    {"convergence", Json::array()},

@@ -198,7 +198,8 @@ std::string fem_held(const Json& asked) {
                        bound["above"].get<double>(), bound["ratio"].get<double>(), bound["below_deg"].get<double>(),
                        of(bound));
   const Json& gp = asked["gp"];
-  return out + fmt::format("- where GP is more than {} degrees from CN: more than {} times as far from the force in {}",
+  return out + fmt::format("- where GP is more than {} degrees from CN, or has no answer: more than {} times as far "
+                           "from the force in {}",
                            gp["apart_deg"].get<double>(), gp["times"].get<double>(), of(gp));
 }
 

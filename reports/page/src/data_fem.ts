@@ -3,7 +3,7 @@ import type { Vec } from "./data";
 
 /**
  * Two bodies meshed and pressed together by CalculiX, at several overlap ratios: the direction of the force against each method's normal.
- * Angles in degrees; lengths in the geometry's unit, but for those in patch radii.
+ * Angles in degrees; lengths in the geometry's unit, but for those in patch radii, which are FemAnswer's `patch_radius`.
  */
 export interface Fem {
   commit: string;
@@ -16,7 +16,7 @@ export interface Fem {
   poisson: number;
   /** The constraint, in words. */
   held: string;
-  /** What is asked of the angles, and of how many answers it holds. CN is the method auto, GP geometric_potential. */
+  /** What the run line's limits ask of the angles, and of how many answers it holds. CN is the method auto, GP geometric_potential. */
   asked: { cn: FemBound[]; gp: { times: number; apart_deg: number } & Counted };
   geometries: FemGeometry[];
   checks: FemCheck[];
@@ -47,7 +47,8 @@ export interface Unanswered {
 }
 export interface FemGeometry {
   name: string;
-  shape: "spheroid" | "superquadric";
+  /** An ellipsoid has three different semi-axes. */
+  shape: "spheroid" | "ellipsoid" | "superquadric";
   bodies: [FemBody, FemBody];
   /** Of the line on which body 2 lies: zenith and azimuth. */
   line_deg: [number, number];
@@ -75,6 +76,8 @@ export interface FemConvergence {
   turned_deg: number;
   /** Relative. */
   force_change: number;
+  /** Of the contact elements' radius; relative. */
+  patch_change: number;
   /** In patch radii. */
   centre_shift: number;
 }
@@ -88,14 +91,17 @@ export interface FemAnswer {
   cn_to_gp_deg: number | null;
   /** From the pressure's centre to the method's contact point, in patch radii. */
   centre_off: Record<string, number | null>;
+  /** Nominal: of a circle of half the area in which the undeformed bodies overlap, seen along the common normal (Hertz's patch). */
   patch_radius: number;
+  /** Of a circle as large as the contact elements under pressure. */
+  fem_patch_radius: number;
   /** The sum of the forces on the two bodies over one of them. */
   balance: number;
   nodes: number;
   iterations: number;
   /** CN is as near as `asked`; null where nothing is asked. */
   cn_within: boolean | null;
-  /** GP is as much further off as `asked`; null where the two are too near to each other. */
+  /** GP is as much further off as `asked`, which it is not without an answer; null where the two are too near to each other. */
   gp_beyond: boolean | null;
 }
 /** Elastic half-spaces pressed together by the true gap, the plane turned until it is normal to the force. */
@@ -112,6 +118,13 @@ export interface HalfSpace {
   fem_deg: number | null;
   force: number;
   patch_radius: number;
+  /** The finite elements' force and patch radius over these. */
+  fem_force: number | null;
+  fem_patch: number | null;
   /** To the finite elements' centre, in patch radii. */
   centre_off: number | null;
+  /** Of the gap along the common normal, a patch's radius on the far side, at the point, on the side to which the pressure's centre has moved. */
+  curvatures: Vec | null;
+  /** The first of them over the last. */
+  bends: number | null;
 }

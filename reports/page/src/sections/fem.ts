@@ -17,6 +17,9 @@ const QUESTION = "Which normal does the force have when the bodies are elastic, 
 const WHAT =
   "Both bodies are meshed and pressed together by CalculiX until they overlap by the given ratio, linear elastic and without friction. The direction of the whole contact force is then held against the normals of the methods: CN, the common normal (auto), GP, the line between the two deepest points (geometric_potential), and others.";
 
+const METHODS =
+  "CN is what auto answers, and original_cn that solver's converged answer. The other three are no solver's answers but the certified solutions of their definitions: GP (plumb certify --problem deepest_points), geometric_potential_midway (midway) and first_touch (first_touch).";
+
 function setting({ mode, young, poisson, held, host }: Fem): HTMLElement {
   const list = definitions([
     ["Mode", mode],
@@ -59,6 +62,7 @@ function plotBlock(fem: Fem): Child[] {
 const LIMITS = (held: string): string[] => [
   "That the force comes to CN as the overlap vanishes is expected from mechanics: the patch shrinks to a point, and the pressure is normal to the surfaces there. This agreement is no discovery. What informs is the error of GP, which stays as the overlap vanishes.",
   `How large the force is depends on how the bodies are held (here: ${held}), so the magnitudes are of these runs alone. Its direction hardly depends on it.`,
+  "The force leaves CN where the curvature changes across the patch: the pressure's centre wanders from the contact point towards the flatter side, and the normals there are others. The half-spaces' table says by how much the curvature changes.",
   "The bodies are linear elastic and without friction. Of other materials, of friction and of geometries that are not in the table it says nothing.",
 ];
 
@@ -67,16 +71,20 @@ const limitsBlock = ({ held }: Fem): Child[] => [
   h("ul", { class: "fem-limits" }, ...LIMITS(held).map((text) => h("li", {}, text))),
 ];
 
+const NOTES = [
+  "✗ marks an angle of which what is asked above does not hold.",
+  "A patch radius is nominal: of a circle of half the area in which the undeformed bodies overlap, seen along the common normal. That is Hertz's patch.",
+];
+
 function answersBlock(fem: Fem): Child[] {
   if (fem.answers.length === 0) return [h("p", { class: "empty" }, "There is no answer.")];
-  const marks = "✗ marks an angle of which what is asked above does not hold.";
   return [
     askedList(fem),
     ...plotBlock(fem),
     ...limitsBlock(fem),
     h("h3", {}, "The answers"),
     anglesTable(fem),
-    h("p", { class: "note" }, marks),
+    ...NOTES.map((text) => h("p", { class: "note" }, text)),
   ];
 }
 
@@ -94,6 +102,7 @@ export function femSection({ fem }: Report): HTMLElement | null {
     "Against finite elements",
     QUESTION,
     h("p", { class: "what" }, WHAT),
+    h("p", { class: "note" }, METHODS),
     ...answersBlock(fem),
     ...behind(fem),
     ...unansweredBlock(fem),

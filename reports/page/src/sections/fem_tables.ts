@@ -60,7 +60,18 @@ const RUN_COLUMNS: Column<FemAnswer>[] = [
   RATIO as Column<FemAnswer>,
   { title: "Force", figure: true, cell: ({ force }) => number(force) },
   { title: "Its direction", figure: true, cell: ({ direction }) => direction.map((x) => number(x, 5)).join(", ") },
-  { title: "Patch radius", figure: true, cell: ({ patch_radius }) => number(patch_radius) },
+  {
+    title: "Patch radius",
+    hint: "Nominal: of a circle of half the area in which the undeformed bodies overlap",
+    figure: true,
+    cell: ({ patch_radius }) => number(patch_radius),
+  },
+  {
+    title: "Of the elements",
+    hint: "Of a circle as large as the contact elements under pressure",
+    figure: true,
+    cell: ({ fem_patch_radius }) => number(fem_patch_radius),
+  },
   {
     title: "Balance",
     hint: "Sum of the forces on the two bodies over one of them",
@@ -116,6 +127,12 @@ const CONVERGENCE_COLUMNS: Column<FemConvergence>[] = [
   { title: "Force turned, °", figure: true, cell: ({ turned_deg }) => number(turned_deg, 2) },
   { title: "Force changed, %", figure: true, cell: ({ force_change }) => number(100 * force_change, 2) },
   {
+    title: "Patch changed, %",
+    hint: "The radius of the contact elements under pressure",
+    figure: true,
+    cell: ({ patch_change }) => number(100 * patch_change, 2),
+  },
+  {
     title: "Centre shifted",
     hint: "In patch radii",
     figure: true,
@@ -149,24 +166,45 @@ const HALF_SPACE_COLUMNS: Column<HalfSpace>[] = [
     cell: ({ fem_deg }) => number(fem_deg),
   },
   { title: "Force", figure: true, cell: ({ force }) => number(force) },
+  {
+    title: "FEM's force",
+    hint: "Over that of the half-spaces",
+    figure: true,
+    cell: ({ fem_force }) => number(fem_force),
+  },
   { title: "Patch radius", figure: true, cell: ({ patch_radius }) => number(patch_radius) },
+  {
+    title: "FEM's patch",
+    hint: "Its radius over that of the half-spaces",
+    figure: true,
+    cell: ({ fem_patch }) => number(fem_patch),
+  },
   {
     title: "Centre off",
     hint: "To the finite elements' centre, in patch radii",
     figure: true,
     cell: ({ centre_off }) => number(centre_off, 2),
   },
+  {
+    title: "Bends",
+    hint: "The gap's curvature a patch's radius away on the far side over that on the side to which the pressure's centre has moved",
+    figure: true,
+    cell: ({ bends }) => number(bends),
+  },
 ];
 
-const HALF_SPACE =
-  "A second reference, of another kind: two elastic half-spaces pressed together by the true gap between the bodies. Its plane is an input. So it begins with the normal of CN, with that of GP and with the line of the centres; each time the plane is turned to the pressure's force, until it stays.";
+const HALF_SPACE = [
+  "A second reference, of another kind: two elastic half-spaces pressed together by the true gap between the bodies. Its plane is an input. So it begins with the normal of CN, with that of GP and with the line of the centres; each time the plane is turned to the pressure's force, until it stays.",
+  "It shares no code, mesh or constraint with the finite elements. FEM's force and FEM's patch are theirs over those of the half-spaces; the force hangs on what holds the bodies, of which the half-spaces know nothing, and the patch of the elements lacks those at its rim that do not count.",
+  "Bends: how many times the gap along the common normal is as curved a patch's radius away on the far side of the contact point as on the side to which the pressure's centre has moved. Where it is far from 1 the force leaves the common normal: the centre wanders towards the flatter side, and the normals there are others.",
+];
 
 export function halfSpaceBlock(rows: HalfSpace[]): Child[] {
   if (rows.length === 0) return [];
   const caption = "Where the plane ends, from each start";
   return [
     h("h3", {}, "Elastic half-spaces"),
-    h("p", { class: "note" }, HALF_SPACE),
+    ...HALF_SPACE.map((text) => h("p", { class: "note" }, text)),
     table({ caption, columns: HALF_SPACE_COLUMNS, rows: byPlace(rows) }),
   ];
 }

@@ -22,7 +22,7 @@ export function askedWords({ asked: { cn, gp } }: Fem): { words: string; held: n
     of,
   }));
   const { times, apart_deg, held, of } = gp;
-  const words = `Where GP is more than ${number(apart_deg)}° from CN, it is more than ${number(times)} times as far from the force`;
+  const words = `Where GP is more than ${number(apart_deg)}° from CN, or has no answer, it is more than ${number(times)} times as far from the force`;
   return [...bounds, { words, held, of }];
 }
 

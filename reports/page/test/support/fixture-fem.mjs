@@ -3,7 +3,7 @@ import { makeReport, stream } from "./fixture.mjs";
 
 const METHODS = ["auto", "geometric_potential", "geometric_potential_midway", "first_touch", "original_cn"];
 const RATIOS = [0.002, 0.005, 0.01, 0.02];
-const NAMES = ["S01", "S02", "S10", "Q01"];
+const NAMES = ["S01", "S02", "S10", "E01", "Q01"];
 
 const RUN = {
   kind: "run",
@@ -13,31 +13,45 @@ const RUN = {
   young: 1000,
   poisson: 0.3,
   held: "the far half of each body",
+  limits: {
+    cn: [
+      { ratio: 0.005, below_deg: 0.2 },
+      { ratio: 0.02, below_deg: 1 },
+    ],
+    times: 5,
+    apart_deg: 5,
+  },
 };
 
-const isSpheroid = (name) => name.startsWith("S");
+const SHAPES = {
+  S: ["spheroid", { semi_axes: [1, 1, 2], exponents: [2, 2] }],
+  E: ["ellipsoid", { semi_axes: [1, 1.5, 2], exponents: [2, 2] }],
+  Q: ["superquadric", { semi_axes: [1, 1.2, 1], exponents: [4, 3] }],
+};
 
 function geometry(name, index) {
-  const body = isSpheroid(name)
-    ? { semi_axes: [1, 1, 2], exponents: [2, 2] }
-    : { semi_axes: [1, 1.2, 1], exponents: [4, 3] };
+  const [shape, body] = SHAPES[name[0]];
   return {
     kind: "geometry",
     name,
-    shape: isSpheroid(name) ? "spheroid" : "superquadric",
-    bodies: [body, index % 2 ? { ...body, semi_axes: [1, 1, 1.5] } : body],
+    shape,
+    bodies: [body, ["S02", "Q01"].includes(name) ? { ...body, semi_axes: [1, 1, 1.5] } : body],
     line_deg: [35 + index, 10],
     quaternion: [0.8, 0.6, 0, 0],
   };
 }
 
-/** S02 breaks what is asked of CN at 0.5 %, and Q01 what is asked of GP at 2 %; S10 has CN and GP near to each other. */
+/**
+ * S02 breaks what is asked of CN at 0.5 %, and Q01 what is asked of GP at 2 %; S10 has CN and GP near to each other, and E01 no answer of GP
+ * at 1 %.
+ */
 function answer(random, name, ratio) {
   const cn = name === "S02" && ratio === 0.005 ? 0.31 : 20 * ratio * (0.2 + random());
+  const hasGp = name !== "E01" || ratio !== 0.01;
   const gp = name === "S10" ? 2 : name === "Q01" && ratio === 0.02 ? 4 * cn : 12 + 20 * random();
   const angles_deg = {
     auto: cn,
-    geometric_potential: gp,
+    geometric_potential: hasGp ? gp : null,
     geometric_potential_midway: 3 * cn,
     first_touch: 60 * ratio,
     original_cn: name === "Q01" ? null : 40 + 20 * random(),
@@ -52,9 +66,10 @@ function answer(random, name, ratio) {
     force: 0.01 * ratio,
     direction: [0, 0.6, 0.8],
     angles_deg,
-    cn_to_gp_deg: name === "S10" ? 2 : 15,
+    cn_to_gp_deg: !hasGp ? null : name === "S10" ? 2 : 15,
     centre_off,
     patch_radius: Math.sqrt(ratio),
+    fem_patch_radius: 0.94 * Math.sqrt(ratio),
     balance: 1e-9,
     nodes: 15000,
     iterations: 31,
@@ -85,6 +100,7 @@ const convergence = () =>
     setting: varied === "held" ? "the far quarter" : `${2 ** index}`,
     turned_deg: 0.004 * index,
     force_change: varied === "held" ? -0.42 : 0.003 * index,
+    patch_change: 0.013 * index,
     centre_shift: 0.001 * index,
   }));
 
@@ -101,7 +117,10 @@ const halfSpaces = () =>
       fem_deg: name === "Q01" ? null : 0.05,
       force: 2e-5,
       patch_radius: 0.045,
+      fem_force: name === "Q01" ? null : 0.97,
+      fem_patch: name === "Q01" ? null : 0.92,
       centre_off: name === "Q01" ? null : 0.03,
+      curvatures: name === "Q01" ? [3, 2, 0.75] : [1.2, 1.1, 1],
     })),
   );
 
@@ -111,10 +130,13 @@ export function femLines() {
   return [RUN, ...NAMES.map(geometry), ...CHECKS, ...convergence(), ...answers, ...halfSpaces(), UNANSWERED];
 }
 
-const cnWithin = ({ ratio, angles_deg }) => angles_deg.auto < (ratio <= 0.005 ? 0.2 : 1);
+const cnWithin = ({ cn }, { ratio, angles_deg }) =>
+  angles_deg.auto < cn.find((bound) => ratio <= bound.ratio).below_deg;
 
-const gpBeyond = ({ cn_to_gp_deg, angles_deg }) =>
-  cn_to_gp_deg > 5 ? angles_deg.geometric_potential > 5 * angles_deg.auto : null;
+function gpBeyond({ times, apart_deg }, { cn_to_gp_deg, angles_deg }) {
+  if (cn_to_gp_deg === null) return false;
+  return cn_to_gp_deg > apart_deg ? angles_deg.geometric_potential > times * angles_deg.auto : null;
+}
 
 const counted = (verdicts) => ({
   held: verdicts.filter((verdict) => verdict === true).length,
@@ -125,15 +147,15 @@ const counted = (verdicts) => ({
 export function femOf(lines) {
   const whole = lines.filter(({ reason }) => reason === undefined);
   const of = (wanted) => whole.filter(({ kind }) => kind === wanted).map(({ kind, ...line }) => line);
-  const [{ host: all, command, mode, young, poisson, held }] = of("run");
+  const [{ host: all, command, mode, young, poisson, held, limits }] = of("run");
   const { commit, ...host } = all;
-  const answers = of("answer").map((one) => ({ ...one, cn_within: cnWithin(one), gp_beyond: gpBeyond(one) }));
+  const answers = of("answer").map((one) => ({
+    ...one,
+    cn_within: cnWithin(limits, one),
+    gp_beyond: gpBeyond(limits, one),
+  }));
   const within = (above, most) =>
     counted(answers.filter(({ ratio }) => ratio > above && ratio <= most).map(({ cn_within }) => cn_within));
-  const bounds = [
-    [0, 0.005, 0.2],
-    [0.005, 0.02, 1],
-  ];
   return {
     commit,
     host,
@@ -144,14 +166,17 @@ export function femOf(lines) {
     poisson,
     held,
     asked: {
-      cn: bounds.map(([above, ratio, below_deg]) => ({ above, ratio, below_deg, ...within(above, ratio) })),
-      gp: { times: 5, apart_deg: 5, ...counted(answers.map(({ gp_beyond }) => gp_beyond)) },
+      cn: limits.cn.map((bound, index) => {
+        const above = limits.cn[index - 1]?.ratio ?? 0;
+        return { above, ...bound, ...within(above, bound.ratio) };
+      }),
+      gp: { times: limits.times, apart_deg: limits.apart_deg, ...counted(answers.map(({ gp_beyond }) => gp_beyond)) },
     },
     geometries: of("geometry"),
     checks: of("check").map((check) => ({ ...check, within: check.value <= check.limit })),
     convergence: of("convergence"),
     answers,
-    half_space: of("half_space"),
+    half_space: of("half_space").map((plane) => ({ ...plane, bends: plane.curvatures[0] / plane.curvatures[2] })),
     unanswered: lines
       .filter(({ reason }) => reason !== undefined)
       .map((line) => ({ varied: null, setting: null, start: null, ...line })),
