@@ -27,8 +27,8 @@ HELD = "all nodes of each body's far half: beyond the plane through its centre a
 HERTZ_RATIO = 2e-4
 # Meshes of Hertz's two balls, with limits for force, direction (degrees) and the patch's radius: a fine one, and the study's own.
 FINE = (Mode(order=2, division=4), "Hertz", (0.02, 0.01, 0.1))
-HERTZ = {"quick": [FINE, (MODES["quick"], "Hertz, this mode's mesh", (0.2, 0.1, 0.4))],
-         "full": [FINE, (MODES["full"], "Hertz, this mode's mesh", (0.1, 0.05, 0.2))]}  # fmt: skip
+HERTZ = {"quick": [FINE, (MODES["quick"], "Hertz, this mode's mesh", (0.15, 0.01, 0.2))],
+         "full": [FINE, (MODES["full"], "Hertz, this mode's mesh", (0.05, 0.01, 0.2))]}  # fmt: skip
 SMALL = (0.002, 0.005)  # ratios at which half-spaces are asked
 VARIED_AT = ("G3", "Q3")
 VARIED_RATIO = 0.01  # or the study's own nearest to it

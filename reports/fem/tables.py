@@ -1,5 +1,7 @@
 """The study's lines as text, and what of them is a finding."""
 
+import statistics
+
 METHODS = {
     "auto": "CN",
     "geometric_potential": "GP",
@@ -111,10 +113,16 @@ def half_spaces(lines):
     table = [
         [x["geometry"], x["start"], f"{x['ratio']:g}", number(x.get("start_deg")), str(x.get("planes", "-"))]
         + [number(x.get(name)) for name in ("cn_deg", "fem_deg", "fem_force", "fem_patch")]
-        + [number(x.get("centre_off"), 2), number(x["curvatures"][0] / x["curvatures"][2] if "curvatures" in x else None)]
+        + [number(x.get("centre_off"), 2), number(bends(x))]
         for x in lines
     ]
     yield from rows(head, table)
+
+
+def bends(line):
+    """How many times the gap is as curved on the far side; None where that cannot be said."""
+    far, _, near = line.get("curvatures") or (None, None, 0)
+    return far / near if near else None
 
 
 def variations(lines):
@@ -133,9 +141,26 @@ def summary(lines):
     for ratio in sorted({x["ratio"] for x in whole}):
         here = [x for x in whole if x["ratio"] == ratio]
         yield f"  ratio {ratio:g}: worst {max(x['angles_deg']['auto'] for x in here):.3g} degrees from CN, " + gp_range(here)
+    yield from medians(whole)
     found = findings(lines)
     yield f"not held: {len(found)}" if found else "all limits held"
     yield from ("  " + one for one in found)
+
+
+def medians(lines):
+    """Of the degrees from the force, and in how many contacts a method's normal is nearer to it than CN's."""
+    yield "Medians of the degrees from the force; nearer: contacts where that is less than CN's"
+    head = ["ratio", "contacts", "CN", *(word for name in list(METHODS.values())[1:] for word in (name, "nearer"))]
+    table = []
+    for ratio in sorted({x["ratio"] for x in lines}):
+        here = [x["angles_deg"] for x in lines if x["ratio"] == ratio]
+        row = [f"{ratio:g}", str(len(here)), number(statistics.median(x["auto"] for x in here))]
+        for method in list(METHODS)[1:]:
+            of = [x for x in here if method in x]
+            middle = statistics.median(x[method] for x in of) if of else None
+            row += [number(middle), str(sum(x[method] < x["auto"] for x in of))]
+        table.append(row)
+    yield from rows(head, table)
 
 
 def gp_range(lines):

@@ -16,7 +16,7 @@ import methods
 import planes
 import tables
 from gap import basis_of, gap_on, lens_window
-from mesh import Mesh, onto_body, volumes
+from mesh import EDGES, Mesh, least_volumes, onto_body, volumes
 from superellipsoid import Body, matrix_of
 
 FEM = pathlib.Path(calculix.__file__).parent
@@ -150,6 +150,16 @@ class Meshes(unittest.TestCase):
         with self.assertRaises(Exception) as refused:
             onto_body(ball(), self.corners, np.array([[0, 2, 1, 3]]), np.array([[1, 2, 3]]))
         self.assertIn("inside out", str(refused.exception))
+
+    def test_second_order_tetrahedra_have_the_volume_of_their_maps(self):
+        """A straight one's is that of its corners everywhere; one whose edge is bent through it is found, its corners say nothing."""
+        halves = [(self.corners[a] + self.corners[b]) / 2 for a, b in EDGES]
+        straight, element = np.vstack([self.corners, halves]), np.arange(10)[None]
+        np.testing.assert_allclose(least_volumes(straight, element), 1 / 6)
+        bent = straight.copy()
+        bent[4] += [0, 0.45, 0.45]
+        self.assertLess(least_volumes(bent, element)[0], 0)
+        self.assertAlmostEqual(volumes(bent, element)[0], 1 / 6)
 
     def test_the_surface_is_found_and_on_the_body(self):
         mesh = onto_body(block(), self.corners.copy(), np.array([[0, 1, 2, 3]]), np.array([[3, 1, 2]]))

@@ -195,7 +195,7 @@ const HALF_SPACE_COLUMNS: Column<HalfSpace>[] = [
 
 const HALF_SPACE = [
   "A second reference, of another kind: two elastic half-spaces pressed together by the true gap between the bodies. Its plane is an input. So it begins with the normal of CN, with that of GP and with the line of the centres; each time the plane is turned to the pressure's force, until it stays.",
-  "It shares no code, mesh or constraint with the finite elements. FEM's force and FEM's patch are theirs over those of the half-spaces; the force hangs on what holds the bodies, of which the half-spaces know nothing, and the patch of the elements lacks those at its rim that do not count.",
+  "It shares no mesh, solver or constraint with the finite elements, only the formulas of the surfaces. FEM's force and FEM's patch are theirs over those of the half-spaces; the force hangs on what holds the bodies, of which the half-spaces know nothing, and the patch of the contact elements on mesh and penalty.",
   "Bends: how many times the gap along the common normal is as curved a patch's radius away on the far side of the contact point as on the side to which the pressure's centre has moved. Where it is far from 1 the force leaves the common normal: the centre wanders towards the flatter side, and the normals there are others.",
 ];
 
