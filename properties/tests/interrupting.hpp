@@ -57,10 +57,12 @@ int interrupt_when(pid_t child, const Ready& ready) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Starts a command of the shell, which becomes the program that it names last.
+/// Starts a command of the shell, which becomes the program that it names last. SIGINT is ignored until that program catches it: a shell
+/// would catch it too, and what is sent while the one becomes the other would end it.
 inline pid_t start_command(const std::string& command) {
   const pid_t child = fork();
   if (child != 0) return child;
+  (void)std::signal(SIGINT, SIG_IGN);
   execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
   _exit(127);
 }
