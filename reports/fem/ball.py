@@ -4,16 +4,10 @@ It has no superellipsoid, and meshes an ellipsoid of its own only after a boolea
 """
 
 import dataclasses
-import signal
 
-import gmsh
 import numpy as np
 
 from mesh import MeshFailure
-
-# gmsh takes Ctrl-C's handler away when it is imported, and puts it back where it is closed, in whatever process that is.
-signal.signal(signal.SIGINT, gmsh.oldsig)
-gmsh.oldsig = None
 
 ORDER_TYPES = {1: (4, 2), 2: (11, 9)}  # gmsh's numbers of tetrahedra and triangles
 
@@ -31,6 +25,8 @@ class Sizes:
 
 def ball_mesh(sizes, order):
     """Nodes, elements (gmsh's order) and triangles (corners) of the unit ball."""
+    import gmsh  # here: it takes Ctrl-C's handler away from the process that imports it
+
     gmsh.initialize(["-nopopup"], readConfigFiles=False)
     try:
         gmsh.option.setNumber("General.Verbosity", 1)
@@ -41,19 +37,18 @@ def ball_mesh(sizes, order):
         gmsh.model.occ.addSphere(0, 0, 0, 1)
         centre = gmsh.model.occ.addPoint(*sizes.centre)
         gmsh.model.occ.synchronize()
-        _set_sizes(sizes, centre)
+        _set_sizes(gmsh.model.mesh.field, sizes, centre)
         gmsh.model.mesh.generate(3)
         if order == 2:
             gmsh.model.mesh.setOrder(2)
-        return _taken(order)
+        return _taken(gmsh.model.mesh, order)
     except Exception as error:  # gmsh's Python raises nothing narrower
         raise MeshFailure(f"gmsh: {error}") from None
     finally:
         gmsh.finalize()
 
 
-def _set_sizes(sizes, centre):
-    field = gmsh.model.mesh.field
+def _set_sizes(field, sizes, centre):
     distance = field.add("Distance")
     field.setNumbers(distance, "PointsList", [centre])
     size = field.add("Threshold")
@@ -65,12 +60,12 @@ def _set_sizes(sizes, centre):
     field.setAsBackgroundMesh(size)
 
 
-def _taken(order):
+def _taken(mesh, order):
     tetrahedron, triangle = ORDER_TYPES[order]
-    tags, coordinates, _ = gmsh.model.mesh.getNodes()
+    tags, coordinates, _ = mesh.getNodes()
     per_element, per_face = {1: (4, 3), 2: (10, 6)}[order]
-    elements = gmsh.model.mesh.getElementsByType(tetrahedron)[1].reshape(-1, per_element)
-    triangles = gmsh.model.mesh.getElementsByType(triangle)[1].reshape(-1, per_face)
+    elements = mesh.getElementsByType(tetrahedron)[1].reshape(-1, per_element)
+    triangles = mesh.getElementsByType(triangle)[1].reshape(-1, per_face)
     used = np.unique(elements)  # without the point that only steers
     row = np.full(int(tags.max()) + 1, -1)
     row[used] = np.arange(len(used))

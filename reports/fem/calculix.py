@@ -4,11 +4,13 @@ Frictionless, linear elastic, both bodies of one material with Young's modulus 1
 are, overlapping, and nothing is moved: CalculiX lets the overlap come in over the step. Of each body the far half is held.
 """
 
+import ctypes
 import dataclasses
 import inspect
 import io
 import os
 import re
+import signal
 import subprocess
 
 import numpy as np
@@ -38,8 +40,8 @@ class Zone:
     """Where the bodies touch."""
 
     point: np.ndarray
-    narrow: float  # the patch's radius where it is narrowest, about
-    reach: float  # no point of the bodies further than this from `point` is in the other
+    narrow: float  # of the patch's two radii the lesser, about
+    reach: float  # half of the lens's length; the patch, which has half its area, is within
 
 
 @dataclasses.dataclass
@@ -106,7 +108,7 @@ def deck_of(meshes, centres, zone, setting, is_shown=False):
 
 
 def _near_faces(mesh, zone):
-    """Faces of the surface by the contact: pairing costs by those that it goes through, and no others can touch."""
+    """Faces of the surface by the contact: pairing costs by those that it goes through, and no others touch."""
     of = np.take_along_axis(mesh.elements[mesh.faces[:, 0]], FACES[mesh.faces[:, 1] - 1], axis=1)
     distance = np.linalg.norm(mesh.nodes[of] - zone.point, axis=2).min(axis=1)
     return mesh.faces[distance < max(2.2 * zone.narrow, zone.reach)]
@@ -130,14 +132,21 @@ def _step(narrow, setting, is_shown):
     )
 
 
+def die_with_parent():
+    """This process ends where the one that made it ends, however that is (Linux)."""
+    set_death_signal = 1  # PR_SET_PDEATHSIG, prctl(2)
+    ctypes.CDLL(None).prctl(set_death_signal, signal.SIGKILL)
+
+
 def run(folder, deck, meshes, setting):
     """The result of one calculation; its files stay in `folder`, a pathlib.Path. EngineFailure where it does not end."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "contact.inp").write_text(deck, encoding="ascii")
     environment = dict(os.environ, OMP_NUM_THREADS="1")
     done = subprocess.run(
-        ["ccx", "contact"], cwd=folder, env=environment, capture_output=True, text=True, errors="replace", check=False
-    )
+        ["ccx", "contact"], cwd=folder, env=environment, capture_output=True, text=True, errors="replace", check=False,
+        preexec_fn=die_with_parent,
+    )  # fmt: skip
     (folder / "contact.log").write_text(done.stdout + done.stderr)
     if done.returncode != 0 or not _is_whole(folder / "contact.sta"):
         raise EngineFailure(f"{folder / 'contact.log'}: ccx did not reach the end of the step")

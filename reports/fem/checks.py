@@ -4,6 +4,7 @@ import numpy as np
 
 import calculix
 from contact import degrees_between
+from tables import SETTINGS_DEG
 
 
 class NoCheck(Exception):
@@ -38,8 +39,8 @@ def half_spaces(results):
 
 
 def variations(lines):
-    """Of convergence lines: none turns the force by what is asked of it, where most is asked."""
-    yield from _worst("no setting turns the force", [x["turned_deg"] for x in lines if "turned_deg" in x], 0.2, "degrees")
+    """Of convergence lines."""
+    yield from _worst("no setting turns the force", [x["turned_deg"] for x in lines if "turned_deg" in x], SETTINGS_DEG, "degrees")
 
 
 def _worst(name, values, limit, unit):

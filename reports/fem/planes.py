@@ -61,5 +61,5 @@ def _beside(fem, end, centre, force, radius):
         "fem_deg": degrees_between(end, fem["direction"]),
         "fem_force": fem["force"] / force,
         "fem_patch": fem["fem_patch_radius"] / radius,
-        "centre_off": float(np.linalg.norm(off - off @ end * end) / radius),
+        "centre_off": float(np.linalg.norm(off - off @ end * end) / fem["patch_radius"]),
     }

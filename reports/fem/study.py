@@ -11,6 +11,7 @@ import os
 import pathlib
 import shlex
 import sys
+from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
 
@@ -18,6 +19,7 @@ import calculix
 import checks
 import tables
 from contact import Mode, degrees_between
+from mesh import MeshFailure
 from methods import TOP, CommandFailure, answers, placed, plumb
 from tasks import Busy, Task, engine_versions, run_all
 
@@ -29,8 +31,9 @@ HERTZ_RATIO = 2e-4
 FINE = (Mode(order=2, division=4), "Hertz", (0.02, 0.01, 0.1))
 HERTZ = {"quick": [FINE, (MODES["quick"], "Hertz, this mode's mesh", (0.15, 0.01, 0.2))],
          "full": [FINE, (MODES["full"], "Hertz, this mode's mesh", (0.05, 0.01, 0.2))]}  # fmt: skip
-SMALL = (0.002, 0.005)  # ratios at which half-spaces are asked
-VARIED_AT = ("G3", "Q3")
+SMALL = 0.005  # up to this ratio half-spaces are asked,
+BENT = "S4"  # and at every one of the geometry whose force leaves the common normal by more than the limits
+VARIED_AT = ("G3", "Q3", BENT)
 VARIED_RATIO = 0.01  # or the study's own nearest to it
 SHOWN_AT = "G3"
 
@@ -82,7 +85,7 @@ def spheres():
     ball = {"superellipsoid": {"semi_axes": [1, 1, 1]}}
     turned = {"shape": ball, "orientation": {"euler_zxz_deg": [10, 50, 0]}}
     fixed = {"shape": ball, "position": [0, 0, 0], "orientation": {"quaternion_wxyz": [1, 0, 0, 0]}}
-    placement = {"line_deg": [40, 20], "overlap_ratio": 2e-4}
+    placement = {"line_deg": [40, 20], "overlap_ratio": HERTZ_RATIO}
     return {"format": "plumb/case-1", "name": "spheres", "bodies": [fixed, turned], "placement": placement}
 
 
@@ -111,7 +114,7 @@ def variations(mode):
 def geometry_line(geometry, case):
     shapes = [body["shape"]["superellipsoid"] for body in case["bodies"]]
     is_ellipsoid = all(s["exponents"] == [2, 2] for s in shapes)
-    is_round = all(s["semi_axes"][0] == s["semi_axes"][1] for s in shapes)
+    is_round = all(len(set(s["semi_axes"])) < 3 for s in shapes)
     return {
         "kind": "geometry",
         "name": geometry["name"],
@@ -153,7 +156,10 @@ class Study:
 
     def __init__(self, geometries, ratios, mode):
         self.geometries, own = geometries, MODES[mode]
-        self.answered = [Task(*of, own, has_planes=of[1] in SMALL) for of in asked(geometries, ratios)]
+        self.answered = [
+            Task(name, ratio, case, of, own, has_planes=ratio <= SMALL or name == BENT)
+            for name, ratio, case, of in asked(geometries, ratios)
+        ]
         balls = asked([spheres()], [HERTZ_RATIO])[0]
         self.hertz = [(Task(*balls, mesh), *limits) for mesh, *limits in HERTZ[mode]]
         nearest = min(ratios, key=lambda ratio: abs(ratio - VARIED_RATIO))
@@ -246,9 +252,9 @@ def main(arguments, words):
     results = run_all(study.tasks(), out, engines["ccx"], arguments.jobs, show_progress)
     lines = [run_line(arguments, words, engines), *study.lines(results)]
     (out / "fem.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    print(tables.text(lines), flush=True)
     if arguments.pictures:
         draw(study, lines, out)
-    print(tables.text(lines))
     return 1 if tables.findings(lines) else 0
 
 
@@ -258,8 +264,10 @@ def answered(words):
     try:
         arguments = parsed(words)
         return main(arguments, words)
-    except (BadInput, CommandFailure, Busy, checks.NoCheck) as error:
+    except (BadInput, CommandFailure, Busy, checks.NoCheck, calculix.EngineFailure, MeshFailure, BrokenProcessPool) as error:
         print(error, file=sys.stderr)
+    except ImportError as error:
+        print(f"{error.name}: is not here: reports/fem/run installs it", file=sys.stderr)
     except OSError as error:  # of a full disk without the file's name
         print(f"{error.filename or arguments.out}: {error.strerror}", file=sys.stderr)
     except KeyboardInterrupt:

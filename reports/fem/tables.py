@@ -12,6 +12,7 @@ METHODS = {
 # cn: the force is less than this from the common normal, at that overlap and below. It is so many times further from GP's normal, where the
 # two normals are so far apart.
 LIMITS = {"cn": [{"ratio": 0.005, "below_deg": 0.2}, {"ratio": 0.02, "below_deg": 1.0}], "times": 5, "apart_deg": 5}
+SETTINGS_DEG = 0.2  # the most that a setting of the calculation may turn the force: lesser differences are not told apart
 
 
 def of_kind(lines, kind):
@@ -148,19 +149,22 @@ def summary(lines):
 
 
 def medians(lines):
-    """Of the degrees from the force, and in how many contacts a method's normal is nearer to it than CN's."""
-    yield "Medians of the degrees from the force; nearer: contacts where that is less than CN's"
-    head = ["ratio", "contacts", "CN", *(word for name in list(METHODS.values())[1:] for word in (name, "nearer"))]
-    table = []
-    for ratio in sorted({x["ratio"] for x in lines}):
-        here = [x["angles_deg"] for x in lines if x["ratio"] == ratio]
-        row = [f"{ratio:g}", str(len(here)), number(statistics.median(x["auto"] for x in here))]
-        for method in list(METHODS)[1:]:
-            of = [x for x in here if method in x]
-            middle = statistics.median(x[method] for x in of) if of else None
-            row += [number(middle), str(sum(x[method] < x["auto"] for x in of))]
-        table.append(row)
-    yield from rows(head, table)
+    """Of the degrees from the force and of the distances from the pressure's centre, over the contacts in which a method answers."""
+    yield "\nMedians, over the contacts in which the method answers; further, nearer: contacts in which its normal is by more than"
+    yield f"{SETTINGS_DEG:g} degrees further from the force than CN's, or nearer: what the settings may turn is not told apart"
+    head = ["ratio", "method", "answers", "degrees", "off", "further", "nearer"]
+    yield from rows(head, [_median(lines, ratio, name) for ratio in sorted({x["ratio"] for x in lines}) for name in METHODS])
+
+
+def _median(lines, ratio, method):
+    of = [x for x in lines if x["ratio"] == ratio and method in x["angles_deg"]]
+    row = [f"{ratio:g}", METHODS[method], str(len(of))]
+    if not of:
+        return row + ["-"] * 4
+    degrees, off = (statistics.median(x[field][method] for x in of) for field in ("angles_deg", "centre_off"))
+    beyond = [x["angles_deg"][method] - x["angles_deg"]["auto"] for x in of]
+    counts = sum(by > SETTINGS_DEG for by in beyond), sum(by < -SETTINGS_DEG for by in beyond)
+    return [*row, number(degrees), number(off, 2), *map(str, counts)]
 
 
 def gp_range(lines):

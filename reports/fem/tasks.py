@@ -55,7 +55,7 @@ def _result(task, out, engine):
     meshes, deck = contact.meshes_and_deck(task.case, task.answers["auto"], task.mode, task.setting)
     key = hashlib.sha256((calculix.reading() + engine + deck).encode()).hexdigest()[:24]
     path = out / "kept" / f"{key}.json"
-    with contextlib.suppress(OSError, ValueError, TypeError):  # not there, or not whole: calculated again
+    with contextlib.suppress(OSError, ValueError, TypeError, AttributeError):  # not there, or not whole: calculated again
         return calculix.Result.from_json(json.loads(path.read_text()))
     folder = out / "work" / key
     result = calculix.run(folder, deck, meshes, task.setting)
@@ -72,12 +72,13 @@ def _keep(path, result):
 
 
 def _mortal():
-    """Ctrl-C ends this process, and the engine that it waits for, at once: the parent says what there is to say."""
+    """Ctrl-C ends this process, and the engine that it waits for, at once: the parent says what there is to say. So does the parent's end."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    calculix.die_with_parent()
 
 
 @contextlib.contextmanager
-def _alone_in(out):
+def alone_in(out):
     """Two runs would write one calculation's files."""
     (out / "kept").mkdir(parents=True, exist_ok=True)
     with (out / "kept" / "lock").open("w") as lock:
@@ -91,7 +92,7 @@ def _alone_in(out):
 def run_all(tasks, out, engine, jobs, tell):
     """The results in the order of the tasks, through `jobs` processes; tell(done, of) goes along. Busy, or what a task raises."""
     out = pathlib.Path(out)
-    with _alone_in(out), concurrent.futures.ProcessPoolExecutor(jobs, initializer=_mortal) as pool:
+    with alone_in(out), concurrent.futures.ProcessPoolExecutor(jobs, initializer=_mortal) as pool:
         waiting = [pool.submit(_calculated, task, out, engine) for task in tasks]
         try:
             for number, done in enumerate(concurrent.futures.as_completed(waiting), start=1):

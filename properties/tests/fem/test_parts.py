@@ -232,6 +232,16 @@ class Bends(unittest.TestCase):
         values = planes.curvatures(pair, normal, point, point + np.array([1e-3, 0, 0]), 0.01)
         np.testing.assert_allclose(values, 3, rtol=1e-3)
 
+    def test_are_greater_towards_the_tip(self):
+        """Of a spheroid on a ball, off its tip: the curvature grows along x towards it."""
+        tilted = Body(np.array([1.0, 1.0, 2.0]), np.array([2.0, 2.0]), np.zeros(3), np.eye(3))
+        point = tilted.of_sphere(np.array([[0.6, 0, 0.8]]))[0]
+        normal = tilted.normals(point[None])[0]
+        pair, along = (tilted, ball(point + 0.98 * normal)), np.array([normal[2], 0, -normal[0]])  # away from the tip
+        away = planes.curvatures(pair, normal, point, point + 1e-3 * along, 0.1)
+        self.assertGreater(away[0], 1.05 * away[2])
+        np.testing.assert_allclose(planes.curvatures(pair, normal, point, point - 1e-3 * along, 0.1), away[::-1])
+
 
 class Tables(unittest.TestCase):
     def answer(self, **fields):

@@ -61,8 +61,9 @@ function plotBlock(fem: Fem): Child[] {
 
 const LIMITS = (held: string): string[] => [
   "That the force comes to CN as the overlap vanishes is expected from mechanics: the patch shrinks to a point, and the pressure is normal to the surfaces there. This agreement is no discovery. What informs is the error of GP, which stays as the overlap vanishes.",
-  `How large the force is depends on how the bodies are held (here: ${held}), so the magnitudes are of these runs alone. Its direction hardly depends on it.`,
+  `How large the force is depends on how the bodies are held (here: ${held}), so the magnitudes are of these runs alone. How far its direction does, the table of settings says.`,
   "The force leaves CN where the curvature changes across the patch: the pressure's centre wanders from the contact point towards the flatter side, and the normals there are others. The half-spaces' table says by how much the curvature changes.",
+  "It does not set CN above midway and first touch, whose normals agree with CN's to first order of the overlap: they are about as near to the force as CN, at larger overlaps often nearer. Where both bodies have the same exponents, midway and first touch are one normal.",
   "The bodies are linear elastic and without friction. Of other materials, of friction and of geometries that are not in the table it says nothing.",
 ];
 
