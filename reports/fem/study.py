@@ -229,6 +229,10 @@ def parsed(words):
     arguments.ratios = arguments.ratios or RATIOS[arguments.mode]
     if not all(0 < ratio <= 0.1 for ratio in arguments.ratios):
         raise BadInput("--ratios: more than 0 and at most 0.1")
+    if len(set(arguments.ratios)) < len(arguments.ratios):
+        raise BadInput("--ratios: one stands twice")
+    if pathlib.Path(arguments.out).exists() and not pathlib.Path(arguments.out).is_dir():
+        raise BadInput(f"--out: {arguments.out}: is no folder")
     if arguments.jobs < 1:
         raise BadInput("--jobs: at least 1")
     return arguments

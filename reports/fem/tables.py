@@ -66,11 +66,16 @@ def text(lines):
         *header(of_kind(lines, "run")[0]),
         *checks(of_kind(lines, "check")),
         *answers(lines),
-        *half_spaces(of_kind(lines, "half_space")),
-        *variations(of_kind(lines, "convergence")),
+        *of_any(half_spaces, of_kind(lines, "half_space")),
+        *of_any(variations, of_kind(lines, "convergence")),
         *summary(lines),
     ]
     return "\n".join(parts)
+
+
+def of_any(table, lines):
+    """No table of nothing."""
+    return table(lines) if lines else ()
 
 
 def header(run):

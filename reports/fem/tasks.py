@@ -93,6 +93,7 @@ def run_all(tasks, out, engine, jobs, tell):
     """The results in the order of the tasks, through `jobs` processes; tell(done, of) goes along. Busy, or what a task raises."""
     out = pathlib.Path(out)
     with alone_in(out), concurrent.futures.ProcessPoolExecutor(jobs, initializer=_mortal) as pool:
+        tell(0, len(tasks))
         waiting = [pool.submit(_calculated, task, out, engine) for task in tasks]
         try:
             for number, done in enumerate(concurrent.futures.as_completed(waiting), start=1):
