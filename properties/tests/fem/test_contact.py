@@ -91,7 +91,7 @@ class Interrupting(unittest.TestCase):
     def test_ctrl_c_is_one_line_and_leaves_no_engine(self):
         with tempfile.TemporaryDirectory() as out, self.started(out) as running:
             os.killpg(running.pid, signal.SIGINT)
-            self.assertRegex(running.communicate()[1], r"\A\r0 of \d+ calculations\ninterrupted: [^\n]*\n\Z")
+            self.assertRegex(running.communicate()[1], r"\A\s0 of \d+ calculations\ninterrupted: [^\n]*\n\Z")
             self.assertEqual(running.returncode, 130)
             self.assertEqual(self.left(running.pid), [])
 
