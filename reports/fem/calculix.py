@@ -18,6 +18,7 @@ import numpy as np
 from mesh import FACES
 
 YOUNG, POISSON = 1.0, 0.3
+MODULUS = YOUNG / (2 * (1 - POISSON**2))  # of a contact of the two: 1 / sum of (1 - nu^2) / E
 
 
 class EngineFailure(Exception):

@@ -16,8 +16,7 @@ def hertz(task, result, of, limits):
     if "reason" in result:
         raise NoCheck(f"{of}: {result['reason']}")
     overlap = task.answers["auto"]["overlap"]
-    modulus = calculix.YOUNG / (2 * (1 - calculix.POISSON**2))
-    force = 4 / 3 * modulus * np.sqrt(0.5) * overlap**1.5
+    force = 4 / 3 * calculix.MODULUS * np.sqrt(0.5) * overlap**1.5
     yield f"{of}: force", abs(result["force"] / force - 1), limits[0], "relative"
     yield f"{of}: direction", result["angles_deg"]["auto"], limits[1], "degrees"
     yield f"{of}: patch", abs(result["fem_patch_radius"] / np.sqrt(0.5 * overlap) - 1), limits[2], "relative, its radius"

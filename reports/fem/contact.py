@@ -8,7 +8,6 @@ import calculix
 from ball import Sizes, ball_mesh
 from gap import basis_of, gap_on, lens_window
 from mesh import MeshFailure, onto_body
-from superellipsoid import pair_of
 
 
 @dataclasses.dataclass(frozen=True)
@@ -70,10 +69,8 @@ def mesh_of(body, sizes, order):
     raise failure
 
 
-def meshes_and_deck(case, answer, mode, setting, is_shown=False):
-    """Of an overlapping pair and CN's answer to it."""
-    pair = pair_of(case)
-    lens = Lens.of(pair, answer)
+def meshes_and_deck(pair, answer, lens, mode, setting, is_shown=False):
+    """Of an overlapping pair, CN's answer to it and its lens."""
     meshes = [
         mesh_of(body, sizes_for(body, lens, point, mode), mode.order) for body, point in zip(pair, answer["points"])
     ]

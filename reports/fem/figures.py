@@ -13,6 +13,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402 # after the choice of what draws
 from matplotlib.collections import PolyCollection  # noqa: E402
 
+from superellipsoid import pair_of  # noqa: E402
 from tables import METHODS, of_kind  # noqa: E402
 
 COLOURS = {"auto": "#1b7837", "geometric_potential": "#b2182b", "geometric_potential_midway": "#ef8a62", "first_touch": "#2166ac",
@@ -57,8 +58,10 @@ def slice_of(mesh, moved, at, across):
 def draw_contact(task, path):
     """The bodies cut by the plane of the common normal and GP's through the contact: whole, and where they touch."""
     answers = task.answers
+    pair = pair_of(task.case)
+    lens = contact.Lens.of(pair, answers["auto"])
     with tempfile.TemporaryDirectory() as folder:
-        meshes, deck = contact.meshes_and_deck(task.case, answers["auto"], task.mode, task.setting, is_shown=True)
+        meshes, deck = contact.meshes_and_deck(pair, answers["auto"], lens, task.mode, task.setting, is_shown=True)
         result = calculix.run(pathlib.Path(folder), deck, meshes, task.setting)
     centre, radius = contact.pressure_centre(result), np.sqrt(result.area / np.pi)
     up = result.forces[1] / np.linalg.norm(result.forces[1])

@@ -7,8 +7,6 @@ import half_space
 from contact import degrees_between
 from superellipsoid import pair_of
 
-MODULUS = calculix.YOUNG / (2 * (1 - calculix.POISSON**2))  # of both bodies together
-
 
 def settled(case, answers, fem):
     """A dictionary for each start; `fem`: what contact.judged gave, or a reason why there is nothing to compare with."""
@@ -21,7 +19,7 @@ def settled(case, answers, fem):
 
 def _settled(pair, normal, cn, fem):
     try:
-        pressed, planes = half_space.settle(*pair, normal, np.array(cn["contact_point"]), MODULUS)
+        pressed, planes = half_space.settle(*pair, normal, np.array(cn["contact_point"]), calculix.MODULUS)
     except half_space.NotSettled as error:
         return {"reason": str(error)}
     force = float(np.linalg.norm(pressed.force))

@@ -44,15 +44,16 @@ def engine_versions():
 def _calculated(task, out, engine):
     """In a process of its own: what contact.judged gives, or why there is nothing; "planes", those of half-spaces."""
     try:
-        radius = contact.Lens.of(pair_of(task.case), task.answers["auto"]).patch_radius()
-        result = contact.judged(_result(task, out, engine), task.answers, radius)
+        pair = pair_of(task.case)
+        lens = contact.Lens.of(pair, task.answers["auto"])
+        result = contact.judged(_result(task, pair, lens, out, engine), task.answers, lens.patch_radius())
     except (MeshFailure, calculix.EngineFailure) as error:
         result = {"reason": str(error)}
     return result | {"planes": planes.settled(task.case, task.answers, result) if task.has_planes else []}
 
 
-def _result(task, out, engine):
-    meshes, deck = contact.meshes_and_deck(task.case, task.answers["auto"], task.mode, task.setting)
+def _result(task, pair, lens, out, engine):
+    meshes, deck = contact.meshes_and_deck(pair, task.answers["auto"], lens, task.mode, task.setting)
     key = hashlib.sha256((calculix.reading() + engine + deck).encode()).hexdigest()[:24]
     path = out / "kept" / f"{key}.json"
     with contextlib.suppress(OSError, ValueError, TypeError, AttributeError):  # not there, or not whole: calculated again

@@ -16,6 +16,7 @@ import numpy as np
 import calculix
 import contact
 import tasks
+from superellipsoid import pair_of
 
 HAS_ENGINES = shutil.which("ccx") is not None and importlib.util.find_spec("gmsh") is not None
 
@@ -37,7 +38,9 @@ class Contact(unittest.TestCase):
         cls.line = line
         cls.answer = answer(line.tolist(), [line.tolist(), (0.96 * line).tolist()])
         setting = calculix.Setting()
-        meshes, deck = contact.meshes_and_deck(case, cls.answer, contact.Mode(order=1, division=3), setting)
+        pair = pair_of(case)
+        lens = contact.Lens.of(pair, cls.answer)
+        meshes, deck = contact.meshes_and_deck(pair, cls.answer, lens, contact.Mode(order=1, division=3), setting)
         with tempfile.TemporaryDirectory() as folder:
             cls.result = calculix.run(pathlib.Path(folder), deck, meshes, setting)
 

@@ -66,7 +66,7 @@ class Keeping(unittest.TestCase):
                 for text, runs in ((None, 1), (None, 1), ("{", 2), ("null", 3), ('{"forces": 1}', 4), (None, 4)):
                     for path in (out / "kept").iterdir():
                         path.write_text(text or path.read_text())
-                    self.assertEqual(tasks._result(task, out, "ccx").nodes, 1)
+                    self.assertEqual(tasks._result(task, None, None, out, "ccx").nodes, 1)
                     self.assertEqual(run.call_count, runs)
 
     def test_a_folder_is_one_runs_at_a_time(self):
