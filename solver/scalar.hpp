@@ -12,9 +12,13 @@
 
 namespace plumb {
 
+/// Of a register: that of the scalars it holds.
 template <class S>
 [[nodiscard]] inline S epsilon() {
-  return std::numeric_limits<S>::epsilon();
+  if constexpr (std::numeric_limits<S>::is_specialized)
+    return std::numeric_limits<S>::epsilon();
+  else
+    return S(std::numeric_limits<typename S::value_type>::epsilon());
 }
 
 /// A constant that goes with the precision: the second for float.

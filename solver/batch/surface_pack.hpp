@@ -47,8 +47,7 @@ class SurfacePack {
   }
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough(const P& now, const P& last) const {
-    const P noise(16 * epsilon<double>());
-    return f_.opposite && (now < tolerance_ || (now < noise && now >= last / P(2.0)));
+    return f_.opposite && is_at_rest(now, last, tolerance_);
   }
 
   /// The answer of the lanes that end at f; a saddle is none.

@@ -6,8 +6,8 @@
 //         would blow the noise up
 // Rings   bodies of revolution about one line that holds both centres may turn about it, and the Jacobian is singular: a fifth
 //         equation says that the step has no such turn
-// End     residual below 4 epsilon (or what was asked for), or below 16 and no longer halved; a last step that is short
-//         enough is taken along the tangents, and measured like any other
+// End     is_at_rest of surface_equations.hpp, from 4 epsilon or what was asked for; a last step that is short enough is taken
+//         along the tangents, and measured like any other
 #pragma once
 
 #include <algorithm>
@@ -74,8 +74,7 @@ class SurfaceNewton {
     S last = std::numeric_limits<S>::infinity();
     for (int i = 0;; ++i) {
       const S now = residual(*f_);
-      if (is_exact() && f_->opposite && (now < tolerance_ || (now < S(16) * epsilon<S>() && now >= last / 2)))
-        return Status::converged;
+      if (is_exact() && f_->opposite && is_at_rest(now, last, tolerance_)) return Status::converged;
       if (!(now < std::numeric_limits<S>::infinity())) return Status::not_finite;
       const bool is_promising = now < S(0.05) && now < S(0.8) * last;
       if (i >= (is_promising ? last_limit_ : limit_)) return Status::iteration_limit;
