@@ -10,7 +10,6 @@ declare -A plumb_packages=(
   [lammps]="liblammps-dev libopenmpi-dev openmpi-bin"
   [slurm]="munge slurmctld slurmd slurm-client"
   [parallel]="parallel"
-  [lammps]="liblammps-dev libopenmpi-dev openmpi-bin"
   [page]="nodejs npm"
   [docs]="doxygen python3"
   [browser]="chromium"

@@ -7,13 +7,7 @@ cd -P "$SRC/plumb"
 # shellcheck source=.ci/setup.sh
 source .ci/setup.sh
 
-# libc++ has no std::experimental::simd, in which the solver holds two bodies: libstdc++, in the program, and fmt from its headers. What
-# is then left of libraries is C.
-export CXXFLAGS="${CXXFLAGS/-stdlib=libc++/} -DFMT_HEADER_ONLY"
-# The environment's flags alone: a build type of no meaning adds none. The old kind of path is the one that libmpfi.so's own needs follow.
-cmake -S . -B "$WORK/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 \
-  -DPLUMB_FUZZERS=ON -DPLUMB_TESTS=OFF -DPLUMB_PEERS=OFF -DPLUMB_FUZZING_ENGINE="$LIB_FUZZING_ENGINE" \
-  -DCMAKE_BUILD_RPATH="\$ORIGIN/lib" -DCMAKE_EXE_LINKER_FLAGS="-static-libstdc++ -static-libgcc -Wl,--as-needed,--disable-new-dtags"
+.clusterfuzzlite/configure "$WORK/build"
 cmake --build "$WORK/build" --target fuzzers
 
 mkdir -p "$OUT/lib"
