@@ -202,7 +202,7 @@ Json explained_json(const Case& from, const Explained& explained, const std::str
   out["stopped"] = shrunk.stopped;
   out["judged"] = explained.counts.judged;
   out["solved"] = explained.counts.solved;
-  out["work"] = explained.counts.work;
+  out["work_ms"] = static_cast<double>(explained.counts.work) / 1e6;
   return out;
 }
 

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "solver/reference/meter.hpp"
+
 namespace plumb {
 namespace {
 
@@ -10,10 +12,11 @@ namespace {
 struct Search {
   Trials trials;
   double least_severity;
-  bool stays_inside;  ///< the declared domain
+  bool stays_inside;      ///< the declared domain
+  std::int64_t own_work;  ///< for the case itself
   Shrunk& best;
 
-  [[nodiscard]] bool is_over() const { return trials.counts().work >= most_work; }
+  [[nodiscard]] bool is_over() const { return own_work + trials.counts().work >= most_work; }
 
   /// Takes the description where it keeps the finding.
   bool take(const Described& described) {
@@ -64,18 +67,20 @@ bool simplify_once(Search& search) {
 
 Shrunk shrink(const Pair& pair, const Solver& solver) {
   Shrunk out;
+  const std::int64_t before = reference::work_counted;
   Judge judge(pair);
   out.from = out.found = solve_and_judge(judge, pair, solver);
+  const std::int64_t own_work = nanoseconds_of_related + reference::work_counted - before;
   out.pair = pair;
   out.described = {pair, {}, {}};
   const Finding& finding = out.from.judgement.finding;
   if (finding.kind == FindingKind::none) return out;
-  Search search{{solver, finding.kind, true}, finding.severity / 2, in_domain(pair), out};
+  Search search{{solver, finding.kind, true}, finding.severity / 2, in_domain(pair), own_work, out};
   spell(search);
   while (simplify_once(search)) spell(search);
   out.stopped = search.is_over();
   out.counts = search.trials.counts();
-  ++out.counts.solved, ++out.counts.judged;  // the case itself
+  ++out.counts.solved, ++out.counts.judged, out.counts.work += own_work;
   return out;
 }
 

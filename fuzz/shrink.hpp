@@ -8,7 +8,7 @@
 namespace plumb {
 
 /// TrialCounts::work that shrinking one case may take, and explaining it as much: a count, so that every machine ends alike.
-inline constexpr std::size_t most_work = 600;
+inline constexpr std::int64_t most_work = 500'000'000;
 
 struct Shrunk {
   JudgedAnswer from;    ///< the case's own; FindingKind::none where there is nothing to shrink

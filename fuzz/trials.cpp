@@ -1,14 +1,12 @@
 #include "fuzz/trials.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 #include <optional>
 
-#include "corpus/shape_class.hpp"
 #include "properties/laws.hpp"
 #include "properties/laws_answer.hpp"
+#include "solver/reference/meter.hpp"
 
 namespace plumb {
 namespace {
@@ -40,14 +38,6 @@ bool agree(const Pair& pair, const Contact<double>& a, const Contact<double>& b)
          (a.point2 - b.point2).norm() <= few * size;
 }
 
-/// Bounds, a proof, digits cost more and more; more on other bodies than ellipsoids; a geometric potential has a reference of its own.
-std::size_t work_of(const Pair& pair, const Reference& reference, const Solver& solver) {
-  constexpr std::array<std::size_t, efforts.size()> by_effort{1, 4, 10};
-  const bool superquadric = std::max(shape_kind(pair.body1.shape), shape_kind(pair.body2.shape)) > ShapeKind::ellipsoid;
-  const std::size_t potential = solver.problem == Problem::common_normal ? 0 : by_effort.back();
-  return (by_effort[static_cast<std::size_t>(reference.effort)] + potential) * (superquadric ? 10 : 1);
-}
-
 /// What the method's answer must share with the best there is to be right; other kinds are about several answers.
 bool is_about_one_answer(FindingKind kind) {
   return kind == FindingKind::wrong_branch || kind == FindingKind::misaligned || kind == FindingKind::off_surface ||
@@ -75,20 +65,26 @@ bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
 
 JudgedAnswer Trials::of(const Pair& pair) {
   ++counts_.solved;
+  const std::int64_t before = reference::work_counted;
+  JudgedAnswer out = tried(pair);
+  counts_.work += nanoseconds_of_a_solve + reference::work_counted - before;
+  return out.judgement.finding.kind == kind_ ? out : JudgedAnswer{};
+}
+
+JudgedAnswer Trials::tried(const Pair& pair) {
   JudgedAnswer out;
   if (const auto answer = answer_of(solver_, pair)) {
     out.answer = *answer;
     if (answer->status != Status::converged) {
       out.judgement = judge_by_status(solver_, pair, *answer);
-      return out.judgement.finding.kind == kind_ ? out : JudgedAnswer{};
+      return out;
     }
     if (!may_show(pair, *answer)) return {};
   }
   ++counts_.judged;
+  counts_.work += nanoseconds_of_related;
   Judge judge(pair);
-  out = solve_and_judge(judge, pair, solver_);
-  counts_.work += work_of(pair, judge.reference(), solver_);
-  return out.judgement.finding.kind == kind_ ? out : JudgedAnswer{};
+  return solve_and_judge(judge, pair, solver_);
 }
 
 }  // namespace plumb

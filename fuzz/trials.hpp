@@ -2,16 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "corpus/solver.hpp"
 #include "properties/judged_answer.hpp"
 
 namespace plumb {
 
+/// What a published method takes, and the laws that ask it about related pairs beside; in TrialCounts::work.
+inline constexpr std::int64_t nanoseconds_of_a_solve = 200'000, nanoseconds_of_related = 2'000'000;
+
 struct TrialCounts {
   std::size_t solved = 0;  ///< pairs that the method was asked about
   std::size_t judged = 0;  ///< of those, how many took a certified reference
-  std::size_t work = 0;    ///< what those took, counted and not timed: about a millisecond each
+  std::int64_t work = 0;   ///< what it all took, counted and not timed: about a nanosecond each
 };
 
 class Trials {
@@ -25,6 +29,7 @@ class Trials {
   [[nodiscard]] const TrialCounts& counts() const { return counts_; }
 
  private:
+  [[nodiscard]] JudgedAnswer tried(const Pair& pair);
   [[nodiscard]] bool may_show(const Pair& pair, const Contact<double>& answer) const;
 
   const Solver& solver_;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "solver/least_squares.hpp"
+#include "solver/reference/meter.hpp"
 #include "solver/reference/real.hpp"
 
 namespace plumb::reference {
@@ -36,6 +37,8 @@ Vec3<S> collinear_with(const PlacedPair<S>& pair, const Goal<S>& goal, const Cha
 
 template <class S>
 ChartResidual<S> chart_residual(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<S>& at) {
+  for (const Superellipsoid<S>& shape : {pair.body1.shape, pair.body2.shape})
+    count_digits<S>(shape.n1 == 2 && shape.n2 == 2 ? nanoseconds_of_a_round_point : nanoseconds_of_a_point);
   const SurfacePoint<S> s1 = surface_point<S>(pair.body1.shape, at.at1);
   const SurfacePoint<S> s2 = surface_point<S>(pair.body2.shape, at.at2);
   const Mat3<S>&r1 = pair.body1.rotation, &r2 = pair.body2.rotation;
@@ -85,6 +88,7 @@ LocalSolution<S> solve_on_charts(const PlacedPair<S>& pair, const Goal<S>& goal,
   S mu(1e-3);
   while (out.iterations < limit && out.residual > tolerance && mu < give_up) {
     ++out.iterations;
+    count_digits<S>(nanoseconds_of_a_step);
     Eigen::Matrix<S, 4, 1> step = damped_step<S>(here, mu * out.residual);
     const S length = step.cwiseAbs().maxCoeff();
     if (!(length <= longest_step)) step *= longest_step / length;

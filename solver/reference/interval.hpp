@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "solver/contact.hpp"
+#include "solver/reference/meter.hpp"
 
 namespace plumb::reference {
 
@@ -43,8 +44,8 @@ class Interval {
   friend Interval operator-(const Interval& a, const Interval& b) { return by(mpfi_sub, a, b); }
   friend Interval operator*(const Interval& a, const Interval& b) { return by(mpfi_mul, a, b); }
   friend Interval operator/(const Interval& a, const Interval& b) { return by(mpfi_div, a, b); }
-  friend Interval exp(const Interval& a) { return by(mpfi_exp, a); }
-  friend Interval log(const Interval& a) { return by(mpfi_log, a); }
+  friend Interval exp(const Interval& a) { return by_series(mpfi_exp, a); }
+  friend Interval log(const Interval& a) { return by_series(mpfi_log, a); }
   friend Interval abs(const Interval& a) { return by(mpfi_abs, a); }
   friend Interval sqrt(const Interval& a) { return by(mpfi_sqrt, a); }
 
@@ -52,12 +53,18 @@ class Interval {
   using Digits = std::array<mp_limb_t, (Bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS>;
 
   [[nodiscard]] static Interval by(int (*operation)(mpfi_ptr, mpfi_srcptr), const Interval& a) {
+    count_operation<Bits>();
     Interval out;
     operation(&out.x_, &a.x_);
     return out;
   }
+  [[nodiscard]] static Interval by_series(int (*operation)(mpfi_ptr, mpfi_srcptr), const Interval& a) {
+    count_series<Bits>();
+    return by(operation, a);
+  }
   [[nodiscard]] static Interval by(int (*operation)(mpfi_ptr, mpfi_srcptr, mpfi_srcptr), const Interval& a,
                                    const Interval& b) {
+    count_operation<Bits>();
     Interval out;
     operation(&out.x_, &a.x_, &b.x_);
     return out;

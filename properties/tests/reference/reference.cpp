@@ -10,6 +10,7 @@
 
 #include "properties/families.hpp"
 #include "solver/pose.hpp"
+#include "solver/reference/meter.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
@@ -152,6 +153,20 @@ TEST(Reference, SmallOverlapLimits) {
   EXPECT_NEAR(midway1 / midway2, 10, 0.5);
   EXPECT_NEAR(deepest1 / deepest2, 1, 0.05);
   EXPECT_GT(deepest2, 0.1);
+}
+
+TEST(Reference, WhatItTakesIsCountedAlikeEachTimeAndGrowsWithTheEffort) {
+  Pair pair;
+  pair.body1.shape = {{1, 2, 3}, 2.5, 4};
+  pair.body2.position << 0.5, 0.25, 3;
+  const auto taken = [&](Effort effort) {
+    const std::int64_t before = reference::work_counted;
+    (void)find_reference(pair, effort);
+    return reference::work_counted - before;
+  };
+  for (const Effort effort : efforts) EXPECT_EQ(taken(effort), taken(effort)) << name(effort);
+  EXPECT_LT(taken(Effort::bounds), taken(Effort::proof));
+  EXPECT_LT(taken(Effort::proof), taken(Effort::digits));
 }
 
 TEST(Reference, SharesNothingWithTheMethods) {

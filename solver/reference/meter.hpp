@@ -1,0 +1,36 @@
+// What references take, counted and not timed: whoever must stop in time stops at the same place on every machine.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "solver/reference/real.hpp"
+
+namespace plumb::reference {
+
+/// Of this thread since it began, in nanoseconds as one machine took them: what a call took is the difference.
+inline thread_local std::int64_t work_counted = 0;
+
+inline constexpr int nanoseconds_of_a_node = 3000;  ///< of a cover's search
+/// In 50 digits: a surface point with its derivatives, of an ellipsoid without powers; a step of the solver's on charts.
+inline constexpr int nanoseconds_of_a_point = 75'000, nanoseconds_of_a_round_point = 10'000,
+                     nanoseconds_of_a_step = 60'000;
+
+/// An operation of MPFI, or one that sums a series.
+template <int bits>
+inline void count_operation() {
+  work_counted += bits > 64 ? 65 : 30;
+}
+template <int bits>
+inline void count_series() {
+  work_counted += bits > 64 ? 6000 : 2000;
+}
+
+/// In 50 digits; what the solvers of fewer take is nothing beside it.
+template <class S>
+inline void count_digits(int nanoseconds) {
+  if constexpr (std::is_same_v<S, Real50>) work_counted += nanoseconds;
+}
+
+}  // namespace plumb::reference
