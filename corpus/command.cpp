@@ -101,6 +101,10 @@ std::string refuse_seed(const std::string& text) {
   return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
 }
 
+void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& help) {
+  app.add_option("--seed", seed, help)->capture_default_str()->check(refuse_seed);
+}
+
 std::string refuse_seconds(const std::string& text) {
   const auto seconds = number_from<double>(text);
   return seconds && *seconds > 0 && *seconds <= 1e6 ? "" : "'" + text + "' is not a number above 0, at most 1e6";

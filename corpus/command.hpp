@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -38,6 +39,8 @@ enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interru
 
 /// The same of a whole number of 64 bits, 0 among them: a seed, an index. CLI11 takes -1 for the greatest.
 [[nodiscard]] std::string refuse_seed(const std::string& text);
+/// The option --seed.
+void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& help = "same seed, same cases");
 
 /// The same of a time: a number above 0.
 [[nodiscard]] std::string refuse_seconds(const std::string& text);

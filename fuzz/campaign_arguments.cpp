@@ -40,7 +40,7 @@ CLI::Option* declare_campaign(CLI::App& app, CampaignArguments& args, const std:
   app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")
       ->required();
   app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
-  app.add_option("--seed", args.seed, "same seed, same cases and results")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, args.seed, "same seed, same cases and results");
   app.add_option("--method", args.method, "methods with commas, or all (the default without --solver)");
   declare_solver(app, args.solver, "a shared library behind solver/plumb_solver.h, in processes of its own");
   app.add_option("--shard", args.shard, "i/n: the i-th of n parts, 1 <= i <= n; plumb merge puts them together");

@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
   app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")
       ->check(plumb::refuse_minutes)
       ->capture_default_str();
-  app.add_option("--seed", args.seed)->capture_default_str()->check(plumb::refuse_seed);
+  plumb::declare_seed(app, args.seed);
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
   app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzers/")->capture_default_str();
   app.add_option("--fuzzers", args.fuzzers, "folder of the programs fuzz-TARGET; without it that part is left out");

@@ -32,7 +32,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("LADDER", options.ladder, "one ladder (plumb families lists them); all without")
       ->check(CLI::IsMember(all_ladders()));
   app.add_option("--step", options.step, "one step, from 1; all without")->check(CLI::Range(1, 1000));
-  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, options.seed);
   auto* index =
       app.add_option("--index", options.index, "which variant is printed")->capture_default_str()->check(refuse_seed);
   auto* write = app.add_option("--write", options.folder,

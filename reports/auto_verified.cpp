@@ -30,7 +30,7 @@ struct Options {
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
-  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, options.seed);
   app.add_option("--family", options.family, "one family in the place of all");
   app.add_option("--unit", options.unit, "all lengths times this")->capture_default_str()->check(CLI::PositiveNumber);
   app.add_option("--shift", options.shift, "both bodies moved by this many sizes along (1, 2, 3)")

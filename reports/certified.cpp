@@ -28,7 +28,7 @@ void declare(CLI::App& app, Options& options) {
   std::vector<std::string> names{"all"};
   for (const Family& family : families()) names.emplace_back(family.name);
   app.add_option("--cases", options.cases, "cases of each family")->required()->check(refuse_count);
-  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, options.seed);
   app.add_option("--family", options.family, "one family, or all")->capture_default_str()->check(CLI::IsMember(names));
   app.add_option("--effort", options.effort, "how far the reference goes: bounds, proof or digits")
       ->capture_default_str()

@@ -25,7 +25,7 @@ struct Options {
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
-  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, options.seed);
   app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
 }

@@ -28,7 +28,7 @@ void declare(CLI::App& app, Options& options) {
       ->delimiter(',');
   app.add_option("--method", options.method, "NAME,.. or all (plumb methods lists them)")->capture_default_str();
   app.add_option("--cases", options.count, "pairs of each set")->capture_default_str()->check(refuse_count);
-  app.add_option("--seed", options.seed, "same seed, same pairs")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, options.seed, "same seed, same pairs");
   app.add_option("--repeat", options.repeat, "time each pair so often; the least counts")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));

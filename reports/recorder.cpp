@@ -30,7 +30,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--judged", options.judged, "cases of each family that the laws judge")
       ->capture_default_str()
       ->check(refuse_count);
-  app.add_option("--seed", options.seed, "same seed, same cases")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, options.seed);
 }
 
 class Recorder {

@@ -40,7 +40,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--seeds", options.seeds, "how many; of 6 the least and the greatest hold the median in 96.9 %")
       ->capture_default_str()
       ->check(refuse_count);
-  app.add_option("--seed", options.seed, "the first of them")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, options.seed, "the first of them");
   app.add_option(
          "--inputs", options.inputs,
          "of each seed, by each fuzz-TARGET or plain-TARGET among the engines; NAME:code goes without the thermometers")

@@ -67,7 +67,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--part", options.parts, fmt::format("NAME,..; default: all of {}", fmt::join(part_names(), ", ")))
       ->delimiter(',')
       ->check(CLI::IsMember(part_names()));
-  app.add_option("--seed", study.seed, "of all that is drawn")->capture_default_str()->check(refuse_seed);
+  declare_seed(app, study.seed, "of all that is drawn");
   const auto count = [&](const char* flag, int& value, const char* help) {
     app.add_option(flag, value, help)->capture_default_str()->check(CLI::Range(1, 1'000'000));
   };
