@@ -12,11 +12,10 @@ namespace {
 struct Search {
   Trials trials;
   double least_severity;
-  bool stays_inside;      ///< the declared domain
-  std::int64_t own_work;  ///< for the case itself
+  bool stays_inside;  ///< the declared domain
   Shrunk& best;
 
-  [[nodiscard]] bool is_over() const { return own_work + trials.counts().work >= most_work; }
+  [[nodiscard]] bool is_over() const { return trials.counts().work >= most_work; }
 
   /// Takes the description where it keeps the finding.
   bool take(const Described& described) {
@@ -47,8 +46,10 @@ std::vector<Described> spellings(const Pair& pair) {
 /// Where it is not yet spelled so; it may be the simpler case that can be.
 void spell(Search& search) {
   if (search.best.described.place) return;
-  for (const Described& spelling : spellings(search.best.pair))
+  for (const Described& spelling : spellings(search.best.pair)) {
+    if (search.is_over()) return;
     if ((spelling.place || !search.best.described.euler_deg) && search.take(spelling)) return;
+  }
 }
 
 /// One round through the list, each step from where the last one led; true when something became simpler.
@@ -70,17 +71,17 @@ Shrunk shrink(const Pair& pair, const Solver& solver) {
   const std::int64_t before = reference::work_counted;
   Judge judge(pair);
   out.from = out.found = solve_and_judge(judge, pair, solver);
-  const std::int64_t own_work = nanoseconds_of_related + reference::work_counted - before;
+  const std::int64_t own_work = nanoseconds_of_a_solve + nanoseconds_of_related + reference::work_counted - before;
   out.pair = pair;
   out.described = {pair, {}, {}};
   const Finding& finding = out.from.judgement.finding;
   if (finding.kind == FindingKind::none) return out;
-  Search search{{solver, finding.kind, true}, finding.severity / 2, in_domain(pair), own_work, out};
+  Search search{{solver, finding.kind, true}, finding.severity / 2, in_domain(pair), out};
   spell(search);
   while (simplify_once(search)) spell(search);
   out.stopped = search.is_over();
   out.counts = search.trials.counts();
-  ++out.counts.solved, ++out.counts.judged, out.counts.work += own_work;
+  ++out.counts.solved, ++out.counts.judged, out.counts.work += own_work;  // the case itself
   return out;
 }
 

@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// TrialCounts::work that shrinking one case may take, and explaining it as much: a count, so that every machine ends alike.
-inline constexpr std::int64_t most_work = 500'000'000;
+/// TrialCounts::work after which shrinking one case ends, and explaining it after as much: a count, so that it ends alike under any load.
+inline constexpr std::int64_t most_work = 400'000'000;
 
 struct Shrunk {
   JudgedAnswer from;    ///< the case's own; FindingKind::none where there is nothing to shrink

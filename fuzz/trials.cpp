@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <optional>
 
 #include "properties/laws.hpp"

@@ -15,7 +15,7 @@ inline constexpr std::int64_t nanoseconds_of_a_solve = 200'000, nanoseconds_of_r
 struct TrialCounts {
   std::size_t solved = 0;  ///< pairs that the method was asked about
   std::size_t judged = 0;  ///< of those, how many took a certified reference
-  std::int64_t work = 0;   ///< what it all took, counted and not timed: about a nanosecond each
+  std::int64_t work = 0;   ///< what it all took, counted and not timed (solver/reference/meter.hpp)
 };
 
 class Trials {

@@ -80,6 +80,7 @@ I power_from_above(const I& x, const I& e) {
   } else {
     I out(0.0);
     if (high(x) <= 0) return out;
+    count_series<I::bits>();
     const mpfr_ptr top = &out.data()->right;
     mpfr_log(top, &x.data()->right, MPFR_RNDU);
     mpfr_mul(top, top, mpfr_sgn(top) < 0 ? &e.data()->left : &e.data()->right, MPFR_RNDU);

@@ -23,6 +23,8 @@ namespace plumb::reference {
 template <int Bits>
 class Interval {
  public:
+  static constexpr int bits = Bits;
+
   Interval() { zero(); }
   Interval(double x) : Interval() { mpfi_set_d(&x_, x); }
   Interval(const Interval& other) { copy(other); }
@@ -183,6 +185,7 @@ template <class I>
 
 template <class I>
 [[nodiscard]] I square(const I& x) {
+  count_operation<I::bits>();
   I out;
   mpfi_sqr(out.data(), x.data());
   return out;
@@ -190,6 +193,7 @@ template <class I>
 
 template <class I>
 [[nodiscard]] I root(const I& x) {
+  count_operation<I::bits>();
   I out;
   mpfi_sqrt(out.data(), x.data());
   return out;
@@ -223,6 +227,7 @@ template <class I>
 /// Angle (rad) between a vector and an axis, from its parts across and along it.
 template <class I>
 [[nodiscard]] I angle_of(const I& across, const I& along) {
+  count_series<I::bits>();
   I out;
   mpfi_atan2(out.data(), across.data(), along.data());
   return out;

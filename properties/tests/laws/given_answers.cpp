@@ -115,7 +115,5 @@ TEST(Laws, TheRoundedTruthOnATipBreaksNone) {
   expect_rounded_truth_breaks_none(pair, "tip-between-doubles");
 }
 
-/// The mission's claim on a sample (the campaign repeats it on 100 000): convergence of the original says nothing.
-
 }  // namespace
 }  // namespace plumb

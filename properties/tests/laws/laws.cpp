@@ -284,6 +284,7 @@ TEST(Laws, APartialAnswerIsJudgedByWhatItHolds) {
   EXPECT_EQ(bench.broken().kind, FindingKind::misaligned);
 }
 
+/// The mission's claim on a sample (the campaign repeats it on 100 000): convergence of the original says nothing.
 TEST(Laws, OriginalConvergesToWhatIsNoCommonNormal) {
   const int cases = 300;
   int converged = 0, misaligned = 0;
