@@ -28,6 +28,11 @@ template <class S>
   return {at.normal1, at.point1 - at.point2, true};
 }
 
+template <class S>
+void count_point(const Superellipsoid<S>& shape) {
+  count_digits<S>(shape.n1 == 2 && shape.n2 == 2 ? nanoseconds_of_a_round_point : nanoseconds_of_a_point);
+}
+
 }  // namespace
 
 template <class S>
@@ -37,8 +42,8 @@ Vec3<S> collinear_with(const PlacedPair<S>& pair, const Goal<S>& goal, const Cha
 
 template <class S>
 ChartResidual<S> chart_residual(const PlacedPair<S>& pair, const Goal<S>& goal, const ChartPair<S>& at) {
-  for (const Superellipsoid<S>& shape : {pair.body1.shape, pair.body2.shape})
-    count_digits<S>(shape.n1 == 2 && shape.n2 == 2 ? nanoseconds_of_a_round_point : nanoseconds_of_a_point);
+  count_point(pair.body1.shape);
+  count_point(pair.body2.shape);
   const SurfacePoint<S> s1 = surface_point<S>(pair.body1.shape, at.at1);
   const SurfacePoint<S> s2 = surface_point<S>(pair.body2.shape, at.at2);
   const Mat3<S>&r1 = pair.body1.rotation, &r2 = pair.body2.rotation;
