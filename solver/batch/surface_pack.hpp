@@ -98,11 +98,10 @@ class SurfacePack {
 
   /// The last step, along the tangents, of the lanes where it is short enough.
   [[gnu::always_inline]] void follow(const Lanes& close, const std::array<P, 4>& x) {
-    const P top = pair_.greatest_nu, ratio = hmin(min(here_->inner.t, here_->outer.t));
-    const Lanes shorts = close && squared_length(x) * top * top < P(0.05 * epsilon<double>()) * ratio;
-    if (none_of(shorts)) return;
     const Followed<P> to = followed(*here_, both<P>(x[0], x[2]), both<P>(x[1], x[3]));
-    const Lanes lanes = shorts && hmax(to.squared_turn) < P(0.5 * epsilon<double>());
+    const P top = pair_.greatest_nu, square = max(squared_length(x), hmax(to.squared_turn));
+    const Lanes lanes =
+        close && square * top * top < P(0.05 * epsilon<double>()) * hmin(room_to_fold(pair_, *here_));
     if (none_of(lanes)) return;
     SurfaceEquations<P>& f = spare_;
     f.dnormal = f_.dnormal;

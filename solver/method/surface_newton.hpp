@@ -161,13 +161,12 @@ class SurfaceNewton {
     return (next_->opposite || !f_->opposite) && square(*next_) <= square(*f_) * (1 - S(1e-4) * t);
   }
 
-  /// The last step, along the tangents: exact to rounding where the step's square, times nu^2 / t, is.
+  /// The last step, along the tangents: exact to rounding where the square of the step and of the normal's turn, times
+  /// nu^2 / room, is.
   [[nodiscard]] bool follow(const std::array<S, 4>& x) {
-    const Surfaces<S>& at = *here_;
-    const S top = pair_.greatest_nu, ratio = hmin(min(at.inner.t, at.outer.t));
-    if (!(squared_length(x) * top * top < S(0.05) * epsilon<S>() * ratio)) return false;
-    const Followed<S> to = followed(at, both<S>(x[0], x[2]), both<S>(x[1], x[3]));
-    if (!(hmax(to.squared_turn) < S(0.5) * epsilon<S>())) return false;
+    const Followed<S> to = followed(*here_, both<S>(x[0], x[2]), both<S>(x[1], x[3]));
+    const S top = pair_.greatest_nu, square = std::max(squared_length(x), hmax(to.squared_turn));
+    if (!(square * top * top < S(0.05) * epsilon<S>() * hmin(room_to_fold(pair_, *here_)))) return false;
     next_->dnormal = f_->dnormal;
     next_->dpoint = f_->dpoint;
     set_values<S>(pair_, to.point, pair_.rotation * to.normal * inverse_length<S>(to.normal), *next_);

@@ -143,6 +143,14 @@ template <class S>
   return out;
 }
 
+/// How far the step coordinates are from where a level's second derivatives have no bound: its folds a = 0 and b = 0, of
+/// the inner one through a step that is divided by ou.ca. At most 1. For nu = 2 there are none.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Both<S> room_to_fold(const SuperellipsoidPair<S>& pair, const Surfaces<S>& at) {
+  const auto room = [](const LevelShape<S>& level, const LevelPoint<S>& p) { return select<S>(level.is_two, S(1), p.t); };
+  return min(room(pair.inner, at.inner) * abs(at.outer.ca), room(pair.outer, at.outer));
+}
+
 /// Points and normals after a step along the tangents.
 template <class S>
 struct Followed {
