@@ -100,8 +100,7 @@ class SurfacePack {
   [[gnu::always_inline]] void follow(const Lanes& close, const std::array<P, 4>& x) {
     const Followed<P> to = followed(*here_, both<P>(x[0], x[2]), both<P>(x[1], x[3]));
     const P top = pair_.greatest_nu, square = max(squared_length(x), hmax(to.squared_turn));
-    const Lanes lanes =
-        close && square * top * top < P(0.05 * epsilon<double>()) * hmin(room_to_fold(pair_, *here_));
+    const Lanes lanes = close && square * top * top < P(0.05 * epsilon<double>()) * hmin(room_to_fold(pair_, *here_));
     if (none_of(lanes)) return;
     SurfaceEquations<P>& f = spare_;
     f.dnormal = f_.dnormal;

@@ -146,8 +146,11 @@ template <class S>
 /// How far the step coordinates are from where a level's second derivatives have no bound: its folds a = 0 and b = 0, of
 /// the inner one through a step that is divided by ou.ca. At most 1. For nu = 2 there are none.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Both<S> room_to_fold(const SuperellipsoidPair<S>& pair, const Surfaces<S>& at) {
-  const auto room = [](const LevelShape<S>& level, const LevelPoint<S>& p) { return select<S>(level.is_two, S(1), p.t); };
+[[nodiscard, gnu::always_inline]] inline Both<S> room_to_fold(const SuperellipsoidPair<S>& pair,
+                                                              const Surfaces<S>& at) {
+  const auto room = [](const LevelShape<S>& level, const LevelPoint<S>& p) {
+    return select<S>(level.is_two, S(1), p.t);
+  };
   return min(room(pair.inner, at.inner) * abs(at.outer.ca), room(pair.outer, at.outer));
 }
 
