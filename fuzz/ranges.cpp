@@ -80,16 +80,16 @@ class Line {
  private:
   using Tried = std::map<double, bool>;
 
-  [[nodiscard]] bool is_over() const { return trials_.counts().work >= most_work; }
-
-  /// False also where there is no such case in the domain: that is the end of what can be probed, and is not kept.
+  /// False also where there is no such case in the domain, the end of what can be probed, and where trials are over; neither is kept.
   bool persists(double x) {
     if (const auto known = tried_.find(x); known != tried_.end()) return known->second;
     Described changed = described_;
     number_.set(changed, x);
     const std::optional<Pair> pair = pair_of(changed);
-    if (!pair || (stays_inside_ && !in_domain(*pair)) || is_over()) return false;
-    return tried_[x] = trials_.of(*pair).judgement.finding.kind != FindingKind::none;
+    if (!pair || (stays_inside_ && !in_domain(*pair)) || trials_.is_over()) return false;
+    const bool there = trials_.of(*pair).judgement.finding.kind != FindingKind::none;
+    if (!there && trials_.is_over()) return false;  // the trial may not have come to its end
+    return tried_[x] = there;
   }
 
   /// The last value outwards up to which all have the finding, and the first without it.
@@ -112,7 +112,7 @@ class Line {
   /// Bisection; by factors of ten towards the value itself while nothing but that is known to have the finding.
   void sharpen(bool up) {
     const double v = number_.value, nothing = 1e-9 * (1 + std::abs(v));
-    while (!is_over()) {
+    while (!trials_.is_over()) {
       const auto [there, gone] = end(up);
       if (!gone || std::abs(*gone - there) <= kSharp * std::abs(*gone - v)) return;
       if (there == v && std::abs(*gone - v) <= nothing) return;
@@ -127,7 +127,7 @@ class Line {
     const double low = end(false).first, high = end(true).first, golden = 0.6180339887498949;
     if (!(low < high)) return false;
     bool all = true;
-    for (int k = 1; k <= kInside && !is_over(); ++k)
+    for (int k = 1; k <= kInside && !trials_.is_over(); ++k)
       all = persists(between(low, high, std::fmod(k * golden, 1))) && all;
     return !all;
   }
@@ -135,7 +135,7 @@ class Line {
   [[nodiscard]] Range result() const {
     const auto [low, gone_below] = end(false);
     const auto [high, gone_above] = end(true);
-    return {number_, low, high, gone_below, gone_above, tried_.size(), !is_over()};
+    return {number_, low, high, gone_below, gone_above, tried_.size(), !trials_.is_over()};
   }
 
   const Described& described_;

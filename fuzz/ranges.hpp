@@ -16,7 +16,7 @@ struct Range {
   std::optional<double> gone_below,
       gone_above;         ///< the nearest values where it is not; none: there up to the probed end
   std::size_t tried = 0;  ///< values, the case's own among them
-  bool finished = true;   ///< false: most_work came first
+  bool finished = true;   ///< false: Trials::is_over came first
 
   [[nodiscard]] bool matters() const { return gone_below || gone_above; }
 };

@@ -15,8 +15,6 @@ struct Search {
   bool stays_inside;  ///< the declared domain
   Shrunk& best;
 
-  [[nodiscard]] bool is_over() const { return trials.counts().work >= most_work; }
-
   /// Takes the description where it keeps the finding.
   bool take(const Described& described) {
     const std::optional<Pair> pair = pair_of(described);
@@ -47,7 +45,7 @@ std::vector<Described> spellings(const Pair& pair) {
 void spell(Search& search) {
   if (search.best.described.place) return;
   for (const Described& spelling : spellings(search.best.pair)) {
-    if (search.is_over()) return;
+    if (search.trials.is_over()) return;
     if ((spelling.place || !search.best.described.euler_deg) && search.take(spelling)) return;
   }
 }
@@ -56,7 +54,7 @@ void spell(Search& search) {
 bool simplify_once(Search& search) {
   bool simpler = false;
   for (const Simplification& simplify : simplifications()) {
-    if (search.is_over()) return false;
+    if (search.trials.is_over()) return false;
     Described next = search.best.described;
     simplify(next);
     if (cost(next) < cost(search.best.described)) simpler = search.take(next) || simpler;
@@ -79,7 +77,7 @@ Shrunk shrink(const Pair& pair, const Solver& solver) {
   Search search{{solver, finding.kind, true}, finding.severity / 2, in_domain(pair), out};
   spell(search);
   while (simplify_once(search)) spell(search);
-  out.stopped = search.is_over();
+  out.stopped = search.trials.is_over();
   out.counts = search.trials.counts();
   ++out.counts.solved, ++out.counts.judged, out.counts.work += own_work;  // the case itself
   return out;

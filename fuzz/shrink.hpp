@@ -7,16 +7,13 @@
 
 namespace plumb {
 
-/// TrialCounts::work after which shrinking one case ends, and explaining it after as much: a count, so that it ends alike under any load.
-inline constexpr std::int64_t most_work = 400'000'000;
-
 struct Shrunk {
   JudgedAnswer from;    ///< the case's own; FindingKind::none where there is nothing to shrink
   Described described;  ///< what is left
   Pair pair;            ///< the same, as a case file with those fields is read
   JudgedAnswer found;   ///< its answer and finding
   TrialCounts counts;
-  bool stopped = false;  ///< at most_work: there may be simpler ones
+  bool stopped = false;  ///< for Trials::is_over: there may be simpler ones
 };
 
 /// Deterministic. A case outside the declared domain is let out of it; no other is.

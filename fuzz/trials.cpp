@@ -67,7 +67,12 @@ bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
 JudgedAnswer Trials::of(const Pair& pair) {
   ++counts_.solved;
   const std::int64_t before = reference::work_counted;
-  JudgedAnswer out = tried(pair);
+  JudgedAnswer out;
+  try {
+    const reference::WorkAllowance left(most_work - counts_.work);
+    out = tried(pair);
+  } catch (const reference::WorkExceeded&) {  // is_over
+  }
   counts_.work += nanoseconds_of_a_solve + reference::work_counted - before;
   return out.judgement.finding.kind == kind_ ? out : JudgedAnswer{};
 }

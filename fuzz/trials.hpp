@@ -12,6 +12,9 @@ namespace plumb {
 /// What a published method takes, and the laws that ask it about related pairs beside; in TrialCounts::work.
 inline constexpr std::int64_t nanoseconds_of_a_solve = 200'000, nanoseconds_of_related = 2'000'000;
 
+/// TrialCounts::work that ends trials: shrinking a case, and explaining it after as much.
+inline constexpr std::int64_t most_work = 400'000'000;
+
 struct TrialCounts {
   std::size_t solved = 0;  ///< pairs that the method was asked about
   std::size_t judged = 0;  ///< of those, how many took a certified reference
@@ -24,8 +27,10 @@ class Trials {
   /// has no finding.
   Trials(const Solver& solver, FindingKind kind, bool hasty);
 
-  /// The method's answer with its finding where that is of the kind; FindingKind::none where it is not.
+  /// The method's answer with its finding where that is of the kind; FindingKind::none where it is not, and where most_work
+  /// comes before that is known.
   [[nodiscard]] JudgedAnswer of(const Pair& pair);
+  [[nodiscard]] bool is_over() const { return counts_.work >= most_work; }
   [[nodiscard]] const TrialCounts& counts() const { return counts_; }
 
  private:

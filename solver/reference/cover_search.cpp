@@ -73,7 +73,7 @@ class CoverSearch {
 
  private:
   int add(const Cell& cell) {
-    work_counted += nanoseconds_of_a_node;
+    count_work(nanoseconds_of_a_node);
     Node node{cell};
     const Vec3<double> v = cell.at(0, 0);
     node.witness = {witness_point(pair_.body1.shape, to_body1_ * v),

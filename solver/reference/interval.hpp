@@ -50,6 +50,8 @@ class Interval {
   friend Interval log(const Interval& a) { return by_series(mpfi_log, a); }
   friend Interval abs(const Interval& a) { return by(mpfi_abs, a); }
   friend Interval sqrt(const Interval& a) { return by(mpfi_sqrt, a); }
+  friend Interval sqr(const Interval& a) { return by(mpfi_sqr, a); }
+  friend Interval atan2(const Interval& y, const Interval& x) { return by_series(mpfi_atan2, y, x); }
 
  private:
   using Digits = std::array<mp_limb_t, (Bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS>;
@@ -63,6 +65,11 @@ class Interval {
   [[nodiscard]] static Interval by_series(int (*operation)(mpfi_ptr, mpfi_srcptr), const Interval& a) {
     count_series<Bits>();
     return by(operation, a);
+  }
+  [[nodiscard]] static Interval by_series(int (*operation)(mpfi_ptr, mpfi_srcptr, mpfi_srcptr), const Interval& a,
+                                          const Interval& b) {
+    count_series<Bits>();
+    return by(operation, a, b);
   }
   [[nodiscard]] static Interval by(int (*operation)(mpfi_ptr, mpfi_srcptr, mpfi_srcptr), const Interval& a,
                                    const Interval& b) {
@@ -178,25 +185,17 @@ template <class I>
 
 template <class I>
 [[nodiscard]] I magnitude(const I& x) {
-  I out;
-  mpfi_abs(out.data(), x.data());
-  return out;
+  return abs(x);
 }
 
 template <class I>
 [[nodiscard]] I square(const I& x) {
-  count_operation<I::bits>();
-  I out;
-  mpfi_sqr(out.data(), x.data());
-  return out;
+  return sqr(x);
 }
 
 template <class I>
 [[nodiscard]] I root(const I& x) {
-  count_operation<I::bits>();
-  I out;
-  mpfi_sqrt(out.data(), x.data());
-  return out;
+  return sqrt(x);
 }
 
 template <class I>
@@ -227,10 +226,7 @@ template <class I>
 /// Angle (rad) between a vector and an axis, from its parts across and along it.
 template <class I>
 [[nodiscard]] I angle_of(const I& across, const I& along) {
-  count_series<I::bits>();
-  I out;
-  mpfi_atan2(out.data(), across.data(), along.data());
-  return out;
+  return atan2(across, along);
 }
 
 /// x 2^e, exactly.

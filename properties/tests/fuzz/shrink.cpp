@@ -105,16 +105,27 @@ TEST(Shrink, NoSimplificationIsLeft) {
   }
 }
 
+Case dear_case() {
+  return CaseReader(PLUMB_SOURCE_DIR "/corpus/cases/incubating/blocks-near-coaxial-settled.json").next().value();
+}
+
 /// A case whose own reference takes longer than all trials may: what they may take is theirs.
 TEST(Shrink, ADearCaseIsTriedAsWell) {
-  const std::optional<Case> c =
-      CaseReader(PLUMB_SOURCE_DIR "/corpus/cases/incubating/blocks-near-coaxial-settled.json").next();
-  if (!c) FAIL() << "the file holds no case";
-  const Shrunk shrunk = shrink(c->pair, find_solvers("geometric_potential").front());
+  const Shrunk shrunk = shrink(dear_case().pair, find_solvers("geometric_potential").front());
   EXPECT_EQ(shrunk.found.judgement.finding.kind, FindingKind::not_finite);
   EXPECT_GT(shrunk.counts.work, most_work);
   EXPECT_GT(shrunk.counts.solved, 1U);
   EXPECT_FALSE(shrunk.stopped);
+}
+
+/// A pair whose reference takes longer than all trials may.
+TEST(Shrink, ATrialEndsWhereItsWorkDoes) {
+  const Pair pair = dear_case().pair;
+  const Solver method = find_solvers("minimum_distance").front();
+  Trials trials(method, FindingKind::misaligned, false);
+  EXPECT_EQ(trials.of(pair).judgement.finding.kind, FindingKind::none);
+  EXPECT_TRUE(trials.is_over());
+  EXPECT_LT(trials.counts().work, most_work + 10'000'000);
 }
 
 TEST(Shrink, WhatIsRightIsLeftAlone) {

@@ -169,6 +169,34 @@ TEST(Reference, WhatItTakesIsCountedAlikeEachTimeAndGrowsWithTheEffort) {
   EXPECT_LT(taken(Effort::proof), taken(Effort::digits));
 }
 
+TEST(Reference, IsGivenUpWhereItsAllowanceEnds) {
+  Pair pair;
+  pair.body1.shape = {{1, 2, 3}, 2.5, 4};
+  pair.body2.position << 0.5, 0.25, 3;
+  const std::int64_t start = reference::work_counted;
+  const Reference whole = find_reference(pair);
+  const std::int64_t all = reference::work_counted - start;
+  for (const std::int64_t part : {std::int64_t{0}, all / 10, all / 2, all - 1}) {
+    const std::int64_t before = reference::work_counted;
+    const reference::WorkAllowance allowance(part);
+    EXPECT_THROW((void)find_reference(pair), reference::WorkExceeded) << part;
+    EXPECT_LE(reference::work_counted - before, part + reference::nanoseconds_of_a_point);
+  }
+  const reference::WorkAllowance enough(all);
+  const Reference again = find_reference(pair);
+  EXPECT_EQ(again.common_normal.overlap, whole.common_normal.overlap);
+  EXPECT_EQ(again.cells, whole.cells);
+}
+
+TEST(Reference, AnAllowanceIsNoMoreThanTheOneAroundIt) {
+  const reference::WorkAllowance outer(1000);
+  {
+    const reference::WorkAllowance inner(2000);
+    EXPECT_THROW(reference::count_work(1001), reference::WorkExceeded);
+  }
+  EXPECT_THROW(reference::count_work(1), reference::WorkExceeded);
+}
+
 TEST(Reference, SharesNothingWithTheMethods) {
   const auto folder = std::filesystem::path(PLUMB_SOURCE_DIR) / "solver/reference";
   int files = 0;
