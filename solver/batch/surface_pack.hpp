@@ -6,6 +6,7 @@
 
 #include "solver/batch/pack_pair.hpp"
 #include "solver/method/surface_contact.hpp"
+#include "solver/method/surface_iteration.hpp"
 
 namespace plumb {
 
@@ -27,7 +28,7 @@ class SurfacePack {
     set_equations(pair_, *here_, f_);
     P last(std::numeric_limits<double>::infinity());
     for (int i = 0;; ++i) {
-      const P now = residual(f_);
+      const P now = residual(pair_, f_);
       keep(is_small_enough(now, last), f_);
       if (i == limit_ || none_of(active_ && now < P(std::numeric_limits<double>::infinity()))) break;
       last = now;
@@ -41,10 +42,6 @@ class SurfacePack {
  private:
   // Of the first attempt alone; a pack waits for its slowest lane.
   static constexpr int most_iterations = 14;
-
-  [[nodiscard, gnu::always_inline]] P residual(const SurfaceEquations<P>& f) const {
-    return max(f.twist, P(f.slope / pair_.reach));
-  }
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough(const P& now, const P& last) const {
     return f_.opposite && is_at_rest(now, last, tolerance_);
@@ -66,47 +63,13 @@ class SurfacePack {
     out_.iterations = blend(active_, out_.iterations + P(1.0), out_.iterations);
     const std::array<P, 4> x = cleaned(solve4(system()));
     const Lanes close = active_ && f_.opposite && now < P(1e-7);
-    if (any_of(close)) follow(close, x);
+    if (any_of(close)) keep(follow(pair_, *here_, f_, x, tolerance_, close, spare_), spare_);
     if (none_of(active_)) return;
     move(x);
   }
 
   [[nodiscard, gnu::always_inline]] std::array<Equation4<P>, 4> system() const {
-    P o = f_.overlap;
-    const Lanes deep = o > pair_.rolling_ball;
-    if (any_of(deep)) o = blend(deep && o > hessian_of(pair_, f_).lower_eigenvalue(), P(0.0), o);
-    std::array<Equation4<P>, 4> m = newton_system(f_, o);
-    const Lanes still = f_.twist < tolerance_;
-    for (std::size_t k = 0; k < 2; ++k) m[k].right = blend(still, P(0.0), m[k].right);
-    return m;
-  }
-
-  [[nodiscard, gnu::always_inline]] static P squared_length(const std::array<P, 4>& x) {
-    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
-  }
-
-  /// Without infinities and NaN.
-  [[nodiscard, gnu::always_inline]] static std::array<P, 4> cleaned(std::array<P, 4> x) {
-    const Lanes clean = squared_length(x) < P(1e200);
-    if (all_of(clean)) return x;
-    for (P& component : x) {
-      const P most(1e3), clamped = min(max(component, P(-most)), most);
-      component = blend(clean, component, blend(component == component, clamped, P(0.0)));
-    }
-    return x;
-  }
-
-  /// The last step, along the tangents, of the lanes where it is short enough.
-  [[gnu::always_inline]] void follow(const Lanes& close, const std::array<P, 4>& x) {
-    const Followed<P> to = followed(*here_, both<P>(x[0], x[2]), both<P>(x[1], x[3]));
-    const P top = pair_.greatest_nu, square = max(squared_length(x), hmax(to.squared_turn));
-    const Lanes lanes = close && square * top * top < P(0.05 * epsilon<double>()) * hmin(room_to_fold(pair_, *here_));
-    if (none_of(lanes)) return;
-    SurfaceEquations<P>& f = spare_;
-    f.dnormal = f_.dnormal;
-    f.dpoint = f_.dpoint;
-    set_values<P>(pair_, to.point, pair_.rotation * to.normal * inverse_length<P>(to.normal), f);
-    keep(lanes && residual(f) < tolerance_, f);
+    return descending_system(pair_, f_, tolerance_, [&] { return hessian_of(pair_, f_).lower_eigenvalue(); });
   }
 
   [[gnu::always_inline]] void move(const std::array<P, 4>& x) {

@@ -74,14 +74,6 @@ inline void set_equations(const SuperellipsoidPair<S>& pair, const Surfaces<S>& 
   }
 }
 
-/// Whether Newton's iteration has ended: a residual below `tolerance`, or one of rounding alone, which falls by less than a fifth a
-/// step. Below 12 epsilon, for the laws allow 16 of the points as they are handed out, which rounds once more. On a needle's flat tip it
-/// falls to a third a step, and by half at last: corpus/cases/regressions/needles-in-line-16-eps.json.
-template <class S>
-[[nodiscard, gnu::always_inline]] inline auto is_at_rest(const S& now, const S& last, const S& tolerance) {
-  return now < tolerance || (now < S(12.0) * epsilon<S>() && now * S(1.25) >= last);
-}
-
 /// H1 + H2 in the basis t. A flat, whose H is infinite, counts as 1e8 sizes.
 template <class S>
 struct PlaneHessian {

@@ -6,14 +6,14 @@
 //         would blow the noise up
 // Rings   bodies of revolution about one line that holds both centres may turn about it, and the Jacobian is singular: a fifth
 //         equation says that the step has no such turn
-// End     is_at_rest of surface_equations.hpp, from 4 epsilon or what was asked for; a last step that is short enough is taken
+// End     is_at_rest of surface_iteration.hpp, from 4 epsilon or what was asked for; a last step that is short enough is taken
 //         along the tangents, and measured like any other
 #pragma once
 
 #include <algorithm>
 
 #include "solver/least_squares.hpp"
-#include "solver/method/surface_equations.hpp"
+#include "solver/method/surface_iteration.hpp"
 #include "solver/method/surface_step.hpp"
 #include "solver/method/surface_turn.hpp"
 
@@ -67,13 +67,12 @@ class SurfaceNewton {
   }
 
  private:
-  [[nodiscard]] S residual(const SurfaceEquations<S>& f) const { return std::max(f.twist, f.slope / pair_.reach); }
   [[nodiscard]] bool is_exact() const { return !(S(cap_) < pair_.greatest_nu); }
 
   [[nodiscard]] Status iterate(SurfaceContact<S>& out) {
     S last = std::numeric_limits<S>::infinity();
     for (int i = 0;; ++i) {
-      const S now = residual(*f_);
+      const S now = residual(pair_, *f_);
       if (is_exact() && f_->opposite && is_at_rest(now, last, tolerance_)) return Status::converged;
       if (!(now < std::numeric_limits<S>::infinity())) return Status::not_finite;
       const bool is_promising = now < S(0.05) && now < S(0.8) * last;
@@ -81,7 +80,11 @@ class SurfaceNewton {
       last = now;
       ++out.iterations;
       const std::array<S, 4> x = cleaned(step());
-      if (is_exact() && f_->opposite && now < by_precision<S>(1e-7, 3e-4) && follow(x)) return Status::converged;
+      const bool is_close = is_exact() && f_->opposite && now < by_precision<S>(1e-7, 3e-4);
+      if (is_close && follow(pair_, *here_, *f_, x, tolerance_, true, *next_)) {
+        std::swap(f_, next_);
+        return Status::converged;
+      }
       move(x, out);
     }
   }
@@ -105,30 +108,13 @@ class SurfaceNewton {
   }
 
   [[nodiscard]] std::array<Equation4<S>, 4> system() const {
-    const SurfaceEquations<S>& f = *f_;
-    S o = f.overlap;
-    if (o > pair_.rolling_ball && o > bend(f)) o = S(0);
-    std::array<Equation4<S>, 4> m = newton_system(f, o);
-    if (f.twist < tolerance_) m[0].right = m[1].right = S(0);
-    return m;
+    return descending_system(pair_, *f_, tolerance_, [this] { return bend(); });
   }
 
   /// The least second derivative of o, without its own part: on a ring across it, for along it that is zero.
-  [[nodiscard]] S bend(const SurfaceEquations<S>& f) const {
-    const PlaneHessian<S> h = hessian_of(pair_, f);
-    return largest(axis_) > S(0) ? h.along(dot(axis_, f.across[0]), dot(axis_, f.across[1])) : h.lower_eigenvalue();
-  }
-
-  [[nodiscard]] static S squared_length(const std::array<S, 4>& x) {
-    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
-  }
-
-  /// Without infinities and NaN.
-  [[nodiscard]] static std::array<S, 4> cleaned(std::array<S, 4> x) {
-    const S most(1e3);
-    if (squared_length(x) < by_precision<S>(1e200, 1e30)) return x;
-    for (S& component : x) component = component == component ? std::clamp(component, -most, most) : S(0);
-    return x;
+  [[nodiscard]] S bend() const {
+    const PlaneHessian<S> h = hessian_of(pair_, *f_);
+    return largest(axis_) > S(0) ? h.along(dot(axis_, f_->across[0]), dot(axis_, f_->across[1])) : h.lower_eigenvalue();
   }
 
   void raise_cap() {
@@ -159,20 +145,6 @@ class SurfaceNewton {
   [[nodiscard]] bool is_better(const S& t) const {
     const auto square = [](const SurfaceEquations<S>& f) { return f.twist * f.twist + f.slope * f.slope; };
     return (next_->opposite || !f_->opposite) && square(*next_) <= square(*f_) * (1 - S(1e-4) * t);
-  }
-
-  /// The last step, along the tangents: exact to rounding where the square of the step and of the normal's turn, times
-  /// nu^2 / room, is.
-  [[nodiscard]] bool follow(const std::array<S, 4>& x) {
-    const Followed<S> to = followed(*here_, both<S>(x[0], x[2]), both<S>(x[1], x[3]));
-    const S top = pair_.greatest_nu, square = std::max(squared_length(x), hmax(to.squared_turn));
-    if (!(square * top * top < S(0.05) * epsilon<S>() * hmin(room_to_fold(pair_, *here_)))) return false;
-    next_->dnormal = f_->dnormal;
-    next_->dpoint = f_->dpoint;
-    set_values<S>(pair_, to.point, pair_.rotation * to.normal * inverse_length<S>(to.normal), *next_);
-    if (!(residual(*next_) < tolerance_)) return false;
-    std::swap(f_, next_);
-    return true;
   }
 
   const SuperellipsoidPair<S>& pair_;
