@@ -91,13 +91,21 @@ std::string what_happens(const JudgedAnswer& found) {
   return done_text(found) + (figures ? " (" + finding.detail + ")" : "");
 }
 
+bool is_alone(const Range& range) {
+  return range.low == range.high && range.gone_below && range.gone_above;
+}
+
 std::string range_text(const Range& range) {
   const std::string& words = range.number.words;
-  if (range.low == range.high) return fmt::format("{} exactly {}", words, range.low);
+  if (is_alone(range)) return fmt::format("{} exactly {}", words, range.low);
   // A tilt or zenith ends by itself, at 0 and 180.
   const bool ends = range.number.quantity == Quantity::zenith;
-  return fmt::format("{} from {}{} to {}{}", words, range.low, range.gone_below || ends ? "" : " (or less)",
-                     range.gone_above || ends ? "" : "at least ", range.high);
+  std::string out = fmt::format("{} from {}", words, range.low);
+  if (range.open_low && !ends) out += " (or less)";
+  if (!range.gone_below && !range.open_low) out += " (less was not tried)";
+  out += fmt::format(" to {}{}", range.open_high && !ends ? "at least " : "", range.high);
+  if (!range.gone_above && !range.open_high) out += " (more was not tried)";
+  return out;
 }
 
 std::string matters_text(const std::vector<Range>& ranges) {
@@ -111,26 +119,22 @@ std::string matters_text(const std::vector<Range>& ranges) {
 
 std::string indifference_text(const std::vector<Range>& ranges) {
   const auto indifferent = [](const Range& r) { return !r.matters() && r.finished; };
-  const auto open = [](const Range& r) { return !r.matters() && !r.finished; };
+  const auto unfinished = [](const Range& r) { return !r.finished; };
   const auto many = std::count_if(ranges.begin(), ranges.end(), indifferent);
   const bool any_matters = std::any_of(ranges.begin(), ranges.end(), [](const Range& r) { return r.matters(); });
   std::string out;
   if (many > 0)
     out = any_matters ? "; the other numbers do not matter (still there at every value tried)"
                       : "; no number matters (changed one at a time: still there at every value tried)";
-  if (std::any_of(ranges.begin(), ranges.end(), open)) out += "; some numbers were not tried to the end";
+  if (std::any_of(ranges.begin(), ranges.end(), unfinished)) out += "; some numbers were not tried to the end";
   return out;
 }
 
 /// What is true of a number, in fields.
 Json range_json(const Range& range) {
-  Json out{{"number", range.number.field},
-           {"words", range.number.words},
-           {"value", range.number.value},
-           {"low", range.low},
-           {"high", range.high},
-           {"open_low", !range.gone_below},
-           {"open_high", !range.gone_above}};
+  Json out{
+      {"number", range.number.field}, {"words", range.number.words}, {"value", range.number.value}, {"low", range.low},
+      {"high", range.high},           {"open_low", range.open_low},  {"open_high", range.open_high}};
   if (range.gone_below) out["gone_below"] = *range.gone_below;
   if (range.gone_above) out["gone_above"] = *range.gone_above;
   out["tried"] = range.tried;
@@ -147,11 +151,12 @@ Json ranges_json(const std::vector<Range>& ranges, bool matter, bool finished) {
 
 std::string row_text(const Range& range) {
   const std::string where =
-      range.low == range.high ? fmt::format("{} alone", range.low) : fmt::format("{} .. {}", range.low, range.high);
+      is_alone(range) ? fmt::format("{} alone", range.low) : fmt::format("{} .. {}", range.low, range.high);
   std::string gone;
   if (range.gone_below) gone += fmt::format("gone at {}", *range.gone_below);
   if (range.gone_above) gone += fmt::format("{} {}", gone.empty() ? "gone at" : " and", *range.gone_above);
-  if (gone.empty()) gone = range.finished ? "does not matter" : "not tried to the end";
+  if (gone.empty() && range.finished) gone = "does not matter";
+  if (!range.finished) gone += gone.empty() ? "not tried to the end" : ", not tried to the end";
   return fmt::format("  {:<28} {:<12} {:<28} {}, {} tried\n", range.number.words, range.number.value, where, gone,
                      range.tried);
 }

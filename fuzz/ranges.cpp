@@ -67,18 +67,23 @@ class Line {
 
   [[nodiscard]] Range range() {
     const Probed ends = probed(number_, size_of(described_.pair));
-    for (const double end : {ends.low, ends.high})
-      for (const double x : rungs(number_.value, end, ends.by_ratio))
-        if (!persists(x)) break;
+    const bool low_is_reached = reach(ends.low, ends.by_ratio), high_is_reached = reach(ends.high, ends.by_ratio);
     for (int round = 0; round < 3; ++round) {
       for (const bool up : {false, true}) sharpen(up);
       if (!gap_inside()) break;
     }
-    return result();
+    return result(low_is_reached, high_is_reached);
   }
 
  private:
   using Tried = std::map<double, bool>;
+
+  /// Outwards until the finding is gone or nothing is left to probe; false where trials were over before.
+  bool reach(double end, bool by_ratio) {
+    for (const double x : rungs(number_.value, end, by_ratio))
+      if (!persists(x)) break;
+    return !trials_.is_over();
+  }
 
   /// False also where there is no such case in the domain, the end of what can be probed, and where trials are over; neither is kept.
   bool persists(double x) {
@@ -132,10 +137,18 @@ class Line {
     return !all;
   }
 
-  [[nodiscard]] Range result() const {
+  [[nodiscard]] Range result(bool low_is_reached, bool high_is_reached) const {
     const auto [low, gone_below] = end(false);
     const auto [high, gone_above] = end(true);
-    return {number_, low, high, gone_below, gone_above, tried_.size(), !trials_.is_over()};
+    return {number_,
+            low,
+            high,
+            gone_below,
+            gone_above,
+            !gone_below && low_is_reached,
+            !gone_above && high_is_reached,
+            tried_.size(),
+            !trials_.is_over()};
   }
 
   const Described& described_;

@@ -13,10 +13,10 @@ namespace plumb {
 struct Range {
   Number number;
   double low = 0, high = 0;
-  std::optional<double> gone_below,
-      gone_above;         ///< the nearest values where it is not; none: there up to the probed end
-  std::size_t tried = 0;  ///< values, the case's own among them
-  bool finished = true;   ///< false: Trials::is_over came first
+  std::optional<double> gone_below, gone_above;  ///< the nearest values where it is not
+  bool open_low = false, open_high = false;  ///< there up to the probed end; neither gone nor open: not tried so far
+  std::size_t tried = 0;                     ///< values, the case's own among them
+  bool finished = true;                      ///< false: Trials::is_over came first
 
   [[nodiscard]] bool matters() const { return gone_below || gone_above; }
 };

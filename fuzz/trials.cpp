@@ -87,10 +87,11 @@ JudgedAnswer Trials::tried(const Pair& pair) {
     }
     if (!may_show(pair, *answer)) return {};
   }
-  ++counts_.judged;
   counts_.work += nanoseconds_of_related;
   Judge judge(pair);
-  return solve_and_judge(judge, pair, solver_);
+  out = solve_and_judge(judge, pair, solver_);
+  ++counts_.judged;
+  return out;
 }
 
 }  // namespace plumb

@@ -62,7 +62,7 @@ class SurfacePack {
   [[gnu::always_inline]] void step(const P& now) {
     out_.iterations = blend(active_, out_.iterations + P(1.0), out_.iterations);
     const std::array<P, 4> x = cleaned(solve4(system()));
-    const Lanes close = active_ && f_.opposite && now < P(1e-7);
+    const Lanes close = active_ && is_close(f_, now);
     if (any_of(close)) keep(follow(pair_, *here_, f_, x, tolerance_, close, spare_), spare_);
     if (none_of(active_)) return;
     move(x);
@@ -74,8 +74,7 @@ class SurfacePack {
 
   [[gnu::always_inline]] void move(const std::array<P, 4>& x) {
     out_.evaluations = blend(active_, out_.evaluations + P(1.0), out_.evaluations);
-    const P square = squared_length(x), whole = blend(square > P(1.0), P(P(1.0) / sqrt(square)), P(1.0));
-    const P t = blend(active_, whole, P(0.0));
+    const P t = blend(active_, cut_of(x), P(0.0));
     move_surfaces<P, false>(pair_, pair_.inner, pair_.outer, *here_, both<P>(x[0], x[2]) * Both<P>(t),
                             both<P>(x[1], x[3]) * Both<P>(t), *there_);
     std::swap(here_, there_);

@@ -56,15 +56,29 @@ template <class S>
   return x;
 }
 
-/// The last step, along the tangents, to `to`: exact to rounding where the square of the step and of the normal's turn, times
-/// nu^2 / room, is. True where it is, the residual among it; asked `where`.
+/// What a step is multiplied by: it is cut to length 1.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S cut_of(const std::array<S, 4>& x) {
+  using std::max, std::sqrt;
+  return S(1.0) / sqrt(max(squared_length(x), S(1.0)));
+}
+
+/// Whether the last step may be tried.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline auto is_close(const SurfaceEquations<S>& f, const S& residual) {
+  return f.opposite && residual < by_precision<S>(1e-7, 3e-4);
+}
+
+/// The last step, along the tangents, without new powers: taken, of those `where`, if max(step^2, turn^2) nu^2 < 0.05 epsilon
+/// room, which bounds how far the normal of the moved point is from the moved normal. `to` has the equations there, and the
+/// derivatives of f. True where the residual at `to` is below `tolerance`.
 template <class S, class M>
 [[nodiscard, gnu::always_inline]] inline M follow(const SuperellipsoidPair<S>& pair, const Surfaces<S>& at,
                                                   const SurfaceEquations<S>& f, const std::array<S, 4>& x,
                                                   const S& tolerance, const M& where, SurfaceEquations<S>& to) {
   using std::max;
   const Followed<S> moved = followed(at, both<S>(x[0], x[2]), both<S>(x[1], x[3]));
-  const S top = pair.greatest_nu, square = max(squared_length(x), hmax(moved.squared_turn));
+  const S top = pair.greatest_nu, square = max(hmax(moved.squared_turn), squared_length(x));
   const M is_short = where && square * top * top < S(0.05) * epsilon<S>() * hmin(room_to_fold(pair, at));
   if (none_of(is_short)) return is_short;
   to.dnormal = f.dnormal;

@@ -80,8 +80,7 @@ class SurfaceNewton {
       last = now;
       ++out.iterations;
       const std::array<S, 4> x = cleaned(step());
-      const bool is_close = is_exact() && f_->opposite && now < by_precision<S>(1e-7, 3e-4);
-      if (is_close && follow(pair_, *here_, *f_, x, tolerance_, true, *next_)) {
+      if (is_exact() && is_close(*f_, now) && follow(pair_, *here_, *f_, x, tolerance_, true, *next_)) {
         std::swap(f_, next_);
         return Status::converged;
       }
@@ -125,9 +124,7 @@ class SurfaceNewton {
   }
 
   void move(const std::array<S, 4>& x, SurfaceContact<S>& out) {
-    using std::sqrt;
-    const S square = squared_length(x);
-    S t = square > S(1) ? S(1) / sqrt(square) : S(1);
+    S t = cut_of(x);
     raise_cap();
     const bool searches = attempt_.line_search && is_exact();
     const Both<S> d0 = both<S>(x[0], x[2]), d1 = both<S>(x[1], x[3]);

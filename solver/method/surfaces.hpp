@@ -143,15 +143,13 @@ template <class S>
   return out;
 }
 
-/// How far the step coordinates are from where a level's second derivatives have no bound: its folds a = 0 and b = 0, of
-/// the inner one through a step that is divided by ou.ca. At most 1. For nu = 2 there are none.
+/// How far the step's coordinates are from where a level's second derivatives have no bound: its folds a = 0 and b = 0, for
+/// the inner level times what its step is divided by. At most 1. Levels with nu = 2 have none.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Both<S> room_to_fold(const SuperellipsoidPair<S>& pair,
                                                               const Surfaces<S>& at) {
-  const auto room = [](const LevelShape<S>& level, const LevelPoint<S>& p) {
-    return select<S>(level.is_two, S(1), p.t);
-  };
-  return min(room(pair.inner, at.inner) * abs(at.outer.ca), room(pair.outer, at.outer));
+  return min(select<S>(pair.inner.is_two, S(1), at.inner.t * abs(at.outer.ca)),
+             select<S>(pair.outer.is_two, S(1), at.outer.t));
 }
 
 /// Points and normals after a step along the tangents.

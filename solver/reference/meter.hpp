@@ -12,8 +12,8 @@
 
 namespace plumb::reference {
 
-/// Of this thread since it began, in nanoseconds as one machine took them, within a factor of about two: what a call took is the
-/// difference.
+/// Of this thread since it began, in nanoseconds as one machine took them, within a factor of two mostly, of five
+/// for blocks all but concentric: what a call took is the difference.
 inline thread_local std::int64_t work_counted = 0;
 /// Where work_counted must stop.
 inline thread_local std::int64_t work_allowed = std::numeric_limits<std::int64_t>::max();

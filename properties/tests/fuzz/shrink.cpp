@@ -105,8 +105,12 @@ TEST(Shrink, NoSimplificationIsLeft) {
   }
 }
 
+Case case_of(const std::string& name) {
+  return CaseReader(PLUMB_SOURCE_DIR "/corpus/cases/" + name + ".json").next().value();
+}
+
 Case dear_case() {
-  return CaseReader(PLUMB_SOURCE_DIR "/corpus/cases/incubating/blocks-near-coaxial-settled.json").next().value();
+  return case_of("incubating/blocks-near-coaxial-settled");
 }
 
 /// A case whose own reference takes longer than all trials may: what they may take is theirs.
@@ -122,9 +126,13 @@ TEST(Shrink, ADearCaseIsTriedAsWell) {
 TEST(Shrink, ATrialEndsWhereItsWorkDoes) {
   const Pair pair = dear_case().pair;
   const Solver method = find_solvers("minimum_distance").front();
-  Trials trials(method, FindingKind::misaligned, false);
+  Judge judge(pair);
+  const FindingKind kind = solve_and_judge(judge, pair, method).judgement.finding.kind;
+  ASSERT_NE(kind, FindingKind::none);
+  Trials trials(method, kind, false);
   EXPECT_EQ(trials.of(pair).judgement.finding.kind, FindingKind::none);
   EXPECT_TRUE(trials.is_over());
+  EXPECT_EQ(trials.counts().judged, 0U);
   EXPECT_LT(trials.counts().work, most_work + 10'000'000);
 }
 
@@ -189,6 +197,23 @@ TEST(Explain, TheRangesAreTrueWhenTriedByHand) {
       EXPECT_LE(range.number.value, range.high);
     }
   }
+}
+
+/// One whose trials end while its numbers are tried.
+TEST(Explain, WhatWasNotTriedIsNotSaid) {
+  const Pair pair = case_of("regressions/search-two-minima-in-a-cell").pair;
+  const Explained explained = shrink_and_explain(pair, find_solvers("corrected_cn").front());
+  int unknown = 0;
+  for (const Range& range : explained.ranges) {
+    EXPECT_FALSE((range.gone_below && range.open_low) || (range.gone_above && range.open_high)) << range.number.words;
+    const bool knows_low = range.gone_below || range.open_low, knows_high = range.gone_above || range.open_high;
+    EXPECT_TRUE((knows_low && knows_high) || !range.finished) << range.number.words;
+    unknown += range.matters() && !(knows_low && knows_high) ? 1 : 0;
+  }
+  EXPECT_GT(unknown, 0);
+  EXPECT_EQ(explained.sentence.find("exactly"), std::string::npos) << explained.sentence;
+  EXPECT_NE(explained.sentence.find("was not tried)"), std::string::npos) << explained.sentence;
+  EXPECT_NE(explained.sentence.find("some numbers were not tried to the end"), std::string::npos) << explained.sentence;
 }
 
 TEST(Explain, TheKeptCaseExpectsItsFindingAndSaysWhy) {
