@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include "fuzz/explain.hpp"
 #include "fuzz/kept.hpp"
@@ -106,7 +107,9 @@ TEST(Shrink, NoSimplificationIsLeft) {
 }
 
 Case case_of(const std::string& name) {
-  return CaseReader(PLUMB_SOURCE_DIR "/corpus/cases/" + name + ".json").next().value();
+  const std::optional<Case> c = CaseReader(PLUMB_SOURCE_DIR "/corpus/cases/" + name + ".json").next();
+  if (!c) throw std::runtime_error(name + " holds no case");
+  return *c;
 }
 
 Case dear_case() {
