@@ -13,7 +13,7 @@ PLUMB_INSTANTIATE_COMMON_NORMAL(Real50)
 PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(Real50)
 PLUMB_INSTANTIATE_MINIMUM_DISTANCE(Real50)
 PLUMB_INSTANTIATE_FIRST_TOUCH(Real50)
-template Contact<Real50> automatic<Real50>(const Pair&, const Want&, const Contact<Real50>*);
+template Contact<Real50> automatic_in_callers_mode<Real50>(const Pair&, const Want&, const Contact<Real50>*);
 
 namespace reports {
 

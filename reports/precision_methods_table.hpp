@@ -18,7 +18,7 @@ template <class S>
     std::string_view name;
     SolveFunction<S> solve;
   };
-  const std::array rows{Row{"auto", automatic<S>},
+  const std::array rows{Row{"auto", automatic_in_callers_mode<S>},
                         Row{"original_cn", original_cn<S>},
                         Row{"corrected_cn", corrected_cn<S>},
                         Row{"new_cn", new_cn<S>},

@@ -1,4 +1,5 @@
 #include "solver/contact.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 #include <cmath>
 
@@ -47,11 +48,13 @@ bool is_valid(const Body& body) {
 }  // namespace
 
 bool is_valid(const Pair& pair) {
+  const StandardArithmetic mode;
   const Vec3<double> motion = pair.motion * 0;
   return is_valid(pair.body1) && is_valid(pair.body2) && motion.sum() == 0;
 }
 
 InputError find_input_error(const Pair& pair) {
+  const StandardArithmetic mode;
   const InputError first = find_body_error(pair.body1, 0);
   if (!first.reason.empty()) return first;
   const InputError second = find_body_error(pair.body2, 1);

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "corpus/in_parallel.hpp"
+#include "properties/host_modes.hpp"
 #include "properties/laws_path.hpp"
 #include "solver/method/methods.hpp"
 
@@ -158,6 +159,17 @@ std::optional<std::string> deviation(const Work& work, const Work& control) {
   return std::nullopt;
 }
 
+/// In words, where an answer depends on the mode or the mode does not outlive the call.
+std::optional<std::string> dependence(const SeededSolver& seeded, std::size_t bug, const Pair& pair,
+                                      const HostMode& mode) {
+  const Contact<double> expected = seeded.solve(bug, pair, Want{}, nullptr);
+  const InHostMode host(mode);
+  const Contact<double> found = seeded.solve(bug, pair, Want{}, nullptr);
+  if (!host.is_in_force()) return fmt::format("the host's mode is not put back: {}", mode.name);
+  if (!same_answer(expected, found)) return fmt::format("other bits in another mode: {}", mode.name);
+  return std::nullopt;
+}
+
 }  // namespace
 
 Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Case(std::size_t)>& draw) {
@@ -223,6 +235,22 @@ Hunt hunt_work(const Quarry& quarry, const std::vector<WorkSet>& sets) {
       if (found) out.kills[i] = {runs, sets[s].name + ": " + *found, true};
     }
   });
+  return out;
+}
+
+Hunt hunt_in_modes(const Quarry& quarry, const std::vector<Pair>& pairs) {
+  Hunt out{pairs.size(), std::vector<Kill>(quarry.bugs.size())};
+  const auto found = [&](std::size_t bug, std::size_t i) {
+    return dependence(quarry.seeded, bug, pairs[i], host_modes()[i % host_modes().size()]);
+  };
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (found(0, i)) ++out.control_findings;
+    for (std::size_t b = 0; b < quarry.bugs.size(); ++b) {
+      Kill& kill = out.kills[b];
+      if (kill.run != 0) continue;
+      if (const auto words = found(quarry.bugs[b], i)) kill = {i + 1, *words, true};
+    }
+  }
   return out;
 }
 

@@ -61,6 +61,10 @@ struct WorkSet {
 };
 [[nodiscard]] Hunt hunt_work(const Quarry& quarry, const std::vector<WorkSet>& sets);
 
+/// Each pair in one of the floating-point modes that a host may be in, in turn: a bug is killed by other bits than in the standard mode,
+/// or by another mode after the call. A run is a solve.
+[[nodiscard]] Hunt hunt_in_modes(const Quarry& quarry, const std::vector<Pair>& pairs);
+
 /// A libFuzzer program, a process for each bug, with the library as its solver. A run is an input. What stops it must not stop it
 /// without a bug.
 struct Fuzzer {

@@ -18,7 +18,7 @@ namespace {
 
 struct Options {
   std::string library = PLUMB_SOURCE_DIR "/build/bugs/bin/seeded_bugs.so";
-  std::string bugs, engines = "corpus,motions,work,families,hard";
+  std::string bugs, engines = "corpus,motions,work,modes,families,hard";
   std::size_t cases = 1000, seeds = 6;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
@@ -132,6 +132,14 @@ EngineHunts hunt_by_work(const Quarry& quarry, const Options& options) {
   return {"work", "solves", {hunt_work(quarry, sets)}};
 }
 
+EngineHunts hunt_in_modes_of_hosts(const Quarry& quarry, const Options& options) {
+  constexpr std::size_t pairs_of_each = 20;
+  std::vector<Pair> pairs;
+  for (const Family& family : families())
+    for (std::size_t i = 0; i < pairs_of_each; ++i) pairs.push_back(generate(family.name, options.seed, i).pair);
+  return {"modes", "solves", {hunt_in_modes(quarry, pairs)}};
+}
+
 /// Cases of the families in turn.
 EngineHunts hunt_drawn(const Quarry& quarry, const Options& options, const char* name,
                        const std::vector<std::string_view>& drawn) {
@@ -177,9 +185,10 @@ struct Engine {
 std::optional<Engine> find_engine(const std::string& name) {
   if (name.starts_with("fuzz-") || name.starts_with("plain-"))
     return Engine{name, [name](const Quarry& q, const Options& o) { return hunt_with_fuzzer(name, q, o); }};
-  const std::array<Engine, 5> engines{{{"corpus", hunt_corpus},
+  const std::array<Engine, 6> engines{{{"corpus", hunt_corpus},
                                        {"motions", hunt_along_motions},
                                        {"work", hunt_by_work},
+                                       {"modes", hunt_in_modes_of_hosts},
                                        {"families", hunt_families},
                                        {"hard", hunt_hard}}};
   const auto found = std::ranges::find(engines, name, &Engine::name);

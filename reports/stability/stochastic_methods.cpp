@@ -18,7 +18,8 @@ PLUMB_INSTANTIATE_COMMON_NORMAL(Stochastic)
 PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(Stochastic)
 PLUMB_INSTANTIATE_MINIMUM_DISTANCE(Stochastic)
 PLUMB_INSTANTIATE_FIRST_TOUCH(Stochastic)
-template Contact<Stochastic> automatic<Stochastic>(const Pair&, const Want&, const Contact<Stochastic>*);
+template Contact<Stochastic> automatic_in_callers_mode<Stochastic>(const Pair&, const Want&,
+                                                                   const Contact<Stochastic>*);
 
 namespace reports {
 

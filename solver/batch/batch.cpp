@@ -5,6 +5,7 @@
 
 #include "solver/batch/chunk.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -106,6 +107,7 @@ int lanes(InstructionSet set) {
 }
 
 BatchReport solve_batch(const PairArrays& pairs, const Want& want, const ContactArrays& contacts, InstructionSet set) {
+  const StandardArithmetic mode;
   BatchReport report{find_error(pairs, contacts, set), 0};
   if (report.error != BatchError::none) return report;
   const auto is_asked_for = [](const auto& spans) {

@@ -5,6 +5,7 @@
 #include "solver/method/automatic.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/chart.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb::door {
 
@@ -22,6 +23,7 @@ inline int solve(const plumb_pair& pair, plumb_contact& contact) {
 
 /// plumb_solver_solve_warm: the door hands over no charts, so that a warm start is from where the last points are now.
 inline int solve_warm(const plumb_pair& pair, const plumb_contact& last, plumb_contact& contact) {
+  const StandardArithmetic mode;
   const Pair bodies = pair_of(pair);
   Contact<double> before;
   before.chart1 = chart_at(bodies.body1, last.points[0]);

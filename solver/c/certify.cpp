@@ -7,6 +7,7 @@
 #include "solver/c/door.hpp"
 #include "solver/plumb.h"
 #include "solver/reference/reference.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -70,6 +71,7 @@ plumb_certificate certificate_of(const Reference& found, std::size_t size) {
 }  // namespace plumb
 
 extern "C" int plumb_certify(const plumb_pair* pair, plumb_certificate* certificate) {
+  const plumb::StandardArithmetic mode;
   if (pair == nullptr || certificate == nullptr || certificate->size < sizeof(std::size_t)) return PLUMB_ERROR_ARGUMENT;
   const plumb::Pair bodies = plumb::door::pair_of(*pair);
   if (!plumb::is_valid(bodies)) return PLUMB_ERROR_ARGUMENT;

@@ -18,4 +18,9 @@ namespace plumb {
 template <class S>
 [[nodiscard]] Contact<S> automatic(const Pair& pair, const Want& want, const Contact<S>* last);
 
+/// The same in whatever rounding the caller is in, for studies of what rounding does: `automatic` sets the standard mode first
+/// (standard_arithmetic.hpp). Takes legal pairs only.
+template <class S>
+[[nodiscard]] Contact<S> automatic_in_callers_mode(const Pair& pair, const Want& want, const Contact<S>* last);
+
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include "solver/method/derivatives.hpp"
 #include "solver/method/ellipsoid_contact.hpp"
 #include "solver/method/surface_descent.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace detail {
@@ -153,6 +154,13 @@ template <class S>
 
 template <class S>
 Contact<S> automatic(const Pair& pair, const Want& want, const Contact<S>* last) {
+  const StandardArithmetic mode;
+  return automatic_in_callers_mode<S>(pair, want, last);
+}
+
+/// Not inlined, so that nothing of it leaves the mode that is in force around the call.
+template <class S>
+[[gnu::noinline]] Contact<S> automatic_in_callers_mode(const Pair& pair, const Want& want, const Contact<S>* last) {
   const PairFrame<S> frame(pair);
   const FramedPair<S> framed = framed_pair<S>(pair, frame);
   const bool are_ellipsoids = detail::is_ellipsoid(pair.body1.shape) && detail::is_ellipsoid(pair.body2.shape);

@@ -8,6 +8,7 @@
 #include "solver/method/first_touch.hpp"
 #include "solver/method/geometric_potential.hpp"
 #include "solver/method/minimum_distance.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -33,6 +34,7 @@ Contact<S> refusal() {
 /// What every method does alike: refuse illegal input, and hand out nothing that its status does not vouch for.
 template <class S, SolveFunction<S> method>
 Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
+  const StandardArithmetic mode;
   Contact<S> out = is_valid(pair) ? method(pair, want, last) : refusal<S>();  // in place: a contact is no small thing
   if (out.status != Status::converged) withhold<S>(out);
   return out;

@@ -1,4 +1,5 @@
 #include "solver/reference/condition_proof.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,7 @@ ConditionClaim judge(double reported, double lower, double upper) {
 }
 
 ConditionClaim certify_overlap_condition(const Pair& pair, const SolutionSet& set, double reported) {
+  const StandardArithmetic mode;
   if (!(set.normal_radius < 1) || !std::isfinite(set.points_radius)) return ConditionClaim::open;
   const IVec3<I> n = ball(set.normal, set.normal_radius);
   const I found =
@@ -79,6 +81,7 @@ ConditionClaim certify_overlap_condition(const Pair& pair, const SolutionSet& se
 }
 
 ConditionProof certify_condition(const Pair& pair, const ChartPair<Real50>& at, const Condition& reported) {
+  const StandardArithmetic mode;
   const EnclosedPair<I> enclosed = enclose<I>(pair);
   const SquareForm form = square_form(place<Real50>(pair), at);
   ConditionProof out;
@@ -101,6 +104,7 @@ ConditionProof certify_condition(const Pair& pair, const ChartPair<Real50>& at, 
 }
 
 ConditionProof certify_condition(const Pair& pair, const Solution& found) {
+  const StandardArithmetic mode;
   const PlacedPair<Real50> placed = place<Real50>(pair);
   const auto chart = [&](const PlacedBody<Real50>& body, const Vec3<Real50>& point) {
     return chart_of_point<Real50>(body.shape, body.to_body(placed.to_pair_point(point, pair)));

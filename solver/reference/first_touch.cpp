@@ -3,6 +3,7 @@
 #include "solver/reference/reference.hpp"
 #include "solver/reference/refine.hpp"
 #include "solver/reference/touch.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -57,6 +58,7 @@ LocalSolution<Real50> solve_touch(const PlacedPair<Real50>& pair, const Vec3<Rea
 
 template <class S>
 FirstTouch<S> first_touch(const Pair& pair, const Vec3<S>& direction) {
+  const StandardArithmetic mode;
   const PlacedPair<S> placed = place<S>(pair);
   const Vec3<S> line = unit<S>(direction);
   const LocalSolution<S> touch = solve_touch<S>(placed, line);
@@ -152,12 +154,14 @@ FirstTouchProof without_direction() {
 }  // namespace
 
 FirstTouchProof prove_first_touch(const Pair& pair, const Vec3<double>& direction) {
+  const StandardArithmetic mode;
   if (direction.isZero(0)) return without_direction();
   const IVec3<I> v = enclosed<I>(direction);
   return prove_touch(pair, {unit<Real50>(direction.cast<Real50>()), v / length_of(v)});
 }
 
 FirstTouchProof prove_first_touch(const Pair& pair) {
+  const StandardArithmetic mode;
   const Vec3<Real50> centre = place<Real50>(pair).body2.centre;
   if (centre.isZero(Real50(0))) return without_direction();
   const IVec3<I> v = enclose<I>(pair).centre;

@@ -5,6 +5,7 @@
 #include "solver/pose.hpp"
 #include "solver/reference/frame.hpp"
 #include "solver/reference/meridian.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -113,6 +114,7 @@ Proof proof_of_spheres(const Reference& reference) {
 }  // namespace
 
 std::optional<Proof> make_proof(const Pair& pair, const Reference& reference) {
+  const StandardArithmetic mode;
   if (reference.overlap.upper < 0) return proof_of_distance(pair, reference);
   if (!reference.cover.tree.empty()) return proof_by_cover(pair, reference);
   if (!reference.meridian.witnesses.empty()) return proof_by_meridian(reference);

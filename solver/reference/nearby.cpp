@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/reference/refine.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -76,6 +77,7 @@ NearbyAnswers change_to(const Pair& other, const BodyPoints& from, const Solutio
 }  // namespace
 
 NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) {
+  const StandardArithmetic mode;
   const double step = k * std::numeric_limits<double>::epsilon();
   const double most = largest_overlap_condition * step * (size_of(pair) + std::abs(static_cast<double>(found.overlap)));
   const BodyPoints from = on_bodies(pair, found);

@@ -5,6 +5,7 @@
 #include "solver/reference/proved_answer.hpp"
 #include "solver/reference/refine.hpp"
 #include "solver/shape/ray.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -264,6 +265,7 @@ Solution find_potential_reference(const Pair& pair, Problem problem) {
 }  // namespace
 
 Solution find_problem_reference(const Pair& pair, Problem problem) {
+  const StandardArithmetic mode;
   if (problem == Problem::common_normal) return find_reference(pair).common_normal;
   return problem == Problem::first_touch ? find_undone_touch(pair) : find_potential_reference(pair, problem);
 }

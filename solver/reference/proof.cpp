@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/reference/meridian.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -196,6 +197,7 @@ class ProofVerifier {
 }  // namespace
 
 ProofCheck verify_proof(const Pair& pair, const Proof& proof) {
+  const StandardArithmetic mode;
   return ProofVerifier(pair, proof).run();
 }
 

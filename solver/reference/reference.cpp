@@ -5,6 +5,7 @@
 
 #include "solver/reference/certify.hpp"
 #include "solver/reference/interval_double.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 
@@ -30,6 +31,7 @@ bool names_all_lowest(const Reference& reference) {
 }
 
 Reference find_reference(const Pair& pair, Effort effort) {
+  const StandardArithmetic mode;
   using namespace reference;
   Reference out;
   switch (effort) {

@@ -10,6 +10,7 @@
 #include "solver/reference/frame.hpp"
 #include "solver/reference/input_change.hpp"
 #include "solver/shape/superellipsoid.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -326,6 +327,7 @@ class Sublevel {
 }  // namespace
 
 SolutionSet enclose_solutions(const Pair& pair, const Vec3<Real50>& normal, double k, const SolutionSetLimits& limits) {
+  const StandardArithmetic mode;
   const EnclosedPair<Coarse> enclosed = enclose<Coarse>(pair);
   const InputChange change(enclosed, k);
   if (!change.keeps_exponents(enclosed.body1) || !change.keeps_exponents(enclosed.body2)) return {};
@@ -339,6 +341,7 @@ bool holds_normal(const SolutionSet& set, const Vec3<double>& normal) {
 
 // |o(n) - o(m)| <= |n - m| |p1 - p2|, and no two points of the bodies are further apart than both radii and the centres.
 bool may_be_lowest(const Pair& pair, const SolutionSet& set, const Vec3<double>& normal) {
+  const StandardArithmetic mode;
   const EnclosedPair<Coarse> exact = enclose<Coarse>(pair);
   const IVec3<Coarse> n = enclosed<Coarse>(normal);
   const Coarse steepest = circumradius(exact.body1) + circumradius(exact.body2) + length_of(exact.centre);

@@ -9,6 +9,7 @@
 #include "solver/reference/direction_box.hpp"
 #include "solver/reference/isolation.hpp"
 #include "solver/reference/stationary_point.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -217,6 +218,7 @@ std::string_view name(StationaryKind kind) {
 }
 
 StationarySet find_stationary(const Pair& pair, const StationaryLimits& limits) {
+  const StandardArithmetic mode;
   return StationarySearch(pair, limits).run();
 }
 

@@ -1,0 +1,136 @@
+// A solve gives the same bits in whatever floating-point mode its host is, leaves it as it found it, and is right.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "properties/columns.hpp"
+#include "properties/families.hpp"
+#include "properties/laws.hpp"
+#include "properties/tests/host_modes/drawn.hpp"
+#include "solver/batch/batch.hpp"
+#include "solver/c/door.hpp"
+#include "solver/method/automatic.hpp"
+#include "solver/method/methods.hpp"
+#include "solver/plumb.h"
+
+namespace plumb {
+namespace {
+
+struct Answer {
+  plumb_contact contact{};
+  plumb_details details{};
+  plumb_context context{};
+
+  [[nodiscard]] bool operator==(const Answer& other) const {  // bit by bit, NaN included
+    return std::memcmp(&contact, &other.contact, sizeof contact) == 0 &&
+           std::memcmp(&context, &other.context, sizeof context) == 0 &&
+           std::memcmp(details.radii, other.details.radii, sizeof details - offsetof(plumb_details, radii)) == 0;
+  }
+};
+
+/// Cold, and warm from `last`.
+Answer solved(const plumb_pair& pair, const char* method, const plumb_context& last) {
+  plumb_options options = PLUMB_OPTIONS;
+  options.method = method;
+  options.want = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES;
+  Answer out;
+  out.details.size = sizeof out.details;
+  out.context = last;
+  EXPECT_EQ(plumb_solve(&pair, &options, &out.context, &out.contact, &out.details), PLUMB_OK);
+  return out;
+}
+
+Answer solved_in(const HostMode& mode, const plumb_pair& pair, const char* method, const plumb_context& last = {}) {
+  const InHostMode host(mode);
+  Answer out = solved(pair, method, last);
+  EXPECT_TRUE(host.is_in_force()) << mode.name;
+  return out;
+}
+
+TEST(AnswersInHostModes, AreTheSameBitsOfEachMethod) {
+  for (std::uint64_t i = 0; i < drawn_cases(2000); ++i) {
+    const plumb_pair pair = door::c_pair(scaled_pair(5, i).pair);
+    for (const Method& method : methods()) {
+      const char* name = method.name.data();
+      const Answer expected = solved(pair, name, {});
+      EXPECT_TRUE(solved_in(mode_of(i), pair, name) == expected) << i << ", " << name << ", " << mode_of(i).name;
+      EXPECT_TRUE(solved_in(mode_of(i), pair, name, expected.context) == solved(pair, name, expected.context))
+          << i << ", warm, " << name << ", " << mode_of(i).name;
+    }
+  }
+}
+
+TEST(AnswersInHostModes, AreTheSameBitsBehindTheSolversDoor) {
+  for (std::uint64_t i = 0; i < drawn_cases(500); ++i) {
+    const Pair pair = scaled_pair(6, i).pair;
+    const Contact<double> expected = automatic<double>(pair, {}, nullptr);
+    const InHostMode host(mode_of(i));
+    const Contact<double> found = automatic<double>(pair, {}, nullptr);
+    EXPECT_TRUE(host.is_in_force()) << mode_of(i).name;
+    EXPECT_EQ(std::memcmp(&found.overlap, &expected.overlap, sizeof(double)), 0) << i << ", " << mode_of(i).name;
+    EXPECT_EQ(std::memcmp(found.normal.data(), expected.normal.data(), sizeof found.normal), 0) << i;
+  }
+}
+
+TEST(AnswersInHostModes, OfAutoAreNeverWrong) {
+  for (std::uint64_t i = 0; i < drawn_cases(300); ++i) {
+    const Pair pair = scaled_pair(7, i).pair;
+    const HostMode& mode = mode_of(i);
+    const auto solve = [&](const Pair& related) {
+      const InHostMode host(mode);
+      return find_method("auto")->solve(related, {}, nullptr);
+    };
+    Judge judge(pair);
+    const Finding found = judge.judge(Problem::common_normal, solve(pair), solve, true).finding;
+    EXPECT_TRUE(found.kind == FindingKind::none)
+        << i << ", " << mode.name << ": " << name(found.kind) << " " << found.detail;
+  }
+}
+
+/// NaN included.
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+bool same_bits(const ContactColumns& a, const ContactColumns& b) {
+  const auto same_vectors = [&](auto ContactColumns::* field) {
+    return same_bits((a.*field)[0], (b.*field)[0]) && same_bits((a.*field)[1], (b.*field)[1]) &&
+           same_bits((a.*field)[2], (b.*field)[2]);
+  };
+  return a.status == b.status && a.verdict == b.verdict && same_bits(a.overlap, b.overlap) &&
+         same_vectors(&ContactColumns::normal) && same_vectors(&ContactColumns::point1) &&
+         same_vectors(&ContactColumns::point2) && same_vectors(&ContactColumns::contact_point) &&
+         a.iterations == b.iterations && a.evaluations == b.evaluations;
+}
+
+TEST(AnswersInHostModes, OfTheBatchAreTheSameBits) {
+  std::vector<Pair> pairs;
+  for (std::uint64_t i = 0; i < drawn_cases(300); ++i) pairs.push_back(scaled_pair(8, i).pair);
+  const PairColumns columns(pairs);
+  for (const InstructionSet set : {InstructionSet::baseline, best_instruction_set()}) {
+    ContactColumns expected(pairs.size());
+    EXPECT_EQ(solve_batch(columns.arrays(), {}, expected.arrays(), set).error, BatchError::none);
+    for (const HostMode& mode : host_modes()) {
+      ContactColumns found(pairs.size());
+      const InHostMode host(mode);
+      EXPECT_EQ(solve_batch(columns.arrays(), {}, found.arrays(), set).error, BatchError::none);
+      EXPECT_TRUE(host.is_in_force()) << mode.name;
+      EXPECT_TRUE(same_bits(found, expected)) << mode.name << ", " << name(set);
+    }
+  }
+}
+
+TEST(InputInHostModes, IsAsLegalAsInTheStandardMode) {
+  plumb_pair pair = door::c_pair(generate("ellipsoid", 1, 0).pair);
+  pair.bodies[0].semi_axes[1] = 4e-320;
+  for (double& q : pair.bodies[1].quaternion_wxyz) q *= 1e-310;
+  for (const HostMode& mode : host_modes()) {
+    const InHostMode host(mode);
+    char text[80] = "";
+    EXPECT_EQ(plumb_describe_input(&pair, text, sizeof text), PLUMB_OK);
+    EXPECT_STREQ(text, "") << mode.name;
+  }
+}
+
+}  // namespace
+}  // namespace plumb
