@@ -152,6 +152,8 @@ struct InputError {
 [[nodiscard]] InputError find_input_error(const Pair& pair);
 /// The same without words, in a few nanoseconds.
 [[nodiscard]] bool is_valid(const Pair& pair);
+/// The same for who has set the standard mode (standard_arithmetic.hpp): in others a subnormal axis may count as zero.
+[[nodiscard]] bool is_valid_in_callers_mode(const Pair& pair);
 
 /// The pair with its bodies exchanged.
 [[nodiscard]] inline Pair swapped(const Pair& pair) {

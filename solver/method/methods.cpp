@@ -35,7 +35,8 @@ Contact<S> refusal() {
 template <class S, SolveFunction<S> method>
 Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
   const StandardArithmetic mode;
-  Contact<S> out = is_valid(pair) ? method(pair, want, last) : refusal<S>();  // in place: a contact is no small thing
+  Contact<S> out = is_valid_in_callers_mode(pair) ? method(pair, want, last)
+                                                  : refusal<S>();  // in place: a contact is no small thing
   if (out.status != Status::converged) withhold<S>(out);
   return out;
 }
@@ -50,7 +51,7 @@ constexpr Method row(std::string_view name, Problem problem, std::string_view su
   row<function<double>, function<float>, function<long double>>(#function, problem, summary)
 
 constexpr std::array all_methods{
-    row<automatic<double>, automatic<float>, automatic<long double>>(
+    row<automatic_in_callers_mode<double>, automatic_in_callers_mode<float>, automatic_in_callers_mode<long double>>(
         "auto", Problem::common_normal,
         "the default: the form that suits the shapes, and a guard that the common normal is the lowest"),
     PLUMB_ROW(original_cn, Problem::common_normal,

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <cfenv>
 #include <cmath>
 
 #include "fuzz/bugs/seeded_bugs.hpp"
 #include "properties/families.hpp"
+#include "properties/host_modes.hpp"
 #include "properties/paths.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "solver/method/methods.hpp"
@@ -157,6 +159,21 @@ TEST(KillEngines, WorkDiesBeyondItsBoundsAlone) {
   EXPECT_EQ(hunt.kills[0].finding, fmt::format("a: {} evaluations for {}, {} iterations for {}", 2 * evaluations,
                                                evaluations, iterations, iterations));
   EXPECT_EQ(hunt.kills[1].run, 2u);
+  EXPECT_EQ(hunt.kills[2].run, 0u);
+}
+
+TEST(KillEngines, WhatDependsOnTheHostsModeDies) {
+  const SeededSolver seeded = solver_with({
+      [](Contact<double>& answer, const Pair&, bool) { answer.overlap = std::nearbyint(2.5); },
+      [](Contact<double>&, const Pair&, bool) { std::fesetround(FE_TONEAREST); },
+      [](Contact<double>& answer, const Pair&, bool) { answer.overlap = 0; },
+  });
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < host_modes().size(); ++i) pairs.push_back(drawn(i).pair);
+  const Hunt hunt = hunt_in_modes({seeded, {1, 2, 3}}, pairs);
+  EXPECT_EQ(hunt.control_findings, 0u);
+  EXPECT_TRUE(hunt.kills[0].finding.starts_with("other bits in another mode")) << hunt.kills[0].finding;
+  EXPECT_TRUE(hunt.kills[1].finding.starts_with("the host's mode is not put back")) << hunt.kills[1].finding;
   EXPECT_EQ(hunt.kills[2].run, 0u);
 }
 
