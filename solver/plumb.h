@@ -11,6 +11,7 @@
  * Validity  a number that was not asked for, or could not be found, is NaN - never a zero
  * Errors    functions return enum plumb_error and write no answer unless it is PLUMB_OK. A pair that cannot be solved is an answer
  *           (contact.status), not an error. Nothing is thrown, printed or kept; all functions may be called from any number of threads
+ * Modes     any floating-point mode of the caller (rounding, subnormal numbers as zero, traps) gives the same bits, and is put back
  * Link      cc main.c $(pkg-config --cflags --libs plumb); plumb_certify alone is in another library: pkg-config plumb-certify
  * ABI       structs grow at their end only, those with `size` without a new soname
  */
