@@ -73,11 +73,12 @@ Finding scalar_agrees(const Pair& pair, const Contact<double>& whole, const Cont
 }
 
 Finding float_agrees(const Pair& pair, const Contact<double>& whole) {
-  return scalar_agrees<float>(pair, whole, automatic_method().solve_float(pair, {}, nullptr), "float");
+  return scalar_agrees<float>(pair, whole, find_method_in<float>("auto")->solve(pair, {}, nullptr), "float");
 }
 
 Finding long_double_agrees(const Pair& pair, const Contact<double>& whole) {
-  return scalar_agrees<long double>(pair, whole, automatic_method().solve_long(pair, {}, nullptr), "long double");
+  return scalar_agrees<long double>(pair, whole, find_method_in<long double>("auto")->solve(pair, {}, nullptr),
+                                    "long double");
 }
 
 constexpr std::array all_question_laws{

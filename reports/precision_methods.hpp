@@ -22,14 +22,9 @@ inline constexpr std::string_view name_of_scalar<Real50> = "50 digits";
 
 /// Takes legal pairs only; the fields are the last iterate's, whatever the status. nullptr where there is none: peers.
 template <class S>
-[[nodiscard]] SolveFunction<S> find_iteration(std::string_view method);
-template <>
-[[nodiscard]] SolveFunction<float> find_iteration<float>(std::string_view method);
-template <>
-[[nodiscard]] SolveFunction<double> find_iteration<double>(std::string_view method);
-template <>
-[[nodiscard]] SolveFunction<long double> find_iteration<long double>(std::string_view method);
-template <>
-[[nodiscard]] SolveFunction<Real50> find_iteration<Real50>(std::string_view method);
+[[nodiscard]] SolveFunction<S> find_iteration(std::string_view method) {
+  const MethodIn<S>* found = find_method_in<S>(method);
+  return found == nullptr ? nullptr : found->iterate;
+}
 
 }  // namespace plumb::reports

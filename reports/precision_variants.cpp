@@ -62,9 +62,11 @@ bool has_small_residual(const Pair& pair, const Contact<double>& answer) {
 
 void append_tolerances(const Solver& solver, const Method& method, std::vector<Variant>& out) {
   constexpr std::array digits{1e-14, 1e-30, 0.0};
-  for (const double t : tolerances) out.push_back(in_scalar<float>(solver, method.solve_float, t));
+  for (const double t : tolerances)
+    out.push_back(in_scalar<float>(solver, find_method_in<float>(method.name)->solve, t));
   for (const double t : tolerances) out.push_back(in_scalar<double>(solver, method.solve, t));
-  for (const double t : tolerances) out.push_back(in_scalar<long double>(solver, method.solve_long, t));
+  for (const double t : tolerances)
+    out.push_back(in_scalar<long double>(solver, find_method_in<long double>(method.name)->solve, t));
   const SolveFunction<Real50> solve = find_iteration<Real50>(solver.name);
   if (solve == nullptr) return;
   for (const double t : digits) {

@@ -25,8 +25,10 @@ DenseMatrix<S> null_space(const DenseMatrix<S>& a) {
   return Eigen::FullPivLU<DenseMatrix<S>>(a).kernel();
 }
 
-#define PLUMB_INSTANTIATE_LEAST_SQUARES(S)                                                           \
-  template LeastSquares<S> least_squares(const DenseMatrix<S>&, const DenseRightSides<S>&);          \
+#define PLUMB_INSTANTIATE_LEAST_SQUARES(S) \
+  template LeastSquares<S> least_squares(const DenseMatrix<S>&, const DenseRightSides<S>&);
+/// What conditions take besides (reference/condition.hpp).
+#define PLUMB_INSTANTIATE_NULL_SPACES(S)                                                             \
   template LeastSquares<S> shortest_least_squares(const DenseMatrix<S>&, const DenseRightSides<S>&); \
   template DenseMatrix<S> null_space(const DenseMatrix<S>&);
 

@@ -168,4 +168,8 @@ template <class S>
   return detail::contact_of<S>(solve(pair, framed, want, last), want, frame, framed.size, pair);
 }
 
+#define PLUMB_INSTANTIATE_AUTOMATIC(S)                                                           \
+  template Contact<S> automatic_in_callers_mode<S>(const Pair&, const Want&, const Contact<S>*); \
+  template Contact<S> automatic<S>(const Pair&, const Want&, const Contact<S>*);
+
 }  // namespace plumb

@@ -4,8 +4,6 @@
 
 namespace plumb {
 
-PLUMB_INSTANTIATE_COMMON_NORMAL(float)
 PLUMB_INSTANTIATE_COMMON_NORMAL(double)
-PLUMB_INSTANTIATE_COMMON_NORMAL(long double)
 
 }  // namespace plumb

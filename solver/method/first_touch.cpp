@@ -4,8 +4,6 @@
 
 namespace plumb {
 
-PLUMB_INSTANTIATE_FIRST_TOUCH(float)
 PLUMB_INSTANTIATE_FIRST_TOUCH(double)
-PLUMB_INSTANTIATE_FIRST_TOUCH(long double)
 
 }  // namespace plumb

@@ -1,6 +1,6 @@
 // The one list of methods: name -> function.
 //
-// Adding a method: one header/source pair in this folder and one row in methods.cpp; the laws, the corpus, the fuzzers,
+// Adding a method: one header/source pair in this folder and one row in method_table.hpp; the laws, the corpus, the fuzzers,
 // the campaign and the reports pick it up from there.
 #pragma once
 
@@ -16,20 +16,26 @@ namespace plumb {
 template <class S>
 using SolveFunction = Contact<S> (*)(const Pair& pair, const Want& want, const Contact<S>* last);
 
-/// A row of the list: a name of `plumb methods` and what it runs, in three scalars.
-struct Method {
+/// A row of the list: a name of `plumb methods`, and what it runs in a scalar.
+template <class S>
+struct MethodIn {
   std::string_view name;
   Problem problem;
   std::string_view summary;
-  SolveFunction<double> solve;
-  SolveFunction<float> solve_float;
-  SolveFunction<long double> solve_long;
+  SolveFunction<S> solve;
+  SolveFunction<S>
+      iterate;  ///< legal pairs only, in the caller's rounding; its fields are the last iterate's, whatever the status
 };
+using Method = MethodIn<double>;
 
 /// All of them, `auto` among them.
 [[nodiscard]] std::span<const Method> methods();
 
 /// nullptr when there is no such method.
 [[nodiscard]] const Method* find_method(std::string_view name);
+
+/// The same in another scalar; float and long double are in the library plumb::scalars.
+template <class S>
+[[nodiscard]] const MethodIn<S>* find_method_in(std::string_view name);
 
 }  // namespace plumb

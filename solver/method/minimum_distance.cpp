@@ -4,8 +4,6 @@
 
 namespace plumb {
 
-PLUMB_INSTANTIATE_MINIMUM_DISTANCE(float)
 PLUMB_INSTANTIATE_MINIMUM_DISTANCE(double)
-PLUMB_INSTANTIATE_MINIMUM_DISTANCE(long double)
 
 }  // namespace plumb

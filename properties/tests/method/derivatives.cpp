@@ -35,7 +35,7 @@ Eigen::Matrix<double, 4, 1> difference(const Pair& pair, const std::function<voi
   const auto answer = [&](double by) {
     Pair moved = pair;
     move(moved, by);
-    const Contact<long double> c = find_method("auto")->solve_long(moved, {}, nullptr);
+    const Contact<long double> c = find_method_in<long double>("auto")->solve(moved, {}, nullptr);
     Eigen::Matrix<long double, 4, 1> out;
     out << c.overlap, c.normal;
     return out;

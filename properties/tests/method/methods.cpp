@@ -120,7 +120,7 @@ TEST(Methods, NoHeapInASolve) {
         all.curvature = all.derivatives = true;
         const long before = allocations;
         const Contact<double> c = method.solve(pair, all, nullptr);
-        (void)method.solve_float(pair, all, nullptr);
+        (void)find_method_in<float>(method.name)->solve(pair, all, nullptr);
         ASSERT_EQ(allocations, before) << method.name << ", status " << name(c.status);
       }
     }
@@ -135,7 +135,7 @@ TEST(Methods, LongDoubleGivesTheSameAnswerWithMoreDigits) {
       // The published systems' wrong roots are ill conditioned: rounding decides where they end.
       if (method.name != "auto" && method.name != "new_cn") continue;
       const Contact<double> c = method.solve(pair, {}, nullptr);
-      const Contact<long double> fine = method.solve_long(pair, {}, nullptr);
+      const Contact<long double> fine = find_method_in<long double>(method.name)->solve(pair, {}, nullptr);
       ASSERT_EQ(fine.status, Status::converged) << method.name;
       EXPECT_NEAR(c.overlap, static_cast<double>(fine.overlap), 1e-15 * 8 * size_of(pair));
       const Vec3<long double> d = fine.point2 - fine.point1;

@@ -90,7 +90,7 @@ TEST(Rings, InLongDoubleAsWell) {
     pair.body1.quaternion = {1, 0, 0, 0};  // an axis without rounding
     pair.body2.quaternion = {0, 1, 0, 0};
     pair.body2.position = Vec3<double>(0, 0, pair.body2.position.norm());
-    const Contact<long double> found = find_method("auto")->solve_long(pair, {}, nullptr);
+    const Contact<long double> found = find_method_in<long double>("auto")->solve(pair, {}, nullptr);
     ASSERT_EQ(found.status, Status::converged) << i;
     const Reference reference = find_reference(pair, Effort::bounds);
     EXPECT_LE(static_cast<double>(found.overlap), static_cast<double>(reference.overlap.upper) + 1e-12 * size_of(pair))

@@ -20,7 +20,7 @@ TEST(Scalars, FloatIsWithinItsEnvelope) {
   for (std::uint64_t i = 0; i < 60; ++i) {
     const Pair pair = generate("ellipsoid", 6, i).pair;
     const Solution truth = find_reference(pair).common_normal;
-    const Contact<float> c = find_method("auto")->solve_float(pair, {}, nullptr);
+    const Contact<float> c = find_method_in<float>("auto")->solve(pair, {}, nullptr);
     ASSERT_EQ(c.status, Status::converged) << i;
     const auto off = [](const Vec3<float>& a, const Vec3<Real50>& b) {
       return (a.cast<double>() - b.cast<double>()).norm();
@@ -37,8 +37,8 @@ TEST(Scalars, FloatIsRoundedInThePairsFrame) {
   Pair near = generate("ellipsoid", 6, 1).pair, far = near;
   far.body1.position[0] += 1e6;
   far.body2.position[0] += 1e6;
-  const Contact<float> a = find_method("auto")->solve_float(near, {}, nullptr),
-                       b = find_method("auto")->solve_float(far, {}, nullptr);
+  const Contact<float> a = find_method_in<float>("auto")->solve(near, {}, nullptr),
+                       b = find_method_in<float>("auto")->solve(far, {}, nullptr);
   EXPECT_NEAR(a.overlap, b.overlap, 1e-6);
   EXPECT_LE((a.normal - b.normal).norm(), 1e-5);
 }
