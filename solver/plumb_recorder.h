@@ -89,7 +89,8 @@ typedef struct plumb_recorder plumb_recorder;
 /* 1e-6, nothing lacking, 100 files, no samples, no fsync. */
 plumb_recorder_options plumb_recorder_defaults(void);
 /* Makes the folder where it is not there, and keeps as `crash` what runs that ended inside the foreign solver left in it. Null
- * options: the defaults. A folder that cannot be written leaves a recorder that judges and counts; null: no memory. */
+ * options: the defaults. A folder that cannot be written, or a name that is empty or another's than a folder's, leaves a recorder that
+ * judges and counts; null: no memory. */
 plumb_recorder* plumb_recorder_open(const char* folder, const plumb_recorder_options* options);
 /* The pair that is solved next on this thread, until plumb_record or the next begin: of what ends the process meanwhile a trace
  * stays, but for exit() and a return from main. One pair for each thread and recorder. Record on every path: a thread that ends
@@ -133,6 +134,9 @@ int plumb_recorder_recover(const char* folder);
 #ifndef O_CLOEXEC /* strict C99 */
 #define O_CLOEXEC 0
 #endif
+#ifndef O_NOFOLLOW
+#define O_NOFOLLOW 0
+#endif
 
 enum {
   plumb__stripes = 64, /* of counters, so that threads do not share one */
@@ -162,6 +166,7 @@ struct plumb_recorder {
   char kept[plumb__buckets];    /* 0 no, 1 being written, 2 yes */
   unsigned files, samples, run; /* run: in the names of its samples */
   uint64_t unwritten, temporaries;
+  int has_folder;  /* otherwise nothing is written */
   int has_problem; /* 1: being written, 2: there */
   char problem[plumb__path + 128], folder[1024], flight[plumb__path];
   int flight_file;
@@ -748,14 +753,25 @@ static void plumb__put_case(plumb__writer* out, const char* name, int finding, u
   plumb__put_numbers(out, ", \"tolerance\": ", &options->tolerance, 1, "}}\n");
 }
 
-/* -1. The first problem is kept: a full disk is told once. */
-static int plumb__fail(plumb_recorder* recorder, const char* path, int error) {
+static const char plumb__is_special[] = "is no regular file";
+
+/* The first problem is kept: a full disk is told once. */
+static void plumb__tell(plumb_recorder* recorder, const char* path, const char* reason) {
   int none = 0;
-  (void)__atomic_fetch_add(&recorder->unwritten, 1, __ATOMIC_RELAXED);
-  if (!__atomic_compare_exchange_n(&recorder->has_problem, &none, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return -1;
-  (void)snprintf(recorder->problem, sizeof recorder->problem, "%s: %s", path, strerror(error));
+  if (!__atomic_compare_exchange_n(&recorder->has_problem, &none, 1, 0, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) return;
+  (void)snprintf(recorder->problem, sizeof recorder->problem, "%s: %s", path, reason);
   __atomic_store_n(&recorder->has_problem, 2, __ATOMIC_RELEASE);
+}
+
+/* -1 */
+static int plumb__fail_because(plumb_recorder* recorder, const char* path, const char* reason) {
+  (void)__atomic_fetch_add(&recorder->unwritten, 1, __ATOMIC_RELAXED);
+  plumb__tell(recorder, path, reason);
   return -1;
+}
+
+static int plumb__fail(plumb_recorder* recorder, const char* path, int error) {
+  return plumb__fail_because(recorder, path, strerror(error));
 }
 
 static int plumb__write_all(int file, const char* text, size_t size) {
@@ -794,8 +810,11 @@ static int plumb__open_beside(plumb_recorder* recorder, const char* path, char* 
  * what has the name is whole. */
 static int plumb__write_file(plumb_recorder* recorder, const char* name, const plumb__writer* text) {
   char path[plumb__path], beside[plumb__path + 64];
+  struct stat status;
+  if (!recorder->has_folder) return plumb__fail(recorder, "folder", ENOENT);
   (void)snprintf(path, sizeof path, "%s/%s.json", recorder->folder, name);
-  if (access(path, F_OK) == 0) return 0;
+  if (stat(path, &status) == 0)
+    return S_ISREG(status.st_mode) ? 0 : plumb__fail_because(recorder, path, plumb__is_special);
   const int file = plumb__open_beside(recorder, path, beside, sizeof beside);
   if (file < 0) return plumb__fail(recorder, path, errno);
   const int is_whole = plumb__write_all(file, text->text, text->used) && (!recorder->options.sync || fsync(file) == 0);
@@ -867,12 +886,22 @@ static int plumb__recover_slot(plumb_recorder* recorder, const plumb__slot* slot
   return plumb__keep(recorder, PLUMB_FOUND_CRASH, 0, bodies, NULL);
 }
 
+/* -1: no file. Of a pipe neither this nor a read would come back. */
+static int plumb__open_trace(plumb_recorder* recorder, const char* path) {
+  struct stat status;
+  const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
+  if (file < 0 || (fstat(file, &status) == 0 && S_ISREG(status.st_mode))) return file;
+  plumb__tell(recorder, path, plumb__is_special);
+  (void)close(file);
+  return -1;
+}
+
 /* Of a process that has ended: a living one holds the lock. What could not be kept stays for the next to try. */
 static void plumb__recover_file(plumb_recorder* recorder, const char* name) {
   char path[plumb__path];
   plumb__slot slot;
   if ((size_t)snprintf(path, sizeof path, "%s/%s", recorder->folder, name) >= sizeof path) return;
-  const int file = open(path, O_RDONLY | O_CLOEXEC);
+  const int file = plumb__open_trace(recorder, path);
   if (file < 0) return;
   if (flock(file, LOCK_EX | LOCK_NB) == 0) {
     int is_kept = 1;
@@ -1044,6 +1073,17 @@ plumb_recorder_options plumb_recorder_defaults(void) {
   return out;
 }
 
+/* Made where it is not there. 0: there is none, and that is told. */
+static int plumb__make_folder(plumb_recorder* recorder, const char* folder) {
+  struct stat status;
+  if (!folder || !*folder) return plumb__fail_because(recorder, "folder", "no name was given") >= 0;
+  if (strlen(folder) >= sizeof recorder->folder) return plumb__fail(recorder, "folder", ENAMETOOLONG) >= 0;
+  memcpy(recorder->folder, folder, strlen(folder) + 1);
+  if (mkdir(folder, 0777) != 0 && errno != EEXIST) return plumb__fail(recorder, folder, errno) >= 0;
+  if (stat(folder, &status) != 0) return plumb__fail(recorder, folder, errno) >= 0;
+  return S_ISDIR(status.st_mode) || plumb__fail(recorder, folder, ENOTDIR) >= 0;
+}
+
 static plumb_recorder* plumb__open(const char* folder, const plumb_recorder_options* options) {
   plumb_recorder* const recorder = (plumb_recorder*)calloc(1, sizeof(plumb_recorder));
   if (!recorder) return NULL;
@@ -1052,19 +1092,14 @@ static plumb_recorder* plumb__open(const char* folder, const plumb_recorder_opti
     recorder->options.tolerance = plumb_recorder_defaults().tolerance;
   recorder->flight_file = -1;
   recorder->process = (long)getpid();
-  const size_t length = strlen(folder);
-  memcpy(recorder->folder, folder, length < sizeof recorder->folder ? length : sizeof recorder->folder - 1);
-  if (length >= sizeof recorder->folder)
-    (void)plumb__fail(recorder, "folder", ENAMETOOLONG);
-  else if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-    (void)plumb__fail(recorder, folder, errno);
-  plumb__look_into(recorder);
+  recorder->has_folder = plumb__make_folder(recorder, folder);
+  if (recorder->has_folder) plumb__look_into(recorder);
   return recorder;
 }
 
 plumb_recorder* plumb_recorder_open(const char* folder, const plumb_recorder_options* options) {
   plumb_recorder* const recorder = plumb__open(folder, options);
-  if (recorder) plumb__open_flight(recorder);
+  if (recorder && recorder->has_folder) plumb__open_flight(recorder);
   return recorder;
 }
 

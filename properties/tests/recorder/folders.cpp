@@ -1,5 +1,6 @@
 // What the recorder leaves in its folder: by many threads, on a disk that is full, after a crash.
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -204,6 +205,56 @@ TEST_F(RecorderFolders, AFolderThatCannotBeMadeIsTold) {
   EXPECT_NE(wrong_by(1e-3).give_to(recorder), 0);
   plumb_recorder_close(recorder);
   EXPECT_EQ(plumb_recorder_recover(path.c_str()), -1);
+}
+
+/// It judges and counts, and writes nowhere: an empty name would be that of the root.
+TEST_F(RecorderFolders, ANameThatNamesNoFolderIsRefused) {
+  const std::string plain = file("plain", ""), pipe = (path_ / "pipe").string(), too_long(2000, 'a');
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::vector<std::pair<const char*, std::string>> names{{"", "folder: no name was given"},
+                                                               {nullptr, "folder: no name was given"},
+                                                               {plain.c_str(), plain + ": Not a directory"},
+                                                               {pipe.c_str(), pipe + ": Not a directory"},
+                                                               {too_long.c_str(), "folder: File name too long"}};
+  for (const auto& [name, problem] : names) {
+    plumb_recorder* const recorder = plumb_recorder_open(name, nullptr);
+    EXPECT_EQ(plumb_recorder_problem(recorder), problem);
+    EXPECT_NE(wrong_by(1e-3).give_to(recorder), 0);
+    EXPECT_EQ(plumb_recorder_counted(recorder).wrong, 1U);
+    EXPECT_EQ(plumb_recorder_counted(recorder).files, 0U);
+    plumb_recorder_close(recorder);
+    EXPECT_EQ(plumb_recorder_recover(name), -1);
+  }
+}
+
+/// Nobody writes into it: to open or to read it as a file would wait for ever, which the alarm would end.
+TEST_F(RecorderFolders, APipeNamedAsATraceIsLeftAlone) {
+  fs::create_directories(folder());
+  const std::string pipe = folder() + "/in-flight.1.0";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink("in-flight.1.0", folder() + "/in-flight.2.0");
+  const int status = status_of([&] {
+    (void)::alarm(60);
+    plumb_recorder* const recorder = another();
+    const bool is_told = std::string(plumb_recorder_problem(recorder)).starts_with(folder() + "/in-flight.");
+    const bool is_kept = wrong_by(1e-3).give_to(recorder) != 0 && plumb_recorder_counted(recorder).files == 1;
+    plumb_recorder_close(recorder);
+    ::_exit(is_told && is_kept && plumb_recorder_recover(folder().c_str()) == 0 ? 0 : 1);
+  });
+  ASSERT_TRUE(WIFEXITED(status)) << "it waited";
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(RecorderFolders, APipeNamedAsACaseIsTold) {
+  (void)wrong_by(1e-3).give_to(open());
+  const std::string path = folder() + "/" + kept().at(0);
+  fs::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_NE(wrong_by(1e-3).give_to(open()), 0);
+  EXPECT_EQ(counts().files, 0U);
+  EXPECT_EQ(counts().unwritten, 1U);
+  EXPECT_EQ(plumb_recorder_problem(recorder_), path + ": is no regular file");
 }
 
 TEST_F(RecorderFolders, WhatWasRecordedAndWhatWasBeingSolvedSurvivesACrash) {
