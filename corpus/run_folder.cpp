@@ -1,9 +1,6 @@
 #include "corpus/run_folder.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 
@@ -62,17 +59,6 @@ void remove_cases(const fs::path& folder) {
 
 std::uint64_t run_key(const Scene& scene, const Plan& plan) {
   return hash_of_text(format_scene({scene, {}, {}}) + write_json(plan_json(scene, plan, {})));
-}
-
-FolderLock::FolderLock(const fs::path& path) : folder_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (folder_ < 0) fail_with(path.string(), errno);
-  if (::flock(folder_, LOCK_EX | LOCK_NB) == 0) return;
-  ::close(folder_);
-  throw InputFailure(path.string(), 0, "", "another run is writing there");
-}
-
-FolderLock::~FolderLock() {
-  if (folder_ >= 0) ::close(folder_);
 }
 
 RunFolder::RunFolder(fs::path path, std::uint64_t key, bool resume) : path_(std::move(path)), key_(key) {

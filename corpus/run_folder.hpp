@@ -4,28 +4,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <utility>
 
 #include "corpus/checkpoint.hpp"
+#include "corpus/folder_lock.hpp"
 #include "corpus/json_text.hpp"
 
 namespace plumb::scene {
 
 /// What goes into a run: no checkpoint of another is taken for one of this.
 [[nodiscard]] std::uint64_t run_key(const Scene& scene, const Plan& plan);
-
-/// Keeps other processes from a folder for as long as it lives; the kernel takes it back from one that is killed.
-class FolderLock {
- public:
-  /// Throws InputFailure where another has it.
-  explicit FolderLock(const std::filesystem::path& path);
-  FolderLock(FolderLock&& other) noexcept : folder_(std::exchange(other.folder_, -1)) {}
-  FolderLock& operator=(FolderLock&&) = delete;
-  ~FolderLock();
-
- private:
-  int folder_;
-};
 
 class RunFolder {
  public:

@@ -237,7 +237,10 @@ TEST_F(SceneCommand, AFolderIsOneRunsAtATime) {
   ASSERT_EQ(plumb("scene s.json --out run").code, 0);
   {
     const FolderLock first(path_ / "run");
-    expect_refusal("scene s.json --out run --resume", "run: another run is writing there");
+    std::string holder = read("run/.plumb-lock");
+    holder.pop_back();
+    EXPECT_TRUE(holder.starts_with(fmt::format("process {} on ", ::getpid()))) << holder;
+    expect_refusal("scene s.json --out run --resume", "run: another run is writing there (" + holder + ")");
   }
   EXPECT_EQ(plumb("scene s.json --out run --resume").code, 0);
 }
