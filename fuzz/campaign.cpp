@@ -6,6 +6,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <utility>
 
 #include "corpus/build_info.hpp"
 #include "corpus/interrupt.hpp"
@@ -124,14 +125,12 @@ void look_for_leaks(Results& results, const std::vector<Source>& sources, const 
   ++results.harness_errors[std::string("looking for leaks: ") + e.what()];
 }
 
-/// What cannot be kept is still counted and reported.
-bool is_kept(const ChunkFolder& folder, const Shard& chunk, const Results& part) {
+/// What cannot be kept is still counted and reported; what fits later is kept. Told once.
+void keep_chunk(const ChunkFolder& folder, const Shard& chunk, const Results& part, bool& is_told) {
   try {
     folder.put(chunk, part);
-    return true;
   } catch (const InputFailure& e) {
-    fmt::print(stderr, "{}; no chunk is kept from here on\n", e.what());
-    return false;
+    if (!std::exchange(is_told, true)) fmt::print(stderr, "{}; what does not fit is counted all the same\n", e.what());
   }
 }
 
@@ -213,10 +212,10 @@ Results run_campaign(const std::vector<Source>& sources, const CampaignOptions& 
   const double before = all.seconds;
   ChunkQueue queue(chunks);
   std::mutex mutex;
-  bool keeps = folder != nullptr;
+  bool is_told = false;
   const auto take = [&](const Shard& chunk, Results&& part) {
     const std::scoped_lock lock(mutex);
-    if (!part.interrupted && keeps) keeps = is_kept(*folder, chunk, part);
+    if (!part.interrupted && folder != nullptr) keep_chunk(*folder, chunk, part, is_told);
     if (!part.interrupted) queue.done(chunk);
     all.merge(std::move(part));
   };

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/resource.h>
 
 #include <atomic>
+#include <csignal>
 #include <set>
 #include <thread>
 
@@ -159,6 +161,38 @@ TEST_F(ChunkFolders, OnlyWhatCampaignsWroteIsRemoved) {
   std::set<std::string> left;
   for (const auto& entry : fs::directory_iterator(folder.path())) left.insert(entry.path().filename().string());
   EXPECT_EQ(left, others);
+}
+
+/// No file may grow: what a full disk says, with another errno.
+void fill_disk(bool full) {
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  limit.rlim_cur = full ? 1024 : limit.rlim_max;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+}
+
+TEST_F(ChunkFolders, WhatFitsAfterAFullDiskIsKept) {
+  const ChunkFolder folder = chunks();
+  folder.open(false);
+  options_.threads = 1;
+  std::vector<Source> some = sources();
+  some.front().at = [this, at = some.front().at](std::uint64_t i) {
+    if (drawn_ == 4 * 3) fill_disk(false);  // four chunks of three cases are done
+    return at(i);
+  };
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  fill_disk(true);
+  testing::internal::CaptureStderr();
+  const Results all = run_campaign(some, options_, &folder);
+  const std::string said = testing::internal::GetCapturedStderr();
+  fill_disk(false);
+  (void)std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(all.cases(), 30u);
+  EXPECT_EQ(chunks_done(folder_), 6);
+  EXPECT_EQ(folder.missing().size(), 4u);
+  const std::size_t at = said.find("File too large");
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_EQ(said.find("File too large", at + 1), std::string::npos) << said;
 }
 
 /// A process with two threads that keep a chunk again and again; it ends with 0 when each time went well.
