@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "fuzz/arguments.hpp"
+#include "fuzz/merge.hpp"
+#include "fuzz/out_folder.hpp"
 #include "fuzz/shell_word.hpp"
 #include "fuzz/shrink_kept.hpp"
 #include "fuzz/table.hpp"
@@ -34,6 +36,11 @@ std::string command_options(const CampaignArguments& args) {
   return by_name + (args.solver.library.empty() ? "" : " --solver " + shell_word(args.solver.library));
 }
 
+void require_replaceable(const CampaignArguments& args, const PreparedCampaign& campaign, const ChunkFolder& chunks) {
+  chunks.require_own(args.resume ? "" : kForceReplaces);
+  require_replaceable(args.out, asked_of(campaign.sources, campaign.options), !chunks.empty());
+}
+
 }  // namespace
 
 CLI::Option* declare_campaign(CLI::App& app, CampaignArguments& args, const std::string& threads) {
@@ -51,6 +58,7 @@ CLI::Option* declare_campaign(CLI::App& app, CampaignArguments& args, const std:
       ->check(CLI::Range(std::uint64_t{1}, kMostParts))
       ->capture_default_str();
   app.add_flag("--resume", args.resume, "do what is missing in DIR, after a run with the same arguments")->needs(out);
+  app.add_flag("--force", args.force, kForceHelp)->needs(out);
   app.add_option("--cache", args.cache, cache_help);
   app.add_flag("--shrink", args.shrink, "then shrink each bucket's simplest case, into failures/ as well")->needs(out);
   return out;
@@ -71,6 +79,7 @@ ChunkFolder chunks_in(const CampaignArguments& args, const PreparedCampaign& cam
 
 ChunkFolder open_chunks(const CampaignArguments& args, const PreparedCampaign& campaign) {
   const ChunkFolder chunks = chunks_in(args, campaign);
+  if (!args.force) require_replaceable(args, campaign, chunks);
   chunks.open(args.resume);
   prepare_folder(args.out);
   return chunks;

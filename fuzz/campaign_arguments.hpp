@@ -18,7 +18,7 @@ struct CampaignArguments {
   std::int64_t cases = 0;
   std::uint64_t seed = 1, chunks = kChunks;
   unsigned threads = 1;
-  bool shrink = false, resume = false;
+  bool shrink = false, resume = false, force = false;
 };
 
 /// `threads`: says what the default is. Returns --out.
@@ -33,7 +33,7 @@ struct PreparedCampaign {
 /// Throws InputFailure.
 [[nodiscard]] PreparedCampaign prepare_campaign(const CampaignArguments& args);
 
-/// The chunks of --out; and the same, the folder made ready. Throws InputFailure.
+/// The chunks of --out; and the same, the folder made ready, which lock_out() must have locked. Throws InputFailure.
 [[nodiscard]] ChunkFolder chunks_in(const CampaignArguments& args, const PreparedCampaign& campaign);
 [[nodiscard]] ChunkFolder open_chunks(const CampaignArguments& args, const PreparedCampaign& campaign);
 

@@ -2,6 +2,7 @@
 #include "corpus/command.hpp"
 #include "fuzz/arguments.hpp"
 #include "fuzz/campaign_arguments.hpp"
+#include "fuzz/out_folder.hpp"
 
 namespace plumb {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 int campaign(const CampaignArguments& args) {
   const PreparedCampaign campaign = prepare_campaign(args);
   if (args.out.empty()) return report_campaign(args, campaign, run_campaign(campaign.sources, campaign.options));
+  const FolderLock lock = lock_out(args.out);
   if (const auto finished = finished_before(args, campaign)) return report_campaign(args, campaign, *finished);
   const ChunkFolder chunks = open_chunks(args, campaign);
   const Results results = run_campaign(campaign.sources, campaign.options, &chunks);

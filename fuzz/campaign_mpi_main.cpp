@@ -14,6 +14,7 @@
 
 #include "corpus/progress.hpp"
 #include "fuzz/campaign_arguments.hpp"
+#include "fuzz/out_folder.hpp"
 #include "fuzz/workers.hpp"
 
 namespace plumb {
@@ -216,9 +217,11 @@ Results lead(const PreparedCampaign& campaign, const ChunkFolder& chunks, int ra
 /// `told`: the others know whether there is work for them.
 int campaign_of_first(const CampaignArguments& args, Session& session, bool& told) {
   const PreparedCampaign campaign = prepare_campaign(args);
+  FolderLock lock = lock_out(args.out);
   if (const auto finished = finished_before(args, campaign)) return report_campaign(args, campaign, *finished);
   const ChunkFolder chunks = open_chunks(args, campaign);
   const std::uint64_t token = new_token(chunks);
+  lock.let_in();
   told = true;
   (void)told_by_first(token);
   const Results results = lead(campaign, chunks, session.ranks);
@@ -232,6 +235,7 @@ void follow(const CampaignArguments& args, std::uint64_t token, int rank, Follow
   const PreparedCampaign campaign = prepare_campaign(args);
   const ChunkFolder chunks = chunks_in(args, campaign);
   require_token(chunks, token, rank);
+  const FolderLock lock = FolderLock::beside_first(args.out);
   const std::uint64_t of_chunks = chunks.of_chunks();
   Workers workers(
       campaign.sources, campaign.options,

@@ -38,12 +38,6 @@ std::vector<fs::path> own_files(const fs::path& folder) {
   return files_named(folder, name);
 }
 
-void require_part_of(const Asked& whole, const Asked& part, const fs::path& file) {
-  require_same_campaign(whole, "this campaign", part, file);
-  if (!std::includes(whole.done.begin(), whole.done.end(), part.done.begin(), part.done.end()))
-    throw InputFailure(file.string(), 0, "asked.done", "is of another shard than this campaign");
-}
-
 }  // namespace
 
 std::vector<Shard> chunks_of(const Shard& shard, std::uint64_t chunks) {
@@ -87,7 +81,11 @@ void ChunkFolder::open(bool resume) const {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw InputFailure(path_.string(), 0, "--out", "cannot make the folder: " + error.message());
-  for (const fs::path& file : part_files(path_)) require_part_of(whole_, read_part(file).asked, file);
+  require_own();
+}
+
+void ChunkFolder::require_own(const std::string& way_out) const {
+  for (const fs::path& file : part_files(path_)) require_part_of(whole_, read_part(file).asked, file, way_out);
 }
 
 fs::path ChunkFolder::file(const Shard& chunk) const {
@@ -96,6 +94,10 @@ fs::path ChunkFolder::file(const Shard& chunk) const {
 
 fs::path ChunkFolder::token() const {
   return path_ / kToken;
+}
+
+bool ChunkFolder::empty() const {
+  return part_files(path_).empty();
 }
 
 bool ChunkFolder::has(const Shard& chunk) const {

@@ -49,9 +49,12 @@ class ChunkFolder {
   ChunkFolder(const std::filesystem::path& out, Asked whole, std::vector<Shard> chunks);
   /// The folder, empty unless `resume`. Throws InputFailure where it cannot be made or holds parts of another campaign.
   void open(bool resume) const;
+  /// Throws InputFailure, which ends with `way_out`, where it holds parts of another campaign.
+  void require_own(const std::string& way_out = "") const;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Shards that the campaign is divided into by its chunks, those of its other shards with them.
   [[nodiscard]] std::uint64_t of_chunks() const { return whole_.shards; }
+  [[nodiscard]] bool empty() const;
   [[nodiscard]] bool has(const Shard& chunk) const;
   [[nodiscard]] std::vector<Shard> missing() const;
   /// All at once or not at all: the file is written beside its place and moved there, also where others keep a copy of the chunk

@@ -10,6 +10,7 @@
 #include "corpus/interrupt.hpp"
 #include "fuzz/arguments.hpp"
 #include "fuzz/engine_run.hpp"
+#include "fuzz/out_folder.hpp"
 #include "fuzz/table.hpp"
 
 namespace plumb {
@@ -17,9 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kReal = "real";  // the family of no campaign
+
 struct Arguments {
   double minutes = 5;
   std::uint64_t seed = 1;
+  bool force = false;
   unsigned threads = default_threads();
   std::string out = "build/fuzz-run", fuzzers;
   std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
@@ -45,14 +49,14 @@ Source real_source(const std::string& folder) {
     CaseReader reader(path.string());
     while (auto c = reader.next()) {
       if (!c->provenance.is_object()) c->provenance = Json::object();
-      c->provenance["family"] = "real";
+      c->provenance["family"] = kReal;
       c->provenance["index"] = cases.size();
       cases.push_back(std::move(*c));
     }
   }
   if (cases.empty()) throw InputFailure(folder, 0, "--real", "holds no case");
   const std::uint64_t count = cases.size();
-  return {"real", count, [cases = std::move(cases)](std::uint64_t i) { return cases[i]; }, "plumb fuzz-run"};
+  return {kReal, count, [cases = std::move(cases)](std::uint64_t i) { return cases[i]; }, "plumb fuzz-run"};
 }
 
 std::vector<Source> sources_of(const Arguments& args) {
@@ -89,12 +93,21 @@ std::vector<EngineRun> run_targets(const Arguments& args) {
   return runs;
 }
 
+/// A run of other minutes is replaced: the folder is this command's own.
+void require_replaceable(const Arguments& args, const Asked& asked) {
+  const auto earlier = asked_in(args.out);
+  const bool is_own = earlier && earlier->cases.contains(kReal);
+  require_replaceable(args.out, is_own ? *earlier : asked, false);
+}
+
 int fuzz_run(const Arguments& args) {
   if (!args.fuzzers.empty())
     for (const Rate& target : kTargets) require_seeds(seeds_of(args, target));
   const std::vector<Source> sources = sources_of(args);
-  prepare_folder(args.out);
   const CampaignOptions options{all_solvers(), args.seed, args.threads, {}};
+  const FolderLock lock = lock_out(args.out);
+  if (!args.force) require_replaceable(args, asked_of(sources, options));
+  prepare_folder(args.out);
   const int found = report(run_campaign(sources, options), args.out);
   // The engine shows its progress on stderr: below the table, also where both go to one file.
   (void)std::fflush(stdout);
@@ -117,6 +130,7 @@ int main(int argc, char** argv) {
   plumb::declare_seed(app, args.seed);
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
   app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzers/")->capture_default_str();
+  app.add_flag("--force", args.force, plumb::kForceHelp);
   app.add_option("--fuzzers", args.fuzzers, "folder of the programs fuzz-TARGET; without it that part is left out");
   app.add_option("--real", args.real, "cases that go through every method first")->capture_default_str();
   app.add_option("--seeds", args.seeds, "folder of the folders of inputs from which the targets start")

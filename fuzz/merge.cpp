@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -57,12 +58,20 @@ void require_same_ladders(const Results& all, const Results& next, const std::st
 }  // namespace
 
 void require_same_campaign(const Asked& first, const std::string& first_name, const Asked& next,
-                           const std::filesystem::path& file) {
+                           const std::filesystem::path& file, const std::string& way_out) {
   const Json one = first.to_json(), two = next.to_json();
   for (const auto& [field, value] : one.items())
     if (field != "done" && two.at(field) != value)
-      throw InputFailure(file.string(), 0, "asked." + field,
-                         fmt::format("is {}, that of {} is {}", two.at(field).dump(), first_name, value.dump()));
+      throw InputFailure(
+          file.string(), 0, "asked." + field,
+          fmt::format("is {}, that of {} is {}{}", two.at(field).dump(), first_name, value.dump(), way_out));
+}
+
+void require_part_of(const Asked& whole, const Asked& part, const std::filesystem::path& file,
+                     const std::string& way_out) {
+  require_same_campaign(whole, "this campaign", part, file, way_out);
+  if (!std::includes(whole.done.begin(), whole.done.end(), part.done.begin(), part.done.end()))
+    throw InputFailure(file.string(), 0, "asked.done", "is of another shard than this campaign" + way_out);
 }
 
 Results merge_folders(const std::vector<std::string>& folders, Gaps gaps) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "corpus/command.hpp"
+#include "fuzz/out_folder.hpp"
 #include "fuzz/table.hpp"
 
 namespace plumb {
@@ -12,7 +13,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> folders;
   std::string out;
-  bool partial = false;
+  bool partial = false, force = false;
 };
 
 /// `source`: a folder, or a file of it or of its chunks/.
@@ -36,6 +37,8 @@ int merge(const Arguments& args) {
   require_another_folder(args);
   const Results all = merge_folders(args.folders, args.partial ? Gaps::counted : Gaps::refused);
   // After the reading: what cannot be merged leaves an earlier result as it was.
+  const FolderLock lock = lock_out(args.out);
+  if (!args.force) require_replaceable(args.out, all.asked, false);
   prepare_folder(args.out);
   return report(all, args.out);
 }
@@ -50,5 +53,6 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--out", args.out, "folder for the result")->required();
   app.add_flag("--partial", args.partial, "also where shards are missing or were interrupted; then exit 130");
+  app.add_flag("--force", args.force, plumb::kForceHelp);
   return plumb::run_command(app, argc, argv, [&] { return plumb::merge(args); });
 }

@@ -81,7 +81,7 @@ TEST_F(Mpi, WhatIsWrongIsSaidOnce) {
               "plumb campaign-mpi: --cases: '0' is not a whole number above 0 (--help tells more)");
   expect_once("--family all --cases 3", "plumb campaign-mpi: --out is required (--help tells more)");
   expect_once("--family all --cases 3 --out /dev/null/x",
-              "/dev/null/x/chunks: --out: cannot make the folder: Not a directory");
+              "/dev/null/x: --out: cannot make the folder: Not a directory");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

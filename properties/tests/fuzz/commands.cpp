@@ -214,6 +214,19 @@ TEST(Commands, AFullDiskLeavesTheTable) {
   EXPECT_NE(text_of(folder / "stderr").find("out/summary.json: "), std::string::npos) << text_of(folder / "stderr");
 }
 
+TEST(Commands, AFuzzRunTakesTheFolderOfOneBeforeAndOfNoCampaign) {
+  const fs::path folder = scratch();
+  const std::string real = " --real '" PLUMB_SOURCE_DIR "/corpus/cases/real/mujoco-ellipsoids-apart.json' --out ";
+  for (const char* minutes : {"0.002", "0.004"})
+    EXPECT_EQ(exit_of_script("plumb fuzz-run --minutes " + std::string(minutes) + real + "run", folder), 0)
+        << text_of(folder / "stderr");
+  ASSERT_EQ(exit_of_script("plumb campaign --family spheroid --cases 4 --method new_cn --out one", folder), 0);
+  EXPECT_EQ(exit_of_script("plumb fuzz-run --minutes 0.002" + real + "one", folder), 2);
+  EXPECT_TRUE(text_of(folder / "stderr").starts_with("one/campaign.bins: asked.cases: is {\"spheroid\":4}, "))
+      << text_of(folder / "stderr");
+  EXPECT_EQ(summary_in(folder / "one").at("cases"), 4);
+}
+
 TEST(Targets, PairStandsItsSeeds) {
   const fs::path log = scratch() / "stderr";
   EXPECT_EQ(exit_of(start_program("replay-pair", {PLUMB_SOURCE_DIR "/fuzz/seeds/pair"}, log)), 0) << text_of(log);
