@@ -5,36 +5,20 @@
 #include <algorithm>
 #include <cctype>
 
+#include "corpus/escaped.hpp"
 #include "corpus/words.hpp"
 
 namespace plumb {
 namespace {
 
-std::string escaped_character(char c) {
-  switch (c) {
-    case '&': return "&amp;";
-    case '<': return "&lt;";
-    case '>': return "&gt;";
-    case '"': return "&quot;";
-    // XML has no way at all to write a control character.
-    default: return static_cast<unsigned char>(c) < ' ' ? " " : std::string(1, c);
-  }
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += escaped_character(c);
-  return out;
-}
-
 std::string junit_test(const JunitTest& t) {
-  const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")", escaped(t.group),
-                                       escaped(t.name), t.seconds);
+  const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")", xml_text(t.group),
+                                       xml_text(t.name), t.seconds);
   if (t.outcome == TestOutcome::passed) return head + "/>\n";
   const std::string body =
       t.outcome == TestOutcome::skipped
-          ? fmt::format("<skipped message=\"{}\"/>", escaped(t.message))
-          : fmt::format("<failure message=\"{}\">{}</failure>", escaped(t.message), escaped(t.text));
+          ? fmt::format("<skipped message=\"{}\"/>", xml_text(t.message))
+          : fmt::format("<failure message=\"{}\">{}</failure>", xml_text(t.message), xml_text(t.text));
   return head + fmt::format(">\n      {}\n    </testcase>\n", body);
 }
 
@@ -89,7 +73,7 @@ std::string junit_xml(const std::string& suite, std::span<const JunitTest> tests
       fmt::format(R"(tests="{}" failures="{}" errors="0" skipped="{}" time="{:.6f}")", tests.size(),
                   count(TestOutcome::failed), count(TestOutcome::skipped), seconds);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  out += fmt::format("<testsuites {}>\n  <testsuite name=\"{}\" {}>\n", counts, escaped(suite), counts);
+  out += fmt::format("<testsuites {}>\n  <testsuite name=\"{}\" {}>\n", counts, xml_text(suite), counts);
   if (!complete) out += "    <properties>\n      <property name=\"incomplete\" value=\"true\"/>\n    </properties>\n";
   for (const JunitTest& t : tests) out += junit_test(t);
   return out + "  </testsuite>\n</testsuites>\n";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/escaped.hpp"
 #include "corpus/solver.hpp"
 #include "reports/campaign/formats.hpp"
 
@@ -12,21 +13,16 @@ namespace {
 /// A row of CSV while it grows.
 class Row {
  public:
-  Row& add(const std::string& text) {
-    line_ += (line_.empty() ? "" : ",") + quoted(text);
-    return *this;
-  }
-  Row& add(double x) { return add(std::isfinite(x) ? shortest(x) : ""); }
-  Row& add(std::uint64_t n) { return add(std::to_string(n)); }
+  Row& add(const std::string& text) { return put(csv_cell(text)); }
+  Row& add(double x) { return put(std::isfinite(x) ? shortest(x) : ""); }
+  Row& add(std::uint64_t n) { return put(std::to_string(n)); }
   Row& add(const Share& s) { return add(s.share).add(s.low).add(s.high); }
   [[nodiscard]] std::string line() const { return line_ + "\r\n"; }
 
  private:
-  static std::string quoted(const std::string& text) {
-    if (text.find_first_of("\",\r\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + "\"";
+  Row& put(const std::string& cell) {
+    line_ += (line_.empty() ? "" : ",") + cell;
+    return *this;
   }
   std::string line_;
 };
@@ -110,6 +106,10 @@ std::string ladder_lines(const Run& run, const std::string& name, const Ladder& 
   return out;
 }
 
+std::string text_of(const Json& name) {
+  return markdown_text(name.get<std::string>());
+}
+
 std::string percent(const Share& s) {
   if (std::isnan(s.share)) return "-";
   return fmt::format("{:.4g} [{:.3g}, {:.3g}]", 100 * s.share, 100 * s.low, 100 * s.high);
@@ -131,14 +131,14 @@ std::string findings_text(const Tally& t) {
 }
 
 std::string family_table(const std::string& name, const FamilyResults& family) {
-  std::string out = fmt::format("\n### {}: {} cases\n\n", name, family.cases);
+  std::string out = fmt::format("\n### {}: {} cases\n\n", markdown_text(name), family.cases);
   out += "| method | right, % [95 %] | findings | angle p50, deg | p99 | max | iterations p50 "
          "|\n|---|---|---|---|---|---|---|\n";
   for (const std::string& method : method_order(family.methods)) {
     const Tally& t = family.methods.at(method);
     const Histogram& a = t.angle_error_deg;
     out +=
-        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", method, t.published ? "" : " (plumb)",
+        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", markdown_text(method), t.published ? "" : " (plumb)",
                     percent(share_of(t.of(FindingKind::none), t.judged())), findings_text(t), figure(a.percentile(0.5)),
                     figure(a.percentile(0.99)), figure(a.count() > 0 ? a.max() : std::nan("")), figure(steps(t, 0.5)));
   }
@@ -157,12 +157,12 @@ std::string ladders_table(const FamilyResults& family) {
   const std::vector<std::string> methods = method_order(family.methods);
   std::string out =
       "\n#### Where each method lets go: the easiest step of a ladder with a finding\n\n| ladder | knob |";
-  for (const std::string& method : methods) out += " " + method + " |";
+  for (const std::string& method : methods) out += " " + markdown_text(method) + " |";
   out += "\n|---|---|";
   for (std::size_t i = 0; i < methods.size(); ++i) out += "---|";
   for (const std::string& name : ladder_order(family.ladders)) {
     const Ladder& ladder = family.ladders.at(name);
-    out += fmt::format("\n| {} | {} |", name, ladder.knob);
+    out += fmt::format("\n| {} | {} |", markdown_text(name), markdown_text(ladder.knob));
     for (const std::string& method : methods) out += " " + lets_go_cell(ladder, method) + " |";
   }
   return out + "\n";
@@ -170,22 +170,22 @@ std::string ladders_table(const FamilyResults& family) {
 
 std::string stability_list(const Json& stability) {
   if (stability.is_null()) return "";
-  std::string out = fmt::format("\n### Stability, commit {}{}\n\n", stability["commit"].get<std::string>(),
+  std::string out = fmt::format("\n### Stability, commit {}{}\n\n", text_of(stability["commit"]),
                                 stability["interrupted"] == true ? " - INCOMPLETE" : "");
   for (const Json& total : stability["totals"])
-    out += fmt::format("- {} in {}: right in {} of {} cases, {} lost, {} wrong\n", total["method"].get<std::string>(),
-                       total["arithmetic"].get<std::string>(), total["right"].dump(), total["cases"].dump(),
-                       total["lost"].dump(), total["wrong"].dump());
+    out += fmt::format("- {} in {}: right in {} of {} cases, {} lost, {} wrong\n", text_of(total["method"]),
+                       text_of(total["arithmetic"]), total["right"].dump(), total["cases"].dump(), total["lost"].dump(),
+                       total["wrong"].dump());
   return out;
 }
 
 std::string study_list(const Json& study) {
   if (study.is_null()) return "";
-  std::string out = fmt::format("\n### The source's study, commit {}{}\n\n", study["commit"].get<std::string>(),
+  std::string out = fmt::format("\n### The source's study, commit {}{}\n\n", text_of(study["commit"]),
                                 study["interrupted"] == true ? " - INCOMPLETE" : "");
   for (const Json& share : study["shares"])
     out += fmt::format("- {}, aspect {}, overlap ratio {}: {} of {} answers more than 0.01 degrees off, {} pairs\n",
-                       share["method"].get<std::string>(), share["aspect"].get<double>(), share["ratio"].get<double>(),
+                       text_of(share["method"]), share["aspect"].get<double>(), share["ratio"].get<double>(),
                        share["off"].dump(), share["answers"].dump(), share["pairs"].dump());
   return out;
 }
@@ -208,16 +208,16 @@ std::string checks_lines(const Json& checks) {
   std::string out = fmt::format("- checks within their limits: {} of {}\n", within, checks.size());
   for (const Json& check : checks)
     if (check["within"] != true)
-      out += fmt::format("- **check {}**: {} {}, limit {}\n", check["check"].get<std::string>(),
-                         check["value"].get<double>(), check["unit"].get<std::string>(), check["limit"].get<double>());
+      out += fmt::format("- **check {}**: {} {}, limit {}\n", text_of(check["check"]), check["value"].get<double>(),
+                         text_of(check["unit"]), check["limit"].get<double>());
   return out;
 }
 
 std::string fem_list(const Json& fem) {
   if (fem.is_null()) return "";
-  std::string out = fmt::format("\n### Against finite elements, CalculiX {}, commit {}, {}{}\n\n",
-                                fem["host"]["ccx"].get<std::string>(), fem["commit"].get<std::string>(),
-                                fem["mode"].get<std::string>(), fem["interrupted"] == true ? " - INCOMPLETE" : "");
+  std::string out =
+      fmt::format("\n### Against finite elements, CalculiX {}, commit {}, {}{}\n\n", text_of(fem["host"]["ccx"]),
+                  text_of(fem["commit"]), text_of(fem["mode"]), fem["interrupted"] == true ? " - INCOMPLETE" : "");
   out += fem_held(fem["asked"]) + checks_lines(fem["checks"]);
   return fem["unanswered"].empty() ? out : out + fmt::format("- without an answer: {}\n", fem["unanswered"].size());
 }
@@ -225,18 +225,19 @@ std::string fem_list(const Json& fem) {
 std::string playback_line(const Json& playback) {
   const Json& end = playback["end"];
   const std::string frames =
-      fmt::format("- scene {}: {} bodies, {} frames to t = {}", playback["name"].get<std::string>(),
-                  playback["bodies"].size(), playback["times"].size(), playback["times"].back().dump());
+      fmt::format("- scene {}: {} bodies, {} frames to t = {}", text_of(playback["name"]), playback["bodies"].size(),
+                  playback["times"].size(), playback["times"].back().dump());
   if (end.is_null()) return frames + " - INCOMPLETE\n";
   return fmt::format("{}, {} of {} solves failed, hash {}\n", frames, end["failed"].dump(), end["solves"].dump(),
-                     end["hash"].get<std::string>());
+                     text_of(end["hash"]));
 }
 
 std::string run_tables(const Run& run, const Json& shown) {
   const Results& results = run.results;
   std::string out = fmt::format("## plumb: {} cases, seed {}, commit {}{}\n", results.cases(), results.asked.seed,
-                                shown["commit"].get<std::string>(), results.incomplete() ? " - INCOMPLETE" : "");
-  for (const auto& [message, n] : results.harness_errors) out += fmt::format("\n- HARNESS ERROR {} ({})\n", message, n);
+                                text_of(shown["commit"]), results.incomplete() ? " - INCOMPLETE" : "");
+  for (const auto& [message, n] : results.harness_errors)
+    out += fmt::format("\n- HARNESS ERROR {} ({})\n", markdown_text(message), n);
   for (const std::string& family : family_order(results))
     out += family_table(family, results.families.at(family)) + ladders_table(results.families.at(family));
   return out;
@@ -244,17 +245,16 @@ std::string run_tables(const Run& run, const Json& shown) {
 
 std::string changes(const Json& comparison) {
   constexpr std::size_t shown = 20;
-  std::string out = fmt::format(
-      "\n### {} -> {}\n\n{}\n\n", comparison["before"].get<std::string>(), comparison["after"].get<std::string>(),
-      comparison["same_cases"].get<bool>() ? "The same cases: no difference is chance."
-                                           : "Other cases: what is not significant (Holm, 5 %) is left out.");
+  std::string out = fmt::format("\n### {} -> {}\n\n{}\n\n", text_of(comparison["before"]), text_of(comparison["after"]),
+                                comparison["same_cases"].get<bool>()
+                                    ? "The same cases: no difference is chance."
+                                    : "Other cases: what is not significant (Holm, 5 %) is left out.");
   std::size_t count = 0;
   for (const char* verdict : {"worse", "better"})
     for (const Json& row : comparison["rows"]) {
       if (row["verdict"] != verdict || ++count > shown) continue;
-      out += fmt::format("- **{}** {} {} {}: {} -> {}\n", verdict, row["family"].get<std::string>(),
-                         row["method"].get<std::string>(), row["measure"].get<std::string>(), row["before"].dump(),
-                         row["after"].dump());
+      out += fmt::format("- **{}** {} {} {}: {} -> {}\n", verdict, text_of(row["family"]), text_of(row["method"]),
+                         text_of(row["measure"]), row["before"].dump(), row["after"].dump());
     }
   if (count > shown) out += fmt::format("- and {} more\n", count - shown);
   return count == 0 ? out + "Nothing changed.\n" : out;

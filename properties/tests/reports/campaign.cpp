@@ -133,6 +133,29 @@ TEST_F(Report, FilesForOtherProgramsAgreeWithTheSummary) {
   EXPECT_NE(read("page.md").find("| new_cn | 100"), std::string::npos) << read("page.md");
 }
 
+/// A sheet would take the first cell for a formula, a summary page the name for markup.
+TEST_F(Report, NamesAreTextWhateverTheyHold) {
+  fs::rename(path_ / campaign("run", 1), path_ / "=1|<b>x<i>`*[a](b)");
+  fs::create_directories(path_ / "@b");
+  fs::copy(path_ / "=1|<b>x<i>`*[a](b)", path_ / "@b\n# c|\td", fs::copy_options::recursive);
+  Json bins = json("=1|<b>x<i>`*[a](b)/campaign.bins");
+  bins["harness_errors"]["<img src=x>|\nmore"] = 1;
+  Json& methods = bins["families"]["spheroid"]["methods"];
+  methods["-2|<i>_y_"] = methods["new_cn"];
+  for (const char* folder : {"=1|<b>x<i>`*[a](b)", "@b\n# c|\td"})
+    write_file(path_ / folder / "campaign.bins", bins.dump());
+  const Ran ran = plumb("report '=1|<b>x<i>`*[a](b)' '@b\n# c|\td' -o page.html 2>&1");
+  ASSERT_EQ(ran.code, 0) << ran.out;
+  const std::string csv = read("page.csv"), table = read("page.md");
+  EXPECT_NE(csv.find("\n'=1|<b>x<i>`*[a](b),"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n\"'@b\n# c|\td\","), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",'-2|<i>_y_,"), std::string::npos) << csv;
+  EXPECT_NE(table.find("\n### =1\\|&lt;b&gt;x&lt;i&gt;\\`\\*\\[a\\](b) -> @b # c\\| d\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n| -2\\|&lt;i&gt;\\_y\\_ "), std::string::npos) << table;
+  EXPECT_NE(table.find("\n- HARNESS ERROR &lt;img src=x&gt;\\| more (1)\n"), std::string::npos) << table;
+  EXPECT_EQ(table.find('<'), std::string::npos) << table;
+}
+
 TEST_F(Report, AnotherSeedIsNoiseAndAPlantedRegressionIsNot) {
   const std::string one = campaign("one", 1), two = campaign("two", 2);
   ASSERT_EQ(plumb("report " + one + " " + two + " -o noise.html").code, 0);
