@@ -79,9 +79,7 @@ class CaseReader {
 /// and *.jsonl are, except a campaign's summary.json. Throws InputFailure for a path that is missing.
 [[nodiscard]] std::vector<std::filesystem::path> find_case_files(const std::vector<std::string>& paths);
 
-/// Writes text to a file by way of a temporary beside it, so that a full disk or Ctrl-C loses nothing of what was there;
-/// what is no regular file (a pipe, a device) and whatever is under /proc is written to directly, and so are the process's
-/// own descriptors (/dev/stdout, /dev/fd/3), after what was printed so far. Throws InputFailure.
+/// An OutputFile (corpus/output_file.hpp) of that text. Throws InputFailure.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace plumb

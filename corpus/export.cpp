@@ -50,7 +50,7 @@ class Exporter {
         add_case(parse_case(*text, reader_.file(), reader_.line()));
     }
     if (frames_ == 0 && !interrupted()) throw InputFailure(reader_.file(), 0, "", "holds no case and no scene");
-    sink_.flush();
+    if (frames_ > 0) sink_.finish();
     return exit_done;
   }
 

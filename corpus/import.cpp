@@ -155,6 +155,7 @@ int import_files(const Arguments& arguments) {
   if (counts.frames == 0 && !interrupted())
     throw InputFailure(arguments.files.front(), 0, arguments.step == "all" ? "" : "step " + arguments.step,
                        "holds no such frame");
+  if (counts.frames > 0) sink.finish();
   report(counts);
   return exit_done;
 }

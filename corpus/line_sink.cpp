@@ -1,26 +1,29 @@
 #include "corpus/line_sink.hpp"
 
-#include <cerrno>
-
-#include "corpus/case.hpp"
 #include "corpus/command.hpp"
 
 namespace plumb {
 
-LineSink::LineSink(std::string file) : file_(std::move(file)) {
-  if (file_.empty()) return;
-  out_.open(file_, std::ios::binary);
-  if (!out_) fail_with(file_, errno);
+LineSink::LineSink(const std::string& file) {
+  if (!file.empty()) file_.emplace(file);
 }
 
 void LineSink::add(const std::string& text) {
-  if (file_.empty()) return print_line(text);
-  if (!(out_ << text << '\n')) fail_with(file_, errno);
+  constexpr std::size_t many = 1 << 16;
+  if (!file_) return print_line(text);
+  pending_ += text + "\n";
+  if (pending_.size() >= many) flush();
 }
 
 void LineSink::flush() {
-  if (file_.empty()) return flush_output();
-  if (!out_.flush()) fail_with(file_, errno);
+  if (!file_) return flush_output();
+  file_->write(pending_);
+  pending_.clear();
+}
+
+void LineSink::finish() {
+  flush();
+  if (file_) file_->finish();
 }
 
 }  // namespace plumb

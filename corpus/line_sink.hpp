@@ -1,22 +1,26 @@
 // Where a command's lines go: a file that was named, or standard output.
 #pragma once
 
-#include <fstream>
+#include <optional>
 #include <string>
+
+#include "corpus/output_file.hpp"
 
 namespace plumb {
 
 class LineSink {
  public:
-  /// An empty name is standard output. A file is emptied at once. Throws InputFailure.
-  explicit LineSink(std::string file);
-  /// Text and a line feed. Throws InputFailure, here or at flush().
+  /// An empty name is standard output. Throws InputFailure, as the others do.
+  explicit LineSink(const std::string& file);
+  /// Text and a line feed; handed on at flush(), or before.
   void add(const std::string& text);
   void flush();
+  /// Until then a file holds what it held.
+  void finish();
 
  private:
-  std::string file_;
-  std::ofstream out_;
+  std::optional<OutputFile> file_;
+  std::string pending_;
 };
 
 }  // namespace plumb

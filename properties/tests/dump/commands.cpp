@@ -109,6 +109,37 @@ TEST_F(DumpCommands, RefusalsAreOneLineAfterTheAnswersBefore) {
   expect_refusal("import s.dump", "s.dump: step 100: the box is too small for its particles: over 2e7 images");
 }
 
+TEST_F(DumpCommands, AFileIsReplacedWhenAllOfItIsThere) {
+  const auto expect_old = [&](const std::string& arguments, const std::string& said) {
+    (void)file("out", "old\n");
+    const Ran ran = plumb(arguments + " -o out 2>&1");
+    EXPECT_EQ(ran.code, 2) << arguments;
+    EXPECT_EQ(ran.out, said);
+    EXPECT_EQ(read("out"), "old\n") << arguments;
+    for (const auto& entry : fs::directory_iterator(path_)) EXPECT_NE(entry.path().extension(), ".tmp") << arguments;
+  };
+  DumpText broken = touching;
+  broken.rows[0] = "57 1 x";
+  (void)file("d.dump", touching.text() + broken.text());
+  expect_old("import d.dump", "d.dump:30: ATOMS: 3 values in a row of 15 columns\n");
+  std::string cases;
+  for (int i = 0; i < 8; ++i) cases += sample_case() + "\n";
+  (void)file("c.jsonl", cases + "{}\n");
+  expect_old("export c.jsonl", "c.jsonl:9: format: missing\n");
+  (void)file("good.jsonl", cases);
+  // As a disk that is full: no file may grow beyond a kilobyte or two.
+  expect_old("--version > /dev/null && trap '' XFSZ && ulimit -f 2 && " + plumb_program + "export good.jsonl",
+             "out: File too large\n");
+  EXPECT_EQ(plumb("export good.jsonl -o out").code, 0);
+  EXPECT_EQ(read("out"), plumb("export good.jsonl").out);
+}
+
+TEST_F(DumpCommands, WhatIsNoRegularFileIsWrittenToAtOnce) {
+  (void)file("c.json", sample_case());
+  EXPECT_EQ(plumb("export c.json -o /dev/stdout").out, plumb("export c.json").out);
+  expect_refusal("export c.json -o /dev/full", "/dev/full: No space left on device");
+}
+
 void DumpCommands::expect_agreement(const std::string& name, double duration) const {
   Json scene = Json::parse(std::ifstream(std::string(PLUMB_SOURCE_DIR) + "/corpus/scenes/" + name + ".json"));
   scene["run"]["duration"] = duration;
