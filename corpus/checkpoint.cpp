@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <type_traits>
 
 #include "corpus/case.hpp"
+#include "corpus/text_input.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -174,11 +172,8 @@ Checkpoint parse_checkpoint(const std::string& bytes, const std::string& file) {
 
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) fail_with(path.string(), errno);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) fail_with(path.string(), EIO);
-  return parse_checkpoint(bytes, path.string());
+  constexpr std::size_t longest = std::size_t{16} * longest_text;  // a scene's state, with that of its contacts
+  return parse_checkpoint(read_text(path, longest), path.string());
 }
 
 }  // namespace plumb::scene

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <iostream>
 
 #include "corpus/case.hpp"
 #include "corpus/interrupt.hpp"
@@ -68,28 +65,17 @@ struct DumpReader::Head {
   DumpColumns columns;
 };
 
-DumpReader::DumpReader(const std::string& path, DumpOptions options)
-    : file_(path == "-" ? "standard input" : path), options_(std::move(options)), in_(&std::cin) {
-  if (path == "-") return;
-  if (std::filesystem::is_directory(path)) fail_with(path, EISDIR);
-  opened_.open(path, std::ios::binary);
-  if (!opened_) fail_with(path, errno);
-  in_ = &opened_;
-}
+DumpReader::DumpReader(const std::string& path, DumpOptions options) : in_(path), options_(std::move(options)) {}
 
 DumpReader::DumpReader(std::istream& in, std::string name, DumpOptions options)
-    : file_(std::move(name)), options_(std::move(options)), in_(&in) {}
+    : in_(in, std::move(name)), options_(std::move(options)) {}
 
 void DumpReader::fail(const std::string& field, const std::string& reason) const {
-  throw InputFailure(file_, line_number_, field, reason);
+  throw InputFailure(in_.file(), in_.line(), field, reason);
 }
 
 bool DumpReader::read_line() {
-  if (!std::getline(*in_, line_)) {
-    if (in_->bad()) fail_with(file_, EIO);
-    return false;
-  }
-  ++line_number_;
+  if (!in_.next_line(line_)) return false;
   if (line_.ends_with('\r')) line_.pop_back();
   return true;
 }
@@ -187,8 +173,7 @@ void DumpReader::read_item(Items& head) {
     head.count = whole_number(line_, "NUMBER OF ATOMS");
     if (*head.count < 0) fail("NUMBER OF ATOMS", "must not be negative");
   } else if (item != "ITEM: LABEL") {
-    --line_number_;
-    fail("", excerpt_of(item) + " is no item of a dump of atoms");
+    throw InputFailure(in_.file(), in_.line() - 1, "", excerpt_of(item) + " is no item of a dump of atoms");
   }
 }
 

@@ -1,7 +1,6 @@
 // Dumps of particles as text, one frame after the other: the one reader of them. Formats: corpus/README.md.
 #pragma once
 
-#include <fstream>
 #include <functional>
 #include <iosfwd>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "corpus/dump_columns.hpp"
 #include "corpus/dump_frame.hpp"
+#include "corpus/text_input.hpp"
 
 namespace plumb {
 
@@ -26,7 +26,7 @@ class DumpReader {
 
   /// The next frame whose step is wanted, nullopt at the end. Rows of the others are passed over unread.
   [[nodiscard]] std::optional<DumpFrame> next(const std::function<bool(std::int64_t)>& is_wanted);
-  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const std::string& file() const { return in_.file(); }
   /// What was taken for what so far, each once.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
@@ -54,12 +54,9 @@ class DumpReader {
   [[nodiscard]] std::optional<Superellipsoid<double>> read_shape(const DumpColumns& columns,
                                                                  const std::vector<std::string_view>& row) const;
 
-  std::string file_;
+  TextInput in_;
   DumpOptions options_;
-  std::ifstream opened_;
-  std::istream* in_;
   std::string line_, units_;
-  int line_number_ = 0;
   std::vector<std::string> notes_;
 };
 

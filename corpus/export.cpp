@@ -6,6 +6,7 @@
 #include "corpus/case.hpp"
 #include "corpus/command.hpp"
 #include "corpus/dump_text.hpp"
+#include "corpus/fields.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/line_sink.hpp"
 #include "corpus/object_reader.hpp"
@@ -57,8 +58,13 @@ class Exporter {
  private:
   /// Which reader says what is wrong with it.
   static bool is_scene(const std::string& text) {
-    const Json json = Json::parse(text, nullptr, false);
-    return json.is_object() && json.value("format", Json()) == "plumb/scene-1";
+    try {
+      const Json tree = read_json(text);
+      const auto format = Field(tree).find("format");
+      return format && format->value() == "plumb/scene-1";
+    } catch (const FieldError&) {
+      return false;
+    }
   }
 
   void add_case(const Case& c) { add({c.pair.body1, c.pair.body2}, std::array{1, 2}); }

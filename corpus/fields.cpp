@@ -25,7 +25,7 @@ Field Field::member(std::string_view key) const {
   if (!value_->is_object()) fail("must be an object, not " + kind_of(*value_));
   const auto found = value_->find(std::string(key));
   if (found == value_->end()) throw FieldError(path_of(key), "missing");
-  return {*found, path_of(key)};
+  return Field(*found, path_of(key));
 }
 
 std::optional<Field> Field::find(std::string_view key) const {
@@ -45,7 +45,7 @@ Field Field::element(std::size_t index, std::size_t size, const char* what) cons
   const std::string wanted = "must be an array of " + std::to_string(size) + " " + what;
   if (!value_->is_array()) fail(wanted + ", not " + kind_of(*value_));
   if (value_->size() != size) fail(wanted + ", not " + std::to_string(value_->size()));
-  return {(*value_)[index], path_ + "[" + std::to_string(index) + "]"};
+  return Field((*value_)[index], path_ + "[" + std::to_string(index) + "]");
 }
 
 std::vector<Field> Field::elements() const {
@@ -53,6 +53,24 @@ std::vector<Field> Field::elements() const {
   std::vector<Field> out;
   for (std::size_t i = 0; i < value_->size(); ++i) out.push_back(element(i, value_->size(), "values"));
   return out;
+}
+
+std::vector<std::pair<std::string, Field>> Field::members() const {
+  if (!value_->is_object()) fail("must be an object, not " + kind_of(*value_));
+  std::vector<std::pair<std::string, Field>> out;
+  for (const auto& [key, value] : value_->items()) out.emplace_back(key, Field(value, path_of(key)));
+  return out;
+}
+
+bool Field::flag() const {
+  if (!value_->is_boolean()) fail("must be true or false, not " + kind_of(*value_));
+  return value_->get<bool>();
+}
+
+std::uint64_t Field::natural(std::uint64_t most) const {
+  const bool is_one = value_->is_number_integer() && (value_->is_number_unsigned() || value_->get<std::int64_t>() >= 0);
+  if (!is_one || value_->get<std::uint64_t>() > most) fail("must be a whole number from 0 to " + std::to_string(most));
+  return value_->get<std::uint64_t>();
 }
 
 int Field::whole_number(int least, int most) const {

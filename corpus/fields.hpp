@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "corpus/json_text.hpp"
@@ -18,7 +20,8 @@ namespace plumb {
 /// A place in a tree that outlives it.
 class Field {
  public:
-  explicit Field(const Json& root) : value_(&root) {}
+  /// `path`: what errors call the root itself.
+  explicit Field(const Json& root, std::string path = "") : value_(&root), path_(std::move(path)) {}
 
   [[nodiscard]] const Json& value() const { return *value_; }
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -41,7 +44,13 @@ class Field {
   /// Every element of an array of any size.
   [[nodiscard]] std::vector<Field> elements() const;
 
+  /// The members of an object, of whatever names.
+  [[nodiscard]] std::vector<std::pair<std::string, Field>> members() const;
+
   [[nodiscard]] double number() const;
+  [[nodiscard]] bool flag() const;
+  /// Exact where a double is not: a seed has 64 bits.
+  [[nodiscard]] std::uint64_t natural(std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) const;
   /// A number without a fraction, between the two.
   [[nodiscard]] int whole_number(int least, int most) const;
   [[nodiscard]] int count() const { return whole_number(0, std::numeric_limits<int>::max()); }
@@ -57,8 +66,6 @@ class Field {
   [[nodiscard]] Vec3<double> vector() const;
 
  private:
-  Field(const Json& value, std::string path) : value_(&value), path_(std::move(path)) {}
-
   const Json* value_;
   std::string path_;
 };

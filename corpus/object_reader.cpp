@@ -1,12 +1,9 @@
 #include "corpus/object_reader.hpp"
 
-#include <cerrno>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <utility>
 
-#include "corpus/case.hpp"
+#include "corpus/json_text.hpp"
 
 namespace plumb {
 namespace {
@@ -19,10 +16,6 @@ bool is_blank(const std::string& text) {
 
 bool ends_an_object(const std::string& line) {
   return line[line.find_last_not_of(blanks)] == '}';
-}
-
-std::string rest_of(std::istream& in) {
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// Whether a first line that is no JSON value belongs together with what follows. Where all of it is no JSON either, this
@@ -39,35 +32,25 @@ ObjectReader::Layout ObjectReader::layout_of(const std::string& path) {
   return may_be_lines ? Layout::by_content : Layout::one_object;
 }
 
-ObjectReader::ObjectReader(const std::string& path, Layout layout)
-    : file_(path == "-" ? "standard input" : path), in_(&std::cin), whole_(layout == Layout::one_object) {
-  if (path == "-") return;
-  if (std::filesystem::is_directory(path)) fail_with(path, EISDIR);
-  opened_.open(path, std::ios::binary);
-  if (!opened_) fail_with(path, errno);
-  in_ = &opened_;
-}
+ObjectReader::ObjectReader(const std::string& path, Layout layout) : in_(path), whole_(layout == Layout::one_object) {}
 
 std::optional<std::string> ObjectReader::next() {
   if (whole_) return rest();
   const bool first = !std::exchange(any_, true);
-  std::string text;
-  while (std::getline(*in_, text)) {
-    ++line_;
+  std::string text, following;
+  while (in_.next_line(text)) {
     if (is_blank(text)) continue;
-    if (!first || Json::accept(text)) return text;
-    const std::string following = rest_of(*in_);
+    if (!first || Json::accept(text) || !in_.rest(following)) return text;
     whole_ = is_one_object(text, following);
     return whole_ ? text + "\n" + following : text;
   }
-  if (in_->bad()) fail_with(file_, EIO);
   return std::nullopt;
 }
 
 std::optional<std::string> ObjectReader::rest() {
   if (std::exchange(any_, true)) return std::nullopt;
-  std::string text = rest_of(*in_);
-  if (in_->bad()) fail_with(file_, EIO);
+  std::string text;
+  if (!in_.rest(text)) fail_too_long(in_.file(), 0);
   return text;
 }
 

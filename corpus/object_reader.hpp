@@ -1,10 +1,10 @@
 // The JSON objects of a file as text, one after the other: what cases and answers are read from.
 #pragma once
 
-#include <fstream>
-#include <iosfwd>
 #include <optional>
 #include <string>
+
+#include "corpus/text_input.hpp"
 
 namespace plumb {
 
@@ -25,19 +25,16 @@ class ObjectReader {
   /// nullopt at the end. Blank lines are skipped; the text need not be JSON.
   [[nodiscard]] std::optional<std::string> next();
   /// As errors name it.
-  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const std::string& file() const { return in_.file(); }
   /// Line of what next() handed out last; 0 when it was all of the file.
-  [[nodiscard]] int line() const { return whole_ ? 0 : line_; }
+  [[nodiscard]] int line() const { return whole_ ? 0 : in_.line(); }
 
  private:
   [[nodiscard]] std::optional<std::string> rest();
 
-  std::string file_;
-  std::ifstream opened_;
-  std::istream* in_;
+  TextInput in_;
   bool whole_;        ///< one object, over all of the file
   bool any_ = false;  ///< something has been handed out
-  int line_ = 0;
 };
 
 }  // namespace plumb

@@ -4,12 +4,11 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "corpus/case.hpp"
 #include "corpus/reference_json.hpp"
+#include "corpus/text_input.hpp"
 
 namespace plumb {
 namespace {
@@ -105,8 +104,7 @@ template <class Kept>
 std::optional<typename Kept::Answer> read_entry(const fs::path& file, const std::string& question) {
   try {
     if (!fs::is_regular_file(file)) return std::nullopt;
-    std::ifstream in(file, std::ios::binary);
-    return parse_entry<Kept>({std::istreambuf_iterator<char>(in), {}}, question);
+    return parse_entry<Kept>(read_text(file), question);
   } catch (const std::exception&) {
     return std::nullopt;
   }

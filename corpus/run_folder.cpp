@@ -1,14 +1,12 @@
 #include "corpus/run_folder.hpp"
 
-#include <cerrno>
-#include <fstream>
-#include <iterator>
-
 #include "corpus/case.hpp"
+#include "corpus/fields.hpp"
 #include "corpus/scene_file.hpp"
 #include "corpus/scene_output.hpp"
 #include "corpus/scene_report.hpp"
 #include "corpus/scene_view.hpp"
+#include "corpus/text_input.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -27,13 +25,12 @@ std::vector<std::string> written_names() {
 }
 
 std::string key_in(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) fail_with(path.string(), errno);
+  const std::string text = read_text(path);
   try {
-    const Json tree = read_json({std::istreambuf_iterator<char>(in), {}});
-    return tree.value("key", "");
-  } catch (const std::exception&) {
-    throw InputFailure(path.string(), 0, "", "is no run of plumb");
+    const Json tree = read_json(text);
+    return Field(tree).member("key").text();
+  } catch (const FieldError& error) {
+    throw InputFailure(path.string(), 0, error.field, std::string(error.what()) + ": is no run of plumb");
   }
 }
 

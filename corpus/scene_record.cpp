@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "corpus/fields.hpp"
 #include "corpus/shape_class.hpp"
 #include "solver/method/automatic.hpp"
 
@@ -36,6 +38,19 @@ std::string bucket_of(const char* reason, const Pair& pair, double measure) {
 
 Json case_tree(const Case& c) {
   return read_json(format_case(c));
+}
+
+Case case_in(const Field& kept) {
+  const Field field = kept.member("case");
+  try {
+    return parse_case(write_json(field.value()), "case");
+  } catch (const InputFailure& error) {
+    kept.fail(error.what());
+  }
+}
+
+std::uint32_t body_in(const Field& change, std::size_t i) {
+  return static_cast<std::uint32_t>(change.element(i, 3, "numbers").natural(std::numeric_limits<std::uint32_t>::max()));
 }
 
 }  // namespace
@@ -126,17 +141,17 @@ std::string Recorder::state() const {
 
 void Recorder::restore(const std::string& state) {
   const Json tree = read_json(state);
-  const auto buckets_in = [](const Json& object) {
+  const Field root(tree, "record");
+  const auto buckets_in = [](const Field& object) {
     Buckets out;
-    for (const auto& [name, kept] : object.items())
-      out[name] = {kept.at("measure").get<double>(), parse_case(write_json(kept.at("case")), name)};
+    for (const auto& [name, kept] : object.members()) out[name] = {kept.member("measure").number(), case_in(kept)};
     return out;
   };
-  failures_ = buckets_in(tree.at("failures"));
-  cases_ = buckets_in(tree.at("cases"));
+  failures_ = buckets_in(root.member("failures"));
+  cases_ = buckets_in(root.member("cases"));
   changes_.clear();
-  for (const Json& change : tree.at("changes"))
-    changes_[{change.at(0).get<std::uint32_t>(), change.at(1).get<std::uint32_t>()}] = change.at(2).get<int>();
+  for (const Field& change : root.member("changes").elements())
+    changes_[{body_in(change, 0), body_in(change, 1)}] = change.element(2, 3, "numbers").count();
 }
 
 void Recorder::write(const std::filesystem::path& folder) const {

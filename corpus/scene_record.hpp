@@ -25,6 +25,7 @@ class Recorder {
 
   /// For a checkpoint, and back: what it looked at before is forgotten.
   [[nodiscard]] std::string state() const;
+  /// Throws FieldError.
   void restore(const std::string& state);
 
   /// FOLDER/failures/ and FOLDER/cases/, a file a bucket. Throws InputFailure.

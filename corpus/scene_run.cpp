@@ -68,8 +68,8 @@ void SceneRun::go_on_from(const Checkpoint& checkpoint) {
   if (!run_.restore(checkpoint.snapshot)) throw InputFailure(file, 0, "", "does not fit the scene");
   try {
     written_->recorder.restore(checkpoint.record);
-  } catch (const std::exception& error) {
-    throw InputFailure(file, 0, "record", error.what());
+  } catch (const FieldError& error) {
+    throw InputFailure(file, 0, error.field, error.what());
   }
   seconds_before_ = checkpoint.seconds;
   begun_at_ = run_.steps();

@@ -1,20 +1,23 @@
 #include "fuzz/asked.hpp"
 
+#include "corpus/fields.hpp"
+
 namespace plumb {
 
 Json Asked::to_json() const {
   return {{"seed", seed}, {"cases", cases}, {"methods", methods}, {"shards", shards}, {"done", done}};
 }
 
-Asked Asked::from_json(const Json& json) {
+Asked Asked::read(const Field& field) {
   Asked asked;
-  json.at("seed").get_to(asked.seed);
-  json.at("cases").get_to(asked.cases);
-  json.at("methods").get_to(asked.methods);
-  json.at("shards").get_to(asked.shards);
-  json.at("done").get_to(asked.done);
+  asked.seed = field.member("seed").natural();
+  for (const auto& [family, cases] : field.member("cases").members()) asked.cases[family] = cases.natural();
+  for (const Field& method : field.member("methods").elements()) asked.methods.insert(method.text());
+  asked.shards = field.member("shards").natural();
+  const Field done = field.member("done");
+  for (const Field& shard : done.elements()) asked.done.insert(shard.natural());
   if (asked.done.empty() || *asked.done.begin() < 1 || *asked.done.rbegin() > asked.shards)
-    throw FieldError("asked.done", "is not a list of shards out of 1 to asked.shards");
+    done.fail("is not a list of shards out of 1 to asked.shards");
   return asked;
 }
 

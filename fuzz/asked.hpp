@@ -23,8 +23,8 @@ struct Asked {
   std::set<std::uint64_t> done;  ///< which of them are here, counted from 1
 
   [[nodiscard]] Json to_json() const;
-  /// Throws FieldError or Json::exception.
-  [[nodiscard]] static Asked from_json(const Json& json);
+  /// Throws FieldError.
+  [[nodiscard]] static Asked read(const Field& field);
 };
 
 }  // namespace plumb

@@ -56,11 +56,18 @@ Json cell_json(const std::pair<int, int>& at, const AtlasCell& c) {
   return {at.first, at.second, c.answers, c.judged, c.failures, c.not_converged, c.iterations};
 }
 
-int read_cell(const Json& json, Property property) {
-  const std::uint64_t cell = read_count(json, "atlas");
-  if (cell >= scale_of(property).cells())
-    throw FieldError("atlas", json.dump() + " is no cell of " + scale_of(property).title);
+int read_edge(const Field& field, Property property) {
+  const std::uint64_t cell = read_count(field);
+  if (cell >= scale_of(property).cells()) field.fail("is no cell of " + scale_of(property).title);
   return static_cast<int>(cell);
+}
+
+/// As cell_json() writes it.
+std::pair<std::pair<int, int>, AtlasCell> read_cell(const Field& field, const AtlasMap& map) {
+  const auto at = [&](std::size_t i) { return field.element(i, 7, "counts"); };
+  const AtlasCell cell{read_count(at(2)), read_count(at(3)), read_count(at(4)), read_count(at(5)), read_count(at(6))};
+  if (cell.answers == 0 || cell.judged > cell.answers || cell.failures > cell.judged) field.fail("does not add up");
+  return {{read_edge(at(0), map.x), read_edge(at(1), map.y)}, cell};
 }
 
 }  // namespace
@@ -124,14 +131,11 @@ Json Atlas::to_json() const {
   return json;
 }
 
-void Atlas::read(const Json& json) {
+void Atlas::read(const Field& field) {
   for (std::size_t i = 0; i < maps_.size(); ++i)
-    for (const Json& c : json.at(std::string(kAtlasMaps[i].name))) {
-      const AtlasCell cell{read_count(c.at(2), "atlas"), read_count(c.at(3), "atlas"), read_count(c.at(4), "atlas"),
-                           read_count(c.at(5), "atlas"), read_count(c.at(6), "atlas")};
-      if (cell.answers == 0 || cell.judged > cell.answers || cell.failures > cell.judged)
-        throw FieldError("atlas", c.dump() + " does not add up");
-      maps_[i][{read_cell(c.at(0), kAtlasMaps[i].x), read_cell(c.at(1), kAtlasMaps[i].y)}] = cell;
+    for (const Field& c : field.member(kAtlasMaps[i].name).elements()) {
+      const auto [at, cell] = read_cell(c, kAtlasMaps[i]);
+      maps_[i][at] = cell;
     }
 }
 

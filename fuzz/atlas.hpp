@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "corpus/json_text.hpp"
+#include "corpus/fields.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace plumb {
@@ -60,7 +60,8 @@ class Atlas {
   /// Of the map kAtlasMaps[i]; only cells with answers.
   [[nodiscard]] const Cells& map(std::size_t i) const { return maps_[i]; }
   [[nodiscard]] Json to_json() const;
-  void read(const Json& json);
+  /// Throws FieldError.
+  void read(const Field& field);
 
  private:
   std::array<Cells, kAtlasMaps.size()> maps_;

@@ -48,9 +48,8 @@ void keep_beaten_reference(Round& round, const std::string& method, double by) {
 std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
   FamilyResults& family = round.results.families[round.source.family];
   std::vector<Tally*> tallies{&family.methods[method]};
-  const Json& from = round.c.provenance;
-  if (from.is_object() && from.contains("generator"))
-    tallies.push_back(&family.generators[from["generator"].get<std::string>()][method]);
+  if (round.source.family == "hard")
+    tallies.push_back(&family.generators[round.c.provenance.at("generator").get<std::string>()][method]);
   return tallies;
 }
 

@@ -3,29 +3,24 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 
-#include "corpus/json_text.hpp"
+#include "corpus/fields.hpp"
 
 namespace plumb {
 
-/// A whole number from 0 to 2^53; throws FieldError, which names `field`.
-[[nodiscard]] inline std::uint64_t read_count(const Json& json, const std::string& field) {
-  // A negative number is beyond the greatest as well.
-  if (!json.is_number_integer() || json.get<std::uint64_t>() > std::uint64_t{1} << 53)
-    throw FieldError(field, json.dump() + " is no count");
-  return json.get<std::uint64_t>();
+/// A whole number from 0 to 2^53; throws FieldError, as the others do.
+[[nodiscard]] inline std::uint64_t read_count(const Field& field) {
+  return field.natural(std::uint64_t{1} << 53);
 }
 
-[[nodiscard]] inline std::uint64_t count_at(const Json& object, const char* field) {
-  return read_count(object.at(field), field);
+[[nodiscard]] inline std::uint64_t count_at(const Field& object, const char* field) {
+  return read_count(object.member(field));
 }
 
 template <std::size_t N>
-void read_counts(std::array<std::uint64_t, N>& to, const Json& object, const char* field) {
-  const Json& from = object.at(field);
-  if (!from.is_array() || from.size() != N) throw FieldError(field, "must hold " + std::to_string(N) + " counts");
-  for (std::size_t i = 0; i < N; ++i) to[i] = read_count(from[i], field);
+void read_counts(std::array<std::uint64_t, N>& to, const Field& object, const char* field) {
+  const Field from = object.member(field);
+  for (std::size_t i = 0; i < N; ++i) to[i] = read_count(from.element(i, N, "counts"));
 }
 
 }  // namespace plumb

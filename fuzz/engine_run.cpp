@@ -17,6 +17,7 @@
 #include "corpus/case.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/progress.hpp"
+#include "corpus/text_input.hpp"
 
 namespace plumb {
 namespace {
@@ -134,8 +135,7 @@ EngineRun run_engine(const EngineOptions& options) {
 
 void add_to_summary(const std::vector<EngineRun>& runs, const fs::path& out) {
   const fs::path path = out / "summary.json";
-  std::ifstream in(path);
-  Json summary = Json::parse(in);
+  Json summary = read_json(read_text(path));
   double seconds = 0;
   for (const EngineRun& run : runs) {
     summary["x_fuzzers"][run.target] = {{"inputs", run.inputs}, {"found", run.found}};

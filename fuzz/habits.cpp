@@ -71,12 +71,12 @@ Json Habits::to_json() const {
           {"greatest_digest", greatest_digest}};
 }
 
-Habits Habits::from_json(const Json& json) {
+Habits Habits::read(const Field& field) {
   Habits habits;
-  read_counts(habits.verdicts, json, "verdicts");
-  habits.refusals = count_at(json, "refusals");
-  habits.least_digest = count_at(json, "least_digest");
-  habits.greatest_digest = count_at(json, "greatest_digest");
+  read_counts(habits.verdicts, field, "verdicts");
+  habits.refusals = count_at(field, "refusals");
+  habits.least_digest = count_at(field, "least_digest");
+  habits.greatest_digest = count_at(field, "greatest_digest");
   return habits;
 }
 

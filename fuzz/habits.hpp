@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/json_text.hpp"
+#include "corpus/fields.hpp"
 #include "solver/contact.hpp"
 
 namespace plumb {
@@ -25,7 +25,8 @@ struct Habits {
   /// "never says overlapping: 0 of 512 overlapping pairs"; nothing below eight pairs.
   [[nodiscard]] std::vector<std::string> in_words() const;
   [[nodiscard]] Json to_json() const;
-  [[nodiscard]] static Habits from_json(const Json& json);
+  /// Throws FieldError.
+  [[nodiscard]] static Habits read(const Field& field);
 };
 
 }  // namespace plumb

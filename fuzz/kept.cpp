@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "corpus/fields.hpp"
+
 namespace plumb {
 namespace {
 
@@ -17,22 +19,33 @@ bool worse_than(const Failure& a, const Failure& b) {
   return std::tie(b.severity, a.origin, a.index) < std::tie(a.severity, b.origin, b.index);
 }
 
-double read_severity(const Json& json) {
-  if (json.is_number()) return json.get<double>();
-  if (json != "infinite")
-    throw FieldError("provenance.severity", json.dump() + " is neither a number nor \"infinite\"");
-  return std::numeric_limits<double>::infinity();
+double read_severity(const Field& field) {
+  if (field.value() == "infinite") return std::numeric_limits<double>::infinity();
+  if (!field.value().is_number()) field.fail("must be a number or \"infinite\"");
+  return field.number();
+}
+
+/// As the name of where a case comes from; 0 where it says nothing.
+std::string number_or_0(const Json& from, const char* field) {
+  return from.contains(field) ? from[field].dump() : "0";
+}
+
+/// What a kept file says of itself: where it does, in these types.
+void require_origin(const Field& from) {
+  (void)read_severity(from.member("severity"));
+  for (const char* text : {"law", "detail", "family"})
+    if (const auto field = from.find(text)) (void)field->text();
+  for (const char* number : {"seed", "index"})
+    if (const auto field = from.find(number)) (void)field->natural();
 }
 
 /// A kept file is a case like any other, but it must say what orders it among the failures.
 Failure checked_failure(Case c, const std::string& file, int line) {
   try {
-    for (const char* field : {"law", "detail", "family"}) (void)c.provenance.value(field, "");  // must be text
+    require_origin(Field(c.provenance, "provenance"));
     return failure_of(std::move(c));
   } catch (const FieldError& e) {
     throw InputFailure(file, line, e.field, e.what());
-  } catch (const Json::exception& e) {
-    throw InputFailure(file, line, "provenance", e.what());
   }
 }
 
@@ -77,8 +90,8 @@ Failure failure_of(Case kept) {
   Failure failure;
   const Json& from = kept.provenance;
   failure.simplicity = simplicity(kept.pair);
-  failure.severity = read_severity(from.at("severity"));
-  failure.origin = from.value("family", "") + " " + std::to_string(from.value("seed", std::uint64_t{0}));
+  failure.severity = read_severity(Field(from, "provenance").member("severity"));
+  failure.origin = from.value("family", "") + " " + number_or_0(from, "seed");
   failure.index = from.value("index", std::uint64_t{0});
   failure.kept = std::move(kept);
   return failure;
@@ -127,14 +140,13 @@ std::string KeptFailures::format() const {
 
 void KeptFailures::add_line(const std::string& text, const std::string& file, int line) {
   try {
-    const Json json = read_json(text);
-    const auto bucket = bucket_of(json.at("file").get<std::string>());
-    if (!bucket) throw InputFailure(file, line, "file", "is no name of a kept failure");
-    add(*bucket, checked_failure(parse_case(json.at("case").dump(), file, line), file, line));
+    const Json tree = read_json(text);
+    const Field root(tree), name = root.member("file");
+    const auto bucket = bucket_of(name.text());
+    if (!bucket) name.fail("is no name of a kept failure");
+    add(*bucket, checked_failure(parse_case(root.member("case").value().dump(), file, line), file, line));
   } catch (const FieldError& e) {
     throw InputFailure(file, line, e.field, e.what());
-  } catch (const Json::exception& e) {
-    throw InputFailure(file, line, "", e.what());
   }
 }
 

@@ -13,18 +13,18 @@ Json step_counts_json(const StepCounts& step) {
   return {{"answers", step.answers}, {"not_converged", step.not_converged}, {"findings", step.findings}};
 }
 
-StepCounts read_step_counts(const Json& json) {
+StepCounts read_step_counts(const Field& field) {
   StepCounts step;
-  step.answers = count_at(json, "answers");
-  step.not_converged = count_at(json, "not_converged");
-  read_counts(step.findings, json, "findings");
+  step.answers = count_at(field, "answers");
+  step.not_converged = count_at(field, "not_converged");
+  read_counts(step.findings, field, "findings");
   return step;
 }
 
-StepRow read_step_row(const Json& json, std::size_t steps) {
-  if (!json.is_array() || json.size() != steps) throw FieldError("ladders", "a method has counts of other steps");
+StepRow read_step_row(const Field& field, std::size_t steps) {
   StepRow row;
-  for (const Json& step : json) row.push_back(read_step_counts(step));
+  for (const Field& step : field.elements()) row.push_back(read_step_counts(step));
+  if (row.size() != steps) field.fail("has counts of other steps");
   return row;
 }
 
@@ -79,12 +79,12 @@ Json Ladder::to_json() const {
   return {{"knob", knob}, {"steps", steps}, {"methods", rows}};
 }
 
-Ladder Ladder::from_json(const Json& json) {
+Ladder Ladder::read(const Field& field) {
   Ladder ladder;
-  json.at("knob").get_to(ladder.knob);
-  json.at("steps").get_to(ladder.steps);
-  if (ladder.steps.empty()) throw FieldError("ladders", "one has no steps");
-  for (const auto& [method, row] : json.at("methods").items())
+  ladder.knob = field.member("knob").text();
+  for (const Field& step : field.member("steps").elements()) ladder.steps.push_back(step.number());
+  if (ladder.steps.empty()) field.member("steps").fail("is empty");
+  for (const auto& [method, row] : field.member("methods").members())
     ladder.methods[method] = read_step_row(row, ladder.steps.size());
   return ladder;
 }
@@ -105,15 +105,15 @@ StepCounts* step_of_case(Ladders& ladders, const Case& c, const std::string& met
   return &row[step_of(generator, knob["value"])];
 }
 
-void require_whole(const Ladder& ladder, const std::map<std::string, Tally>& generator) {
-  if (ladder.methods.size() != generator.size())
-    throw FieldError("ladders", "one has other methods than its generator");
+void require_whole(const Ladder& ladder, const std::map<std::string, Tally>& generator, const Field& field) {
+  const Field methods = field.member("methods");
+  if (ladder.methods.size() != generator.size()) methods.fail("has other methods than its generator");
   for (const auto& [method, row] : ladder.methods) {
     const StepCounts sum = sum_of(row);
     const auto whole = generator.find(method);
     if (whole == generator.end() || sum.answers != whole->second.cases || sum.findings != whole->second.findings ||
         sum.answers - sum.not_converged != whole->second.converged())
-      throw FieldError("ladders", "the steps of " + method + " do not add up to all of its answers");
+      methods.member(method).fail("does not add up to all of its answers");
   }
 }
 

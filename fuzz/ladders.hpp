@@ -39,8 +39,8 @@ struct Ladder {
   /// `other`: of the same steps, unless this one is still empty.
   void merge(const Ladder& other);
   [[nodiscard]] Json to_json() const;
-  /// Throws FieldError or Json::exception.
-  [[nodiscard]] static Ladder from_json(const Json& json);
+  /// Throws FieldError.
+  [[nodiscard]] static Ladder read(const Field& field);
 };
 
 using Ladders = std::map<std::string, Ladder>;  ///< by generator
@@ -48,7 +48,7 @@ using Ladders = std::map<std::string, Ladder>;  ///< by generator
 /// Where a method's answer to a generated case counts; nullptr for a case of no ladder.
 [[nodiscard]] StepCounts* step_of_case(Ladders& ladders, const Case& c, const std::string& method);
 
-/// The methods' answers on all steps are those of the whole generator; throws FieldError.
-void require_whole(const Ladder& ladder, const std::map<std::string, Tally>& generator);
+/// The methods' answers on all steps are those of the whole generator; throws FieldError, of the ladder's field.
+void require_whole(const Ladder& ladder, const std::map<std::string, Tally>& generator, const Field& field);
 
 }  // namespace plumb

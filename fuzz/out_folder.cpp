@@ -1,8 +1,9 @@
 #include "fuzz/out_folder.hpp"
 
-#include <fstream>
 #include <system_error>
 
+#include "corpus/fields.hpp"
+#include "corpus/text_input.hpp"
 #include "fuzz/merge.hpp"
 
 namespace plumb {
@@ -16,8 +17,7 @@ namespace fs = std::filesystem;
 
 /// By the fields of the contract.
 bool is_summary(const fs::path& file) {
-  std::ifstream in(file);
-  const Json json = Json::parse(in, nullptr, false);
+  const Json json = Json::parse(read_text(file), nullptr, false);
   if (!json.is_object()) return false;
   for (const char* field : {"cases", "seed", "families", "methods"})
     if (!json.contains(field)) return false;
@@ -43,8 +43,8 @@ std::optional<Asked> asked_in(const fs::path& out) {
   if (!fs::exists(file)) return std::nullopt;
   if (!fs::is_regular_file(file)) refuse(file, "is no campaign's");
   try {
-    std::ifstream in(file);
-    return Asked::from_json(Json::parse(in).at("asked"));
+    const Json root = Json::parse(read_text(file));
+    return Asked::read(Field(root).member("asked"));
   } catch (const std::exception&) {
     refuse(file, "is no campaign's");
   }

@@ -4,11 +4,10 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "corpus/case.hpp"
+#include "corpus/text_input.hpp"
 #include "fuzz/target.hpp"
 
 namespace {
@@ -26,12 +25,7 @@ std::vector<fs::path> files_at(const fs::path& path) {
 }
 
 int replay(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || !fs::exists(path)) {
-    std::fprintf(stderr, "%s: file: cannot be read\n", path.c_str());
-    return 2;
-  }
-  const std::vector<char> text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = plumb::read_text(path);
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   const plumb::Outcome outcome = plumb::examine(bytes);
   std::printf("%s: %s\n", path.c_str(), outcome.line.c_str());

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <sstream>
+#include <limits>
 #include <system_error>
 
 #include "corpus/interrupt.hpp"
 #include "corpus/number_text.hpp"
 #include "corpus/solver.hpp"
+#include "corpus/text_input.hpp"
 #include "fuzz/counts.hpp"
 #include "properties/families.hpp"
 
@@ -39,9 +40,9 @@ Json tallies_json(const Tallies& tallies) {
   return json;
 }
 
-Tallies read_tallies(const Json& json) {
+Tallies read_tallies(const Field& field) {
   Tallies tallies;
-  for (const auto& [method, tally] : json.items()) tallies[method] = Tally::from_json(tally);
+  for (const auto& [method, tally] : field.members()) tallies[method] = Tally::read(tally);
   return tallies;
 }
 
@@ -61,21 +62,26 @@ Json family_json(const FamilyResults& family) {
           {"ladders", ladders}};
 }
 
-FamilyResults read_family(const Json& json) {
+std::uint64_t read_digest(const Field& field) {
+  const auto digest = number_from<std::uint64_t>(field.text());
+  if (!digest) field.fail("must be the digits of a whole number of 64 bits");
+  return *digest;
+}
+
+FamilyResults read_family(const Field& field) {
   FamilyResults family;
-  family.cases = count_at(json, "cases");
-  const auto digest = number_from<std::uint64_t>(json.at("digest").get<std::string>());
-  if (!digest) throw FieldError("digest", json.at("digest").dump() + " is none");
-  family.digest = *digest;
-  family.reference_unsolved = count_at(json, "reference_unsolved");
-  family.not_proved_lowest = count_at(json, "not_proved_lowest");
-  read_counts(family.needed, json, "needed");
-  family.reference_beaten = count_at(json, "reference_beaten");
-  family.methods = read_tallies(json.at("methods"));
-  for (const auto& [name, tallies] : json.at("generators").items()) family.generators[name] = read_tallies(tallies);
-  for (const auto& [name, ladder] : json.at("ladders").items()) {
-    family.ladders[name] = Ladder::from_json(ladder);
-    require_whole(family.ladders[name], family.generators[name]);
+  family.cases = count_at(field, "cases");
+  family.digest = read_digest(field.member("digest"));
+  family.reference_unsolved = count_at(field, "reference_unsolved");
+  family.not_proved_lowest = count_at(field, "not_proved_lowest");
+  read_counts(family.needed, field, "needed");
+  family.reference_beaten = count_at(field, "reference_beaten");
+  family.methods = read_tallies(field.member("methods"));
+  for (const auto& [name, tallies] : field.member("generators").members())
+    family.generators[name] = read_tallies(tallies);
+  for (const auto& [name, ladder] : field.member("ladders").members()) {
+    family.ladders[name] = Ladder::read(ladder);
+    require_whole(family.ladders[name], family.generators[name], ladder);
   }
   return family;
 }
@@ -102,31 +108,46 @@ Json bins_json(const Results& results) {
           {"timing", {{"seconds", results.seconds}, {"threads", results.threads}}}};
 }
 
-/// As host_json() of corpus/build_info.hpp writes it.
-void require_host(const std::string& text) {
-  const Json host = read_json(text);
-  for (const char* field : {"system", "machine", "compiler", "flags", "commit"})
-    if (!host.is_object() || !host.contains(field) || !host[field].is_string())
-      throw FieldError("hosts", "one does not say its " + std::string(field));
+/// JSON in a string, as host_json() of corpus/build_info.hpp writes it.
+std::string read_host(const Field& field) {
+  const std::string text = field.text();
+  try {
+    const Json tree = read_json(text);
+    const Field host(tree);
+    for (const char* name : {"system", "machine", "compiler", "flags", "commit"}) (void)host.member(name).text();
+  } catch (const FieldError& e) {
+    field.fail(e.field.empty() ? e.what() : e.field + ": " + e.what());
+  }
+  return text;
 }
 
-Results read_bins(const Json& json) {
+std::map<std::string, std::uint64_t> read_named_counts(const Field& field) {
+  std::map<std::string, std::uint64_t> out;
+  for (const auto& [name, count] : field.members()) out[name] = read_count(count);
+  return out;
+}
+
+void read_solvers(Results& results, const Field& root) {
+  for (const auto& [method, library] : root.member("libraries").members()) results.libraries[method] = library.text();
+  for (const auto& [method, leak] : root.member("leaks").members())
+    results.leaks[method] = {leak.member("bytes_a_call").number(), count_at(leak, "calls")};
+  for (const Field& method : root.member("given_up").elements()) results.given_up.insert(method.text());
+}
+
+Results read_bins(const Field& root) {
   Results results;
-  const Json& format = json.at("format");
-  if (format != kFormat) throw FieldError("format", "is " + format.dump() + ", must be \"" + kFormat + "\"");
-  results.asked = Asked::from_json(json.at("asked"));
-  json.at("interrupted").get_to(results.interrupted);
-  for (const auto& [name, family] : json.at("families").items()) results.families[name] = read_family(family);
-  json.at("buckets").get_to(results.buckets);
-  json.at("harness_errors").get_to(results.harness_errors);
-  json.at("libraries").get_to(results.libraries);
-  for (const auto& [method, leak] : json.at("leaks").items())
-    results.leaks[method] = {leak.at("bytes_a_call").get<double>(), count_at(leak, "calls")};
-  json.at("given_up").get_to(results.given_up);
-  json.at("hosts").get_to(results.hosts);
-  for (const std::string& host : results.hosts) require_host(host);
-  json.at("timing").at("seconds").get_to(results.seconds);
-  json.at("timing").at("threads").get_to(results.threads);
+  const Field format = root.member("format");
+  if (format.text() != kFormat) format.fail("is \"" + format.text() + "\", must be \"" + kFormat + "\"");
+  results.asked = Asked::read(root.member("asked"));
+  results.interrupted = root.member("interrupted").flag();
+  for (const auto& [name, family] : root.member("families").members()) results.families[name] = read_family(family);
+  results.buckets = read_named_counts(root.member("buckets"));
+  results.harness_errors = read_named_counts(root.member("harness_errors"));
+  read_solvers(results, root);
+  for (const Field& host : root.member("hosts").elements()) results.hosts.insert(read_host(host));
+  const Field timing = root.member("timing");
+  results.seconds = timing.member("seconds").number();
+  results.threads = static_cast<unsigned>(timing.member("threads").natural(std::numeric_limits<unsigned>::max()));
   return results;
 }
 
@@ -182,7 +203,7 @@ Tallies Results::methods() const {
 
 Json Results::hosts_json() const {
   Json all = Json::array();
-  for (const std::string& host : hosts) all.push_back(Json::parse(host));
+  for (const std::string& host : hosts) all.push_back(read_json(host));
   return all.size() == 1 ? all[0] : all;
 }
 
@@ -217,11 +238,10 @@ std::string format_bins(const Results& results) {
 
 Results parse_bins(const std::string& text, const std::string& file) {
   try {
-    return read_bins(read_json(text));
+    const Json tree = read_json(text);
+    return read_bins(Field(tree));
   } catch (const FieldError& e) {
     throw InputFailure(file, 0, e.field, e.what());
-  } catch (const Json::exception& e) {
-    throw InputFailure(file, 0, "", e.what());
   }
 }
 
@@ -247,26 +267,23 @@ std::string format_part(const Results& results) {
 }
 
 Results read_part(const fs::path& file) {
-  std::ifstream in(file);
+  TextInput in(file.string());
   std::string line;
-  if (!std::getline(in, line)) throw InputFailure(file.string(), 0, "", "holds no part of a campaign");
+  if (!in.next_line(line)) throw InputFailure(file.string(), 0, "", "holds no part of a campaign");
   Results results = parse_bins(line, file.string());
-  for (int number = 2; std::getline(in, line); ++number) results.kept.add_line(line, file.string(), number);
+  while (in.next_line(line)) results.kept.add_line(line, file.string(), in.line());
   return results;
 }
 
 Results read_results(const fs::path& folder) {
   if (fs::is_regular_file(folder)) return read_part(folder);
   const fs::path path = folder / "campaign.bins";
-  std::ifstream in(path);
-  if (!in)
+  if (!fs::exists(path))
     throw InputFailure(path.string(), 0, "campaign.bins",
                        fs::exists(folder / "chunks")
                            ? "is missing: the campaign was cut short; run it again with --resume"
                            : "cannot be read: is this the folder of a campaign?");
-  std::stringstream text;
-  text << in.rdbuf();
-  Results results = parse_bins(text.str(), path.string());
+  Results results = parse_bins(read_text(path), path.string());
   results.kept.read(folder / "failures");
   return results;
 }

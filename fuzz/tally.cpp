@@ -32,9 +32,9 @@ double upper_edge(int bin, Histogram::Scale scale) {
   return std::pow(10.0, static_cast<double>(bin) / kBinsPerDecade);
 }
 
-int read_bin(const std::string& text) {
-  const auto bin = number_from<int>(text);
-  if (!bin) throw FieldError("bins", "'" + text + "' is no number of a bin");
+int read_bin(const std::string& name, const Field& field) {
+  const auto bin = number_from<int>(name);
+  if (!bin) field.fail("is no number of a bin");
   return *bin;
 }
 
@@ -91,10 +91,10 @@ Json Histogram::to_json() const {
   return {{"bins", bins}, {"max", std::isinf(max_) ? Json() : Json(max_)}};
 }
 
-void Histogram::read(const Json& json) {
-  for (const auto& [bin, n] : json.at("bins").items()) bins_[read_bin(bin)] = read_count(n, "bins");
-  const Json& max = json.at("max");
-  max_ = max.is_null() ? std::numeric_limits<double>::infinity() : max.get<double>();
+void Histogram::read(const Field& field) {
+  for (const auto& [name, count] : field.member("bins").members()) bins_[read_bin(name, count)] = read_count(count);
+  const Field max = field.member("max");
+  max_ = max.value().is_null() ? std::numeric_limits<double>::infinity() : max.number();
 }
 
 void Tally::merge(const Tally& other) {
@@ -134,33 +134,33 @@ Json Tally::to_json() const {
 namespace {
 
 /// Each answer has one status, and one finding if it was judged.
-void require_sums(const Tally& t) {
+void require_sums(const Tally& t, const Field& field) {
   const auto sum = [](const auto& counts) { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); };
   if (t.unjudged > t.cases || sum(t.findings) != t.judged())
-    throw FieldError("findings", "are not those of the judged answers");
-  if (sum(t.statuses) != t.cases) throw FieldError("statuses", "are not those of the answers");
-  if (t.angles_wrong > t.angle_error_deg.count()) throw FieldError("angles_wrong", "are more than there are angles");
+    field.member("findings").fail("are not those of the judged answers");
+  if (sum(t.statuses) != t.cases) field.member("statuses").fail("are not those of the answers");
+  if (t.angles_wrong > t.angle_error_deg.count()) field.member("angles_wrong").fail("are more than there are angles");
 }
 
 }  // namespace
 
-Tally Tally::from_json(const Json& json) {
+Tally Tally::read(const Field& field) {
   Tally t;
-  json.at("published").get_to(t.published);
-  t.cases = count_at(json, "cases");
-  t.unjudged = count_at(json, "unjudged");
-  read_counts(t.findings, json, "findings");
-  read_counts(t.converged_findings, json, "converged_findings");
-  read_counts(t.statuses, json, "statuses");
-  t.angles_wrong = count_at(json, "angles_wrong");
-  t.angle_error_deg.read(json.at("angle_error_deg"));
-  t.overlap_error.read(json.at("overlap_error"));
-  t.iterations.read(json.at("iterations"));
-  t.evaluations.read(json.at("evaluations"));
-  t.atlas.read(json.at("atlas"));
-  t.habits = Habits::from_json(json.at("habits"));
-  t.nanoseconds.read(json.at("nanoseconds"));
-  require_sums(t);
+  t.published = field.member("published").flag();
+  t.cases = count_at(field, "cases");
+  t.unjudged = count_at(field, "unjudged");
+  read_counts(t.findings, field, "findings");
+  read_counts(t.converged_findings, field, "converged_findings");
+  read_counts(t.statuses, field, "statuses");
+  t.angles_wrong = count_at(field, "angles_wrong");
+  t.angle_error_deg.read(field.member("angle_error_deg"));
+  t.overlap_error.read(field.member("overlap_error"));
+  t.iterations.read(field.member("iterations"));
+  t.evaluations.read(field.member("evaluations"));
+  t.atlas.read(field.member("atlas"));
+  t.habits = Habits::read(field.member("habits"));
+  t.nanoseconds.read(field.member("nanoseconds"));
+  require_sums(t, field);
   return t;
 }
 

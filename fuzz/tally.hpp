@@ -33,7 +33,8 @@ class Histogram {
   /// { "p50", "p99", "max" }, null when empty.
   [[nodiscard]] Json summary() const;
   [[nodiscard]] Json to_json() const;
-  void read(const Json& json);
+  /// Throws FieldError.
+  void read(const Field& field);
 
  private:
   Scale scale_;
@@ -68,7 +69,8 @@ struct Tally {
   [[nodiscard]] std::uint64_t failures() const { return judged() - of(FindingKind::none); }
   [[nodiscard]] std::uint64_t converged() const { return statuses[static_cast<std::size_t>(Status::converged)]; }
   [[nodiscard]] Json to_json() const;
-  [[nodiscard]] static Tally from_json(const Json& json);
+  /// Throws FieldError.
+  [[nodiscard]] static Tally read(const Field& field);
 };
 
 /// A finding counts as judged also where there is no reference to hold the answer against.

@@ -59,7 +59,8 @@ TEST(Atlas, PartsAddUpInAnyOrderAndSurviveTheirFile) {
   two.merge(one);
   EXPECT_EQ(two.to_json(), whole.to_json());
   Atlas again;
-  again.read(whole.to_json());
+  const Json kept = whole.to_json();
+  again.read(Field(kept));
   EXPECT_EQ(again.to_json(), whole.to_json());
   std::uint64_t answers = 0, iterations = 0;
   for (const auto& [at, cell] : whole.map(0)) answers += cell.answers, iterations += cell.iterations;
@@ -71,7 +72,7 @@ TEST(Atlas, ACellThatIsNotOnTheMapIsRefused) {
   Atlas atlas;
   Json json = atlas.to_json();
   json["aspect-overlap"].push_back({0, 99, 1, 1, 0, 0, 0});
-  EXPECT_THROW(atlas.read(json), FieldError);
+  EXPECT_THROW(atlas.read(Field(json)), FieldError);
 }
 
 }  // namespace

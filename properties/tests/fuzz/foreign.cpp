@@ -276,7 +276,8 @@ TEST(Habits, AddUpInAnyOrderAndSurviveTheirFile) {
   for (int i = 0; i < 5; ++i) one.add(Verdict::overlapping, apart);
   for (int i = 0; i < 5; ++i) two.add(Verdict::overlapping, apart);
   EXPECT_TRUE(one.in_words().empty());  // too few to tell
-  one.merge(Habits::from_json(two.to_json()));
+  const Json kept = two.to_json();
+  one.merge(Habits::read(Field(kept)));
   EXPECT_EQ(one.in_words().size(), 2u);
   one.add(Verdict::separated, refused);
   apart.overlap = -2;

@@ -139,13 +139,14 @@ TEST_F(LaddersOfShards, OfOtherStepsAreRefused) {
 TEST_F(LaddersOfShards, StepsThatAreNotTheWholeAreRefused) {
   FamilyResults other = made_up();
   other.ladders["face_face"].methods["new_cn"][0].merge(kRight);
-  expect_refused({shard(1, other)}, "ladders: the steps of new_cn do not add up to all of its answers");
+  expect_refused({shard(1, other)},
+                 "families.hard.ladders.face_face.methods.new_cn: does not add up to all of its answers");
   other = made_up();
   other.ladders["face_face"].methods["auto"].pop_back();
-  expect_refused({shard(1, other)}, "ladders: a method has counts of other steps");
+  expect_refused({shard(1, other)}, "families.hard.ladders.face_face.methods.auto: has counts of other steps");
   other = made_up();
   other.ladders["face_face"] = {};
-  expect_refused({shard(1, other)}, "ladders: one has no steps");
+  expect_refused({shard(1, other)}, "families.hard.ladders.face_face.steps: is empty");
 }
 
 }  // namespace

@@ -132,7 +132,8 @@ TEST_F(Merge, ABinThatIsNoNumber) {
   Json bins = Json::parse(in);
   bins["families"]["spheroid"]["methods"]["new_cn"]["iterations"]["bins"]["many"] = 1;
   write_file(fs::path(folder) / "campaign.bins", bins.dump());
-  expect_not_merged({folder}, {folder + "/campaign.bins: bins", "many"});
+  expect_not_merged({folder},
+                    {folder + "/campaign.bins: families.spheroid.methods.new_cn.iterations.bins.many: is no number"});
 }
 
 TEST_F(Merge, ShardsThatCannotBe) {
