@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include "corpus/build_info.hpp"
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/program_folder.hpp"
+#include "corpus/text_input.hpp"
 #include "fuzz/shell_word.hpp"
 #include "reports/campaign/compare.hpp"
 #include "reports/campaign/formats.hpp"
@@ -46,14 +45,6 @@ void declare(CLI::App& app, Arguments& args) {
       ->check(CLI::Range(0, 100000));
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputFailure(file.string(), 0, "", "cannot be read");
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// In a <script>, no text can end it or open a comment.
 std::string inert(std::string json) {
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6) json.replace(at, 1, "\\u003c");
@@ -63,7 +54,7 @@ std::string inert(std::string json) {
 std::string page_of(const std::string& json) {
   constexpr std::string_view place = "<!-- plumb:data -->";
   const fs::path path = data_file("report.html");
-  std::string page = text_of(path);
+  std::string page = read_text(path);
   const std::size_t at = page.find(place);
   if (at == std::string::npos) throw InputFailure(path.string(), 0, "", fmt::format("holds no {}", place));
   return page.replace(at, place.size(),
@@ -104,7 +95,7 @@ void refuse_bad_page(const Arguments& args) {
 void refuse_to_replace(const fs::path& page, const std::vector<const char*>& extensions) {
   const fs::path json = fs::path(page).replace_extension(".json");
   constexpr std::string_view mark = "{\"format\":\"plumb/report-1\"";
-  if (fs::exists(json) && text_of(json).starts_with(mark)) return;
+  if (fs::exists(json) && read_text(json).starts_with(mark)) return;
   for (const char* extension : extensions)
     if (const fs::path beside = fs::path(page).replace_extension(extension); fs::exists(beside))
       throw InputFailure(beside.string(), 0, "",

@@ -148,7 +148,7 @@ Json host_of(const Results& results) {
   Json out{{"system", ""}, {"machine", ""}, {"processors", 0}, {"compiler", ""}, {"flags", ""}, {"commit", "unknown"}};
   std::map<std::string, std::set<std::string>> texts;
   for (const std::string& host : results.hosts) {
-    const Json said = Json::parse(host);
+    const Json said = read_json(host);
     for (const auto& [field, value] : said.items()) {
       if (value.is_string())
         texts[field].insert(value.get<std::string>());
