@@ -71,6 +71,10 @@ CLI::Option* declare_solver(CLI::App& app, ForeignOption& option, const std::str
       ->needs(solver)
       ->check(refuse_seconds)
       ->capture_default_str();
+  app.add_option("--solver-memory", option.limits.gibibytes, "GiB of memory that its process may take")
+      ->needs(solver)
+      ->check(refuse_seconds)
+      ->capture_default_str();
   return solver;
 }
 

@@ -15,7 +15,7 @@ namespace plumb {
 
 struct Case;
 
-/// --solver and --solver-limit.
+/// --solver, --solver-limit and --solver-memory.
 struct ForeignOption {
   std::string library;  ///< empty: none was named
   SolverLimits limits;

@@ -39,6 +39,7 @@ struct SolverLimits {
   /// Of processor time for an answer, and six times that asleep. The one budget in plumb that is no count: nothing but the clock
   /// tells of a library that does not come back.
   double seconds = 10;
+  double gibibytes = 4;  ///< of memory in its process
 };
 
 /// Every solver that this build has, in the order of `plumb methods`.

@@ -21,6 +21,7 @@
 #include "corpus/case.hpp"
 #include "corpus/one_processor.hpp"
 #include "corpus/program_folder.hpp"
+#include "corpus/resident.hpp"
 
 namespace plumb {
 namespace {
@@ -132,6 +133,7 @@ SolverProcess::SolverProcess(const std::string& library, const SolverLimits& lim
   try {
     const auto hello = receive<wire::Hello>();
     if (!hello.loaded) throw InputFailure(library, 0, hello.field.text(), hello.reason.text());
+    peak_at_start_ = hello.peak_bytes;
   } catch (const NoAnswer& e) {
     throw InputFailure(library, 0, "", std::string("cannot be loaded: ") + e.what());
   }
@@ -156,10 +158,21 @@ void SolverProcess::start(const std::string& library) {
 
 wire::Reply SolverProcess::ask(wire::Request request) {
   (void)said();  // what it says from here on is about this request
+  request.number = ++asked_;
   request.processor = sched_getcpu();
   const OneProcessor here(request.processor);
   if (send(socket_.number(), &request, sizeof request, MSG_NOSIGNAL) != sizeof request) throw_death();
-  return receive<wire::Reply>();
+  const auto reply = receive<wire::Reply>();
+  if (reply.number != request.number)
+    throw NoAnswer(NoAnswer::How::crashed, "sent an answer that is none to this pair");
+  if (reply.peak_bytes > peak_at_start_) require_memory(reply.peak_bytes);
+  return reply;
+}
+
+void SolverProcess::require_memory(std::uint64_t bytes) const {
+  constexpr double gibibyte = 1 << 30;
+  if (static_cast<double>(bytes) > limits_.gibibytes * gibibyte)
+    throw NoAnswer(NoAnswer::How::crashed, fmt::format("took more than {} GiB of memory", limits_.gibibytes));
 }
 
 template <class Message>
@@ -178,7 +191,9 @@ void SolverProcess::wait_for_message() {
   for (Patience patience(limits_.seconds);;) {
     const int ready = poll(either.data(), either.size(), tick);
     if (ready > 0) return;
-    if (ready == 0) patience.use(1e-3 * tick, processor_seconds());
+    if (ready != 0) continue;
+    require_memory(resident_bytes_of(std::to_string(child_)));
+    patience.use(1e-3 * tick, processor_seconds());
   }
 }
 

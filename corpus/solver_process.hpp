@@ -4,6 +4,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -50,11 +51,13 @@ class SolverProcess {
   template <class Message>
   [[nodiscard]] Message receive();
   void wait_for_message();
+  void require_memory(std::uint64_t bytes) const;
   [[nodiscard]] double processor_seconds() const;
   [[noreturn]] void throw_death();
   [[nodiscard]] std::string said();
 
   SolverLimits limits_;
+  std::uint64_t asked_ = 0, peak_at_start_ = 0;
   pid_t child_ = -1;
   Descriptor ended_;     ///< readable once the process has ended
   Descriptor socket_;    ///< requests and replies

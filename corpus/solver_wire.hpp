@@ -29,6 +29,7 @@ struct Text {
 /// The first message, from the host: whether the library could be loaded.
 struct Hello {
   bool loaded = false;
+  std::uint64_t peak_bytes = 0;  ///< before the library was loaded: what exec handed on of plumb's own is among it
   Text<64> field;
   Text<1024> reason;
 };
@@ -36,7 +37,8 @@ struct Hello {
 struct Request {
   enum class Kind : std::uint8_t { solve, solve_warm, measure_memory };
   Kind kind = Kind::solve;
-  int processor = 0;  ///< where plumb waits for the reply (one_processor.hpp)
+  std::uint64_t number = 0;  ///< from 1
+  int processor = 0;         ///< where plumb waits for the reply (one_processor.hpp)
   plumb_pair pair{};
   plumb_contact last{};
 };
@@ -44,11 +46,13 @@ struct Request {
 struct Reply {
   enum class Kind : std::uint8_t { answered, refused, threw, measured };
   Kind kind = Kind::answered;
+  std::uint64_t number = 0;  ///< of the request that it answers
   plumb_contact contact{};
   double nanoseconds = 0;        ///< of the call alone
   std::uint64_t heap_bytes = 0;  ///< in use, by glibc's allocator
   std::uint64_t resident_bytes = 0;
-  Text<256> what;  ///< of what it threw
+  std::uint64_t peak_bytes = 0;  ///< resident at most, so far
+  Text<256> what;                ///< of what it threw
 };
 
 }  // namespace plumb::wire

@@ -66,6 +66,48 @@ TEST_F(Foreign, WhateverEndsItsProcessIsACrashThatSaysHow) {
                  "that it answers through");
 }
 
+TEST_F(Foreign, OneThatComesBackTwiceIsHeardOnce) {
+  std::string cases;
+  for (const char* x : {"1.1", "1.2", "1.3", "1.4", "1.5", "1.6", "1.7", "1.8"})
+    cases += sample_with("[1.5, 0, 0]", "[" + std::string(x) + ", 0, 0]") + "\n";
+  (void)file("c.jsonl", cases);
+  const auto overlaps = [&](const std::string& how) {
+    behave(how);
+    Json out = Json::array();
+    for (const Json& answer : lines_of(plumb("solve c.jsonl --json --solver " + kLibrary).out))
+      out.push_back(answer.value("overlap", Json()));
+    return out;
+  };
+  const Json once = overlaps("spheres");
+  ASSERT_EQ(once.size(), 8U);
+  EXPECT_TRUE(once[0].is_number());
+  EXPECT_EQ(overlaps("fork"), once);
+}
+
+TEST_F(Foreign, AnAnswerToAnotherPairIsNone) {
+  expect_crashes("forge", "sent an answer that is none to this pair");
+}
+
+TEST_F(Foreign, OneThatTakesTooMuchMemoryIsEnded) {
+  EXPECT_EQ(campaign("hog", 2, "--out out --solver-memory 0.1").code, 1);
+  EXPECT_EQ(found("crash"), 2);
+  EXPECT_EQ(kept_detail("crash"), "took more than 0.1 GiB of memory");
+  EXPECT_EQ(campaign("hog_slowly", 24, "--out out --threads 1 --solver-memory 0.1").code, 1);
+  EXPECT_GT(found("crash"), 0);  // 24 times 8 MiB at least
+  EXPECT_EQ(kept_detail("crash"),
+            "took more than 0.1 GiB of memory; but answers where this is the first pair that it is asked");
+}
+
+TEST_F(Foreign, ItsSignalsDoNotReachPlumb) {
+  (void)campaign("spheres", 4);
+  const Json findings = of_solver().at("findings");
+  for (const char* how : {"kill_caller", "terminate_caller", "kill_all"}) {
+    EXPECT_EQ(campaign(how, 4).code, 1) << how;
+    EXPECT_EQ(of_solver().at("findings"), findings) << how;
+  }
+  expect_crashes("kill_group", "ended by signal 9 (Killed)");
+}
+
 TEST_F(Foreign, ACrashCostsNoOtherPairItsAnswer) {
   EXPECT_EQ(campaign("", 24).code, 1);
   EXPECT_EQ(found("nonconverged"), 24);
@@ -203,6 +245,7 @@ TEST_F(Foreign, WhatCannotBeLoadedIsRefused) {
                      "foreign_mute.so: plumb_solver_solve: not exported by the library (see solver/plumb_solver.h)");
   EXPECT_EQ(plumb(campaign + file("no.so", "no library") + " 2>/dev/null").code, 2);
   EXPECT_EQ(plumb(campaign + kLibrary + " --solver-limit nan 2>/dev/null").code, 2);
+  EXPECT_EQ(plumb(campaign + kLibrary + " --solver-memory 0 2>/dev/null").code, 2);
   behave("hang_at_once");
   expect_refusal(campaign + kLibrary + " --solver-limit 0.02",
                  kLibrary + ": cannot be loaded: no answer after 0.02 s of processor time");

@@ -1,6 +1,6 @@
 # The campaign as a library, and the programs that the tests of the command line start.
 target_link_libraries(test_fuzz PRIVATE plumb_targets fmt::fmt)
-add_dependencies(test_fuzz plumb plumb-campaign plumb-merge plumb-families plumb-fuzz-run plumb-methods plumb-shrink plumb-replay
+add_dependencies(test_fuzz plumb plumb-solve plumb-campaign plumb-merge plumb-families plumb-fuzz-run plumb-ladder plumb-methods plumb-shrink plumb-replay
                  replay-pair replay-case replay-path replay-scene replay-files plumb-path
                  foreign_sphere peers)
 

@@ -1,8 +1,10 @@
 // A foreign solver that does what the environment variable PLUMB_MISBEHAVIOUR says; refuses every pair otherwise.
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +13,9 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+#include "corpus/solver_wire.hpp"
 
 // A solver that is right, for spheres.
 #define plumb_solver_version spheres_version
@@ -97,6 +102,43 @@ int shut_the_door() {
   return 1;
 }
 
+/// Comes back in two processes.
+int come_back_twice(const plumb_pair& pair, plumb_contact* contact) {
+  (void)fork();
+  return solve_spheres(&pair, contact);
+}
+
+/// Another answer, before the one that it returns, through every socket that it finds.
+int forge(const plumb_pair& pair, plumb_contact* contact) {
+  const plumb::wire::Reply forged;
+  for (int number = 3; number < 64; ++number) (void)send(number, &forged, sizeof forged, MSG_NOSIGNAL | MSG_DONTWAIT);
+  return solve_spheres(&pair, contact);
+}
+
+/// Half a gigabyte, and then no answer.
+int take_all_memory() {
+  std::vector<std::vector<char>> taken;
+  for (int i = 0; i < 512; ++i) taken.emplace_back(1 << 20, 'x');
+  return hang();
+}
+
+/// As much again with each call.
+int take_more_memory(const plumb_pair& pair, plumb_contact* contact) {
+  static std::vector<std::vector<char>> taken;
+  taken.emplace_back(1 << 23, 'x');
+  return solve_spheres(&pair, contact);
+}
+
+int kill_the_caller(int signal, const plumb_pair& pair, plumb_contact* contact) {
+  (void)kill(getppid(), signal);
+  return solve_spheres(&pair, contact);
+}
+
+/// Signal 0 asks for the permission alone.
+int reach_everybody(const plumb_pair& pair, plumb_contact* contact) {
+  return kill(-1, 0) == 0 || errno != EPERM ? crash() : solve_spheres(&pair, contact);
+}
+
 int misbehave(std::string_view how, const plumb_pair& pair, plumb_contact* contact) {
   const bool to_the_right = pair.bodies[1].position[0] > pair.bodies[0].position[0];
   const std::pair<std::string_view, std::function<int()>> ways[] = {
@@ -118,6 +160,15 @@ int misbehave(std::string_view how, const plumb_pair& pair, plumb_contact* conta
       {"leak_pages", leak_pages},
       {"cache", cache},
       {"print", print},
+      {"spheres", [&] { return solve_spheres(&pair, contact); }},
+      {"fork", [&] { return come_back_twice(pair, contact); }},
+      {"forge", [&] { return forge(pair, contact); }},
+      {"hog", take_all_memory},
+      {"hog_slowly", [&] { return take_more_memory(pair, contact); }},
+      {"kill_caller", [&] { return kill_the_caller(SIGKILL, pair, contact); }},
+      {"terminate_caller", [&] { return kill_the_caller(SIGTERM, pair, contact); }},
+      {"kill_group", [] { return kill(0, SIGKILL); }},
+      {"kill_all", [&] { return reach_everybody(pair, contact); }},
   };
   for (const auto& [name, way] : ways)
     if (name == how) return way();
