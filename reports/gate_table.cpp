@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
 #include "corpus/case.hpp"
 #include "corpus/number_text.hpp"
+#include "corpus/text_input.hpp"
 #include "corpus/words.hpp"
 #include "reports/gate_cases.hpp"
 #include "solver/method/methods.hpp"
@@ -180,12 +179,10 @@ const GateRow* GateTable::find(const std::string& family, const std::string& met
 }
 
 GateTable read_gate_table(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) fail_with(file.string(), errno);
+  TextInput in(file.string());
   GateTable table;
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    Words words(line, file.string(), ++number);
+  for (std::string line; in.next_line(line);) {
+    Words words(line, file.string(), in.line());
     read_line(words, table);
   }
   for (const std::string& family : gate_families(table))

@@ -78,7 +78,7 @@ TEST_F(BrokenCampaigns, TheProvenanceOfARealCaseIsAnything) {
   Case real = CaseReader(kept().string()).next().value();
   std::vector<Case> cases;
   each_broken(generate("hard", 1, 2).provenance, [&](const std::string& text) {
-    if (text.size() > 10000 || !Json::accept(text)) return;
+    if (text.size() > 2000 || !Json::accept(text)) return;
     real.provenance = Json::parse(text);
     if (!real.provenance.is_object()) return;
     real.provenance.update({{"family", "real"}, {"index", cases.size()}});
