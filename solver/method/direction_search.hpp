@@ -5,7 +5,7 @@
 //
 // Half      the bodies are their own mirror images through their centres, so that o(-n) = o(n) + 2 n.c: the lowest common normal
 //           has n.c >= 0, and only such directions are looked at (c from body 1's centre to body 2's)
-// Cells     a quadtree on the faces of a cube of directions, level by level
+// Cells     a quadtree on the faces of a cube of directions, level by level (direction_cells.hpp)
 // Excluded  where a witness (lowest.hpp) says so at a cell's four corners, or a mixture of several does (witness_game.hpp)
 // Turned    where o changes as directions turn about an axis of revolution (turn_slope.hpp): a common normal has no such slope
 // Explained in a square about a known common normal n on which s is convex, for f is curved by more than the level there
@@ -21,19 +21,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
+#include "solver/method/direction_cells.hpp"
 #include "solver/method/lowest.hpp"
 #include "solver/method/turn_slope.hpp"
 #include "solver/method/witness_game.hpp"
 
 namespace plumb {
 
-template <class S, class Form, class Answer>
+/// `limit`: of evaluations, as for Lowest.
+template <class S, class Form, class Answer, int limit = last_limit>
 class DirectionSearch {
  public:
-  DirectionSearch(const Form& form, const S& size, const Answer& first, int limit,
-                  const std::optional<TurnSlope<S>>& turn)
+  DirectionSearch(const Form& form, const S& size, const Answer& first, const std::optional<TurnSlope<S>>& turn)
       : form_(form), found_(form, size, first, limit), turn_(turn) {
     const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
     forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
@@ -42,8 +42,7 @@ class DirectionSearch {
   /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
   [[nodiscard]] Answer lowest() {
     if (const Answer first = found_.best(); found_.is_found()) take(first);
-    for (int face = 0; face < faces; ++face) push({0, 0, static_cast<std::int8_t>(face), 0, -1});
-    while (!is_complete() && found_.may_go_on()) look_at(queue_[static_cast<std::size_t>(looked_at_++)]);
+    while (!is_complete() && found_.may_go_on()) look_at_next();
     found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
   }
@@ -53,13 +52,15 @@ class DirectionSearch {
   using Found = Lowest<S, Form, Answer>;
   using Game = WitnessGame<S>;
   using Corners = typename Game::Corners;
+  using Cell = DirectionCell<S>;
+  static_assert(std::is_same_v<Corners, std::array<Vector3<S>, Cell::parts>>);
 
-  static constexpr int faces = 6;
-  static constexpr int deepest = std::min(26, std::numeric_limits<S>::digits - 2);  // 2^-26 of a face
+  static constexpr int deepest = std::min(Cell::deepest, std::numeric_limits<S>::digits - 2);  // 2^-26 of a face
   static constexpr int first_game = 3;               // of wider cells no mixture says more than one witness
   static constexpr int first_groove = 8;             // narrower cells are cut more than once
   static constexpr int few_cuts = 3, most_cuts = 8;  // evaluations in a cell, in one that can't be divided
   static constexpr int last_witnesses = 6;           // more save evaluations, and no time
+  static constexpr std::size_t kept_witnesses = 8;   // a power of two
   static constexpr int solve_each = 3;               // levels between two local solves
   static constexpr int most_known = 16;
   static constexpr int most_fruitless = 4;    // solves in a row that find what is known
@@ -67,17 +68,7 @@ class DirectionSearch {
   static constexpr double known_reach = 4;    // half edges of a cell
   static constexpr int first_insisting = 4;   // level: of wider cells a start may be far from the minimum
   static constexpr int last_insisting = 700;  // a descent below
-  static constexpr int most_seen = last_limit + most_cuts, longest_queue = faces + 4 * most_seen;
   static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Game::most_witnesses));
-
-  /// Small, for there may be thousands.
-  struct Cell {
-    std::int32_t u, v;  ///< the middle, in half edges of the cell
-    std::int8_t face, level;
-    std::int16_t witness;  ///< of the cell above; -1 for a face
-
-    [[nodiscard]] S half() const { return S(1) / static_cast<S>(1 << level); }
-  };
 
   struct Known {
     Vector3<S> normal;
@@ -85,33 +76,26 @@ class DirectionSearch {
     bool is_measured = false;
   };
 
-  [[nodiscard]] bool is_complete() const { return looked_at_ == pushed_ || found_.is_settled(); }
-
-  /// So many half edges off the middle.
-  [[nodiscard]] static Vector3<S> at(const Cell& cell, int off_u, int off_v) {
-    const S w = cell.face % 2 == 0 ? S(1) : S(-1), u = S(cell.u + off_u) * cell.half(),
-            v = S(cell.v + off_v) * cell.half();
-    if (cell.face < 2) return {w, u, v};
-    return cell.face < 4 ? Vector3<S>{v, w, u} : Vector3<S>{u, v, w};
+  [[nodiscard]] bool is_complete() const {
+    return (next_face_ == Cell::faces && waiting_.is_empty()) || found_.is_settled();
   }
 
-  [[nodiscard]] static Vector3<S> unit(const Vector3<S>& v) { return v * (S(1) / length(v)); }
-
-  [[nodiscard]] static Corners corners_of(const Cell& c) {
-    return {unit(at(c, -1, -1)), unit(at(c, 1, -1)), unit(at(c, -1, 1)), unit(at(c, 1, 1))};
+  void look_at_next() {
+    if (next_face_ < Cell::faces) return look_at({0, 0, next_face_++, 0}, nullptr);
+    const Cell cell = waiting_.next();
+    look_at(cell, &waiting_.witness());
   }
 
-  void push(const Cell& cell) { queue_[static_cast<std::size_t>(pushed_++)] = cell; }
-
-  void look_at(const Cell& cell) {
-    const Corners corners = corners_of(cell);
-    if (is_mirrored(corners) || is_excluded(corners, cell.witness) || is_explained(corners)) return;
+  /// `above`: a witness of the cell above, none for a face.
+  void look_at(const Cell& cell, const Vector3<S>* above) {
+    const Corners corners = cell.corners();
+    if (is_mirrored(corners) || is_excluded(corners, above) || is_explained(corners)) return;
     if (turn_ && turn_->has_one_sign(corners)) return;
-    if (becomes_excluded(cell, corners) || is_explained(corners)) return;
-    const Vector3<S> middle = at(cell, 0, 0);
+    if (becomes_excluded(cell, corners, above) || is_explained(corners)) return;
+    const Vector3<S> middle = cell.middle();
     const bool is_due = cell.level > 0 && cell.level % solve_each == 0 && fruitless_ < most_fruitless;
     if (is_due && !is_known_near(cell, middle)) explore_from(middle);
-    if (cell.level < deepest) return divide(cell);
+    if (cell.level < deepest) return waiting_.push(cell, last_seen(0));
     solve_from(middle, Tries::several);
     is_too_deep_ = is_too_deep_ || !is_explained(corners);
   }
@@ -126,21 +110,22 @@ class DirectionSearch {
   }
 
   /// By what was seen of the cell above, or by one of the last.
-  [[nodiscard]] bool is_excluded(const Corners& corners, int above) const {
-    if (above >= 0 && is_excluded(corners, seen_[static_cast<std::size_t>(above)])) return true;
-    for (int k = seen_count_; k-- > first_of_last();)
-      if (is_excluded(corners, seen_[static_cast<std::size_t>(k)])) return true;
+  [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>* above) const {
+    if (above != nullptr && is_excluded(corners, *above)) return true;
+    for (int back = 0; back < std::min(seen_count_, last_witnesses); ++back)
+      if (is_excluded(corners, last_seen(back))) return true;
     return false;
   }
 
-  [[nodiscard]] int first_of_last() const { return std::max(0, seen_count_ - last_witnesses); }
+  /// So many witnesses before the last one, last_witnesses at most.
+  [[nodiscard]] const Vector3<S>& last_seen(int back) const { return seen_[place_of(seen_count_ - 1 - back)]; }
+  [[nodiscard]] static std::size_t place_of(int seen) { return static_cast<std::size_t>(seen) % kept_witnesses; }
 
   /// Sees more of the cell; whether nothing in it is lower. Ends as well where o is lower than that of any common normal
   /// known, and where what the witnesses do not exclude is between the corners alone, which dividing brings closer.
-  [[nodiscard]] bool becomes_excluded(const Cell& cell, const Corners& corners) {
-    const Vector3<S> middle = at(cell, 0, 0);
-    if (cell.level < first_game) return !see(middle, cell.level) && is_excluded(corners, seen_[last_seen()]);
-    Game game = witnesses_for(cell);
+  [[nodiscard]] bool becomes_excluded(const Cell& cell, const Corners& corners, const Vector3<S>* above) {
+    if (cell.level < first_game) return !see(cell.middle(), cell.level) && is_excluded(corners, last_seen(0));
+    Game game = witnesses_with(*above);
     const int cuts = cell.level < first_groove ? 1 : cell.level < deepest ? few_cuts : most_cuts;
     for (int cut = 0; cut <= cuts; ++cut) {
       const auto [mixture, place] = game.play(corners, found_.excluded_height());
@@ -148,39 +133,30 @@ class DirectionSearch {
       const bool is_enough = cut == cuts || !found_.may_go_on();
       if (is_enough || (cut > 0 && game.reaches(found_.excluded_height(), place))) return false;
       if (see(place, cell.level)) return false;
-      if (is_excluded(corners, seen_[last_seen()])) return true;
-      game.add(seen_[last_seen()]);
+      if (is_excluded(corners, last_seen(0))) return true;
+      game.add(last_seen(0));
     }
     return false;
   }
 
-  [[nodiscard]] Game witnesses_for(const Cell& cell) const {
+  [[nodiscard]] Game witnesses_with(const Vector3<S>& above) const {
     Game out;
-    out.add(seen_[static_cast<std::size_t>(cell.witness)]);
+    out.add(above);
     if (found_.is_found()) out.add(found_.witness(found_.best()));
-    for (int k = seen_count_; k-- > first_of_last();) out.add(seen_[static_cast<std::size_t>(k)]);
+    for (int back = 0; back < std::min(seen_count_, last_witnesses); ++back) out.add(last_seen(back));
     return out;
   }
-
-  [[nodiscard]] std::size_t last_seen() const { return static_cast<std::size_t>(seen_count_ - 1); }
 
   /// Evaluates o along v; whether it is lower than that of any common normal known. Solves from there then, unless that was in
   /// vain a short while ago.
   bool see(const Vector3<S>& v, int level) {
     const Vector3<S> g = found_.farthest(v);
-    seen_[static_cast<std::size_t>(seen_count_++)] = found_.witness(v, g);
+    seen_[place_of(seen_count_++)] = found_.witness(v, g);
     if (!found_.sees_lower(v, g)) return false;
     if (level < next_solve_) return true;
     const bool is_worth_more = level >= first_insisting && found_.best().evaluations < last_insisting;
     next_solve_ = solve_from(v, is_worth_more ? Tries::several : Tries::one) ? 0 : level + patience;
     return true;
-  }
-
-  void divide(const Cell& c) {
-    const auto level = static_cast<std::int8_t>(c.level + 1);
-    const auto witness = static_cast<std::int16_t>(seen_count_ - 1);
-    for (const int u : {-1, 1})
-      for (const int v : {-1, 1}) push({2 * c.u + u, 2 * c.v + v, c.face, level, witness});
   }
 
   [[nodiscard]] bool is_explained(const Corners& corners) {
@@ -211,7 +187,7 @@ class DirectionSearch {
 
   /// A local solve would find that one again.
   [[nodiscard]] bool is_known_near(const Cell& cell, const Vector3<S>& v) const {
-    const Vector3<S> n = unit(v);
+    const Vector3<S> n = v * (S(1) / length(v));
     return std::any_of(known_.begin(), known_.begin() + known_count_,
                        [&](const Known& known) { return largest(known.normal - n) < S(known_reach) * cell.half(); });
   }
@@ -235,9 +211,9 @@ class DirectionSearch {
   Vector3<S> forwards_;
   std::array<Known, most_known> known_;
   int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;
-  std::array<Vector3<S>, most_seen> seen_;  ///< every witness
-  std::array<Cell, longest_queue> queue_;
-  int looked_at_ = 0, pushed_ = 0;
+  std::array<Vector3<S>, kept_witnesses> seen_;  ///< the last; number k has the place k modulo their number
+  DirectionQueue<S, limit> waiting_;             ///< a cell that is divided costs an evaluation or more
+  int next_face_ = 0;
   int next_solve_ = 0;  ///< the level of the next local solve where o is lower
   bool is_too_deep_ = false;
 };

@@ -74,16 +74,16 @@ searched_contact(const Pair& bodies, const EllipsoidPair<S>& pair, const Want& w
   const auto by_heights = [&](const auto& of, const EllipsoidContact<S>& best) {
     using Form = std::decay_t<decltype(of)>;
     if constexpr (std::is_floating_point_v<S>)
-      return EllipsoidSearch<S, Form, EllipsoidContact<S>>(of, best, last_limit, pair).lowest();
+      return search_by<EllipsoidSearch<S, Form, EllipsoidContact<S>>>(of, best, last_limit, pair).lowest;
     else  // of 50 digits cells would be divided too often, and Eigen has no eigenvectors
       return Lowest<S, Form, EllipsoidContact<S>>(of, pair.size, best, 0).answer(false);
   };
   if (const std::optional<BandPair<S>> bands = BandPair<S>::of(placed))
     return lowest_by_latitude(*bands, form, pair.size, found, by_heights);
-  DirectionSearch<S, EllipsoidForm<S>, EllipsoidContact<S>> by_direction(
-      form, pair.size, found, std::is_floating_point_v<S> ? first_limit : last_limit, TurnSlope<S>::of(placed));
-  const EllipsoidContact<S> lowest = by_direction.lowest();
-  return lowest.status == Status::converged ? lowest : by_heights(form, by_direction.best());
+  constexpr int limit = std::is_floating_point_v<S> ? first_limit : last_limit;
+  using ByDirection = DirectionSearch<S, EllipsoidForm<S>, EllipsoidContact<S>, limit>;
+  const auto [lowest, best] = search_by<ByDirection>(form, pair.size, found, TurnSlope<S>::of(placed));
+  return lowest.status == Status::converged ? lowest : by_heights(form, best);
 }
 
 /// `found` where it is surely the lowest, else the cold start's, should it be from a warm one, else the lowest of a search.

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "solver/method/ellipsoids.hpp"
 #include "solver/method/lowest.hpp"
@@ -33,16 +34,18 @@ class EllipsoidSearch {
 
   [[nodiscard]] Answer lowest() {
     push(whole());
-    while (!is_complete() && found_.may_go_on()) look_at(pop());
+    while (!is_complete() && found_.may_go_on()) look_at(pop().ends);
     found_.solve_lower();
     return found_.answer(is_complete());
   }
+  [[nodiscard]] const Answer& best() const { return found_.best(); }
 
  private:
   using Found = Lowest<S, Form, Answer>;
 
-  static constexpr std::size_t most_cells = last_limit + 2;  // each that is looked at becomes two
-  static constexpr double least_share = 0.25;                // of a cell's width on either side of a cut
+  // Each that is looked at becomes two, by one more height.
+  static constexpr std::size_t most_cells = last_limit + 2, most_heights = last_limit + 4;
+  static constexpr double least_share = 0.25;  // of a cell's width on either side of a cut
 
   /// Of one body's heights.
   struct Range {
@@ -58,35 +61,69 @@ class EllipsoidSearch {
     }
   };
 
-  struct Cell {
+  struct Rectangle {
     Range of1, of2;
-    S bound{};
-    Vector3<S> n{};  ///< a direction along which the bound would be reached
-    Touch<S> there{};
+  };
+
+  /// Where heights_ has the ends of a rectangle.
+  using Place = std::uint16_t;
+  struct Ends {
+    Place low1, high1, low2, high2;
+  };
+
+  /// Small, for there may be many and they are on the stack: the rest is computed again where a cell is looked at.
+  struct Cell {
+    S bound;
+    Ends ends;
+  };
+
+  /// A direction along which a bound would be reached.
+  struct Seen {
+    Vector3<S> n;
+    Touch<S> there;
+    S height1, height2;
   };
 
   [[nodiscard]] bool is_complete() const {
     return count_ == 0 || found_.is_settled() || cells_[0].bound >= found_.excluded_level();
   }
 
-  [[nodiscard]] Cell whole() const {
+  [[nodiscard]] Ends whole() {
     using std::max;
     using std::min;
     const Vector3<Both<S>>& a = pair_.semi_axes;
     const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
-    return {{first<S>(least), first<S>(longest)}, {second<S>(least), second<S>(longest)}};
+    return {add(first<S>(least)), add(first<S>(longest)), add(second<S>(least)), add(second<S>(longest))};
+  }
+
+  [[nodiscard]] Place add(const S& height) {
+    heights_[height_count_] = height;
+    return static_cast<Place>(height_count_++);
+  }
+
+  [[nodiscard]] Rectangle rectangle(const Ends& ends) const {
+    return {{heights_[ends.low1], heights_[ends.high1]}, {heights_[ends.low2], heights_[ends.high2]}};
+  }
+
+  [[nodiscard]] Seen see(const Rectangle& cell) const {
+    Seen out;
+    const SphereMinimum<S> least(sum(pair_.square * both<S>(cell.of1.slope(), cell.of2.slope())), pair_.c * S(0.5));
+    out.n = least.direction();
+    out.there = touch(pair_, out.n);  // the square of a needle's map has lost the digits of its short axes
+    out.height1 = first<S>(out.there.h);
+    out.height2 = second<S>(out.there.h);
+    return out;
   }
 
   [[nodiscard]] static bool is_higher(const Cell& a, const Cell& b) { return a.bound > b.bound; }
 
-  void push(Cell cell) {
-    const SphereMinimum<S> least(sum(pair_.square * both<S>(cell.of1.slope(), cell.of2.slope())), pair_.c * S(0.5));
-    cell.n = least.direction();
-    cell.there = touch(pair_, cell.n);  // the square of a needle's map has lost the digits of its short axes
-    const S height1 = first<S>(cell.there.h), height2 = second<S>(cell.there.h);
-    cell.bound = sum<S>(cell.there.h) - dot(cell.n, pair_.c) - cell.of1.loss(height1) - cell.of2.loss(height2);
-    if (cell.bound >= found_.excluded_level()) return;
-    cells_[count_++] = cell;
+  void push(const Ends& ends) {
+    const Rectangle cell = rectangle(ends);
+    const Seen seen = see(cell);
+    const S bound =
+        sum<S>(seen.there.h) - dot(seen.n, pair_.c) - cell.of1.loss(seen.height1) - cell.of2.loss(seen.height2);
+    if (bound >= found_.excluded_level()) return;
+    cells_[count_++] = {bound, ends};
     std::push_heap(cells_.begin(), end(), is_higher);
   }
 
@@ -97,15 +134,16 @@ class EllipsoidSearch {
 
   [[nodiscard]] auto end() { return cells_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
-  void look_at(const Cell& cell) {
+  void look_at(const Ends& ends) {
+    const Rectangle cell = rectangle(ends);
+    const auto [n, there, height1, height2] = see(cell);
     found_.count();
-    if (found_.sees_lower(cell.n, sum(cell.there.p) - pair_.c)) found_.solve_from(cell.n, Tries::several);
-    Cell low = cell, high = cell;
-    const S height1 = first<S>(cell.there.h), height2 = second<S>(cell.there.h);
+    if (found_.sees_lower(n, sum(there.p) - pair_.c)) found_.solve_from(n, Tries::several);
+    Ends low = ends, high = ends;
     if (cell.of1.loss(height1) > cell.of2.loss(height2))
-      low.of1.high = high.of1.low = cell.of1.cut(height1);
+      low.high1 = high.low1 = add(cell.of1.cut(height1));
     else
-      low.of2.high = high.of2.low = cell.of2.cut(height2);
+      low.high2 = high.low2 = add(cell.of2.cut(height2));
     push(low);
     push(high);
   }
@@ -113,7 +151,8 @@ class EllipsoidSearch {
   const EllipsoidPair<S>& pair_;
   Found found_;
   std::array<Cell, most_cells> cells_;
-  std::size_t count_ = 0;
+  std::array<S, most_heights> heights_;
+  std::size_t count_ = 0, height_count_ = 0;
 };
 
 }  // namespace plumb

@@ -28,16 +28,30 @@ struct HeldForm {
   }
 };
 
+template <class Answer>
+struct Searched {
+  Answer lowest;  ///< as the search vouches for it
+  Answer best;    ///< what another search goes on from
+};
+
+/// What a search finds. Not inlined: its cells are on the stack where there is a search, and gone before the next one.
+template <class Search, class... Arguments>
+[[nodiscard, gnu::noinline]] auto search_by(const Arguments&... arguments) {
+  Search search(arguments...);
+  const auto lowest = search.lowest();
+  return Searched<std::decay_t<decltype(lowest)>>{lowest, search.best()};
+}
+
 /// The lowest common normal from `first` on, over latitudes; where they do not tell, what `last(form, best)` says.
 /// `Form`: lowest.hpp. `size`: what the rounding of o is relative to.
 template <class S, class Form, class Answer, class Last>
 [[nodiscard]] Answer lowest_by_latitude(const BandPair<S>& bands, const Form& form, const S& size, const Answer& first,
                                         const Last& last) {
   const auto search = [&](const auto& of) {
-    MeridianSearch<S, std::decay_t<decltype(of)>, Answer> by_latitude(
-        of, size, first, bands.is_coaxial() ? last_limit : first_limit, bands);
-    const Answer found = by_latitude.lowest();
-    return found.status == Status::converged || bands.is_coaxial() ? found : last(of, by_latitude.best());
+    using ByLatitude = MeridianSearch<S, std::decay_t<decltype(of)>, Answer>;
+    const auto [lowest, best] =
+        search_by<ByLatitude>(of, size, first, bands.is_coaxial() ? last_limit : first_limit, bands);
+    return lowest.status == Status::converged || bands.is_coaxial() ? lowest : last(of, best);
   };
   const std::optional<Vector3<S>> ring = bands.ring_axis();
   return ring ? search(HeldForm<S, Form, Answer>{form, form.held(*ring)}) : search(form);

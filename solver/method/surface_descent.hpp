@@ -220,9 +220,8 @@ template <class S>
   const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
   const SurfaceForm<S> form{solver};
   const auto by_direction = [&](const SurfaceContact<S>& first) {
-    return DirectionSearch<S, SurfaceForm<S>, SurfaceContact<S>>(form, pair.reach, first, last_limit,
-                                                                 TurnSlope<S>::of(placed))
-        .lowest();
+    using ByDirection = DirectionSearch<S, SurfaceForm<S>, SurfaceContact<S>>;
+    return search_by<ByDirection>(form, pair.reach, first, TurnSlope<S>::of(placed)).lowest;
   };
   const auto then_by_direction = [&](const auto& /*of*/, const SurfaceContact<S>& best) { return by_direction(best); };
   if (const std::optional<BandPair<S>> bands = BandPair<S>::of(placed))

@@ -80,7 +80,7 @@ TEST(Automatic, EachSearchFindsTheLowestFromAnyOther) {
     using Form = EllipsoidForm<double>;
     using Answer = EllipsoidContact<double>;
     const Answer by_direction =
-        DirectionSearch<double, Form, Answer>(form, ellipsoids.size, first, last_limit, std::nullopt).lowest();
+        DirectionSearch<double, Form, Answer>(form, ellipsoids.size, first, std::nullopt).lowest();
     const Answer by_heights = EllipsoidSearch<double, Form, Answer>(form, first, last_limit, ellipsoids).lowest();
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
     for (const Answer& found : {by_direction, by_heights}) {
