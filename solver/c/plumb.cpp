@@ -135,7 +135,7 @@ BodyArrays body_part(const plumb_body_arrays& body, std::size_t begin, std::size
 
 /// Status and Verdict are written here first: to C they are int.
 struct Codes {
-  static constexpr std::size_t length = 512;
+  static constexpr std::size_t length = 128;
   std::array<Status, length> status;
   std::array<Verdict, length> verdict;
 
