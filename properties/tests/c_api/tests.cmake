@@ -3,3 +3,8 @@ target_link_libraries(test_c_api PRIVATE plumb_c plumb_certify)
 target_sources(test_c_api PRIVATE ${folder}/header.c)
 set_source_files_properties(${folder}/header.c PROPERTIES COMPILE_OPTIONS "-std=c99" SKIP_UNITY_BUILD_INCLUSION ON)
 target_compile_definitions(test_c_api PRIVATE PLUMB_C_LIBRARY="$<TARGET_FILE:plumb_c>" PLUMB_CERTIFY_LIBRARY="$<TARGET_FILE:plumb_certify>")
+# The builds that the figures of plumb.h for the stack are of.
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$"
+   AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-fsanitize")
+  target_compile_definitions(test_c_api PRIVATE PLUMB_HAS_STACK_FIGURES)
+endif()
