@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/reference/interval_double.hpp"
+#include "solver/reference/meter.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -57,10 +58,6 @@ I curvature_along(const FramedPair<I>& framed, const IVec3<I>& box, int along, c
   return low_end<I>(support_curvature<I>(framed.pair.body1, framed.to_q1 * box, framed.to_q1.col(along)) +
                     support_curvature<I>(framed.pair.body2, framed.to_q2 * box, framed.to_q2.col(along)) +
                     c * square<I>(inwards) / (greatest * square<I>(greatest)) - c * square<I>(framed.longest) / least);
-}
-
-bool lies_in(const Arc& arc, const Valley& valley) {
-  return valley.first <= arc.first && arc.last <= valley.last;
 }
 
 /// From 0 to 4 with the corners among the places, so that every arc is a straight line of chart points.
@@ -130,22 +127,64 @@ std::optional<I> least_in(const FramedPair<I>& framed, const Valley& valley) {
   return low_end<I>(I(at.value - square<I>(slope) / (I(2.0) * curvature * framed.shortest)));
 }
 
+namespace {
+
+/// The highest bound of the valleys that hold an arc, for arcs in their order: of those that have begun one that ends too early
+/// is dropped, for later arcs end later still. n log n, however many lie over one another.
+template <class I>
+class ValleysAlong {
+ public:
+  ValleysAlong(const FramedPair<I>& framed, const std::vector<Valley>& valleys) {
+    for (const Valley& valley : valleys)
+      if (const auto least = least_in<I>(framed, valley); least && std::isfinite(low(*least)))
+        bounded_.push_back({valley.first, valley.last, *least});
+    std::sort(bounded_.begin(), bounded_.end(), [](const Bounded& a, const Bounded& b) { return a.first < b.first; });
+  }
+
+  /// nullptr where none holds it.
+  [[nodiscard]] const I* over(const Arc& arc) {
+    const auto is_worse = [this](std::size_t a, std::size_t b) {
+      count_work(nanoseconds_of_a_comparison);
+      return is_lower<I>(bounded_[a].least, bounded_[b].least);
+    };
+    for (; next_ < bounded_.size() && bounded_[next_].first <= arc.first; ++next_) {
+      begun_.push_back(next_);
+      std::push_heap(begun_.begin(), begun_.end(), is_worse);
+    }
+    while (!begun_.empty() && bounded_[begun_.front()].last < arc.last) {
+      std::pop_heap(begun_.begin(), begun_.end(), is_worse);
+      begun_.pop_back();
+    }
+    return begun_.empty() ? nullptr : &bounded_[begun_.front()].least;
+  }
+
+ private:
+  struct Bounded {
+    double first, last;
+    I least;
+  };
+
+  std::vector<Bounded> bounded_;  ///< by their beginnings
+  std::size_t next_ = 0;
+  std::vector<std::size_t> begun_;  ///< a heap, the highest bound in front
+};
+
+}  // namespace
+
 template <class I>
 MeridianProof<I> verify_meridian(const Pair& pair, const FramedPair<I>& framed, const Meridian& meridian) {
   const auto& [places, witnesses, valleys] = meridian;
   MeridianProof<I> out;
   if (places.size() != witnesses.size() + 1 || !is_half_circle(places)) return out;
   const I infinite(std::numeric_limits<double>::infinity());
-  std::vector<I> depths;
-  for (const Valley& valley : valleys) depths.push_back(least_in<I>(framed, valley).value_or(-infinite));
+  ValleysAlong<I> along(framed, valleys);
   I least = infinite;
   for (std::size_t i = 0; i < witnesses.size(); ++i) {
     const auto apart = points_apart<I>(framed.pair, witnesses[i]);
     if (!apart) return out;
     const Arc arc{places[i], places[i + 1]};
     I bound(least_on<I>(framed, arc, *apart));
-    for (std::size_t k = 0; k < valleys.size(); ++k)
-      if (lies_in(arc, valleys[k]) && is_lower<I>(bound, depths[k])) bound = depths[k];
+    if (const I* valley = along.over(arc); valley != nullptr && is_lower<I>(bound, *valley)) bound = *valley;
     if (is_lower<I>(bound, least)) least = bound;
   }
   out.well_formed = true;
