@@ -38,7 +38,7 @@ class EllipsoidPack {
 
   /// Lanes of coinciding centres get NaN, and are not settled.
   [[nodiscard, gnu::always_inline]] static Vector3<P> start(const EllipsoidPair<P>& pair) {
-    const Vector3<P> n = start_by_centres(pair);
+    const Vector3<P> n = blend(pair.size > far_apart<P>(), pair.c, start_by_centres(pair));
     return cold_start(pair, n * (P(1.0) / largest(n)));
   }
 

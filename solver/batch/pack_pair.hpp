@@ -81,9 +81,11 @@ load_rotation(const PackIndex<P>& index, const PairArrays& pairs, typename P::ma
   return rotation_of<Both<P>>(w * scale, x * scale, y * scale, z * scale);
 }
 
+/// Finite, and so far from the largest double that no answer of usual sizes is infinite.
 template <class P>
-[[nodiscard, gnu::always_inline]] inline auto is_finite(const Vector3<P>& v) {
-  return (v.x - v.x) + (v.y - v.y) + (v.z - v.z) == P(0.0);
+[[nodiscard, gnu::always_inline]] inline auto is_in_reach(const Vector3<P>& v) {
+  const P most(1e300);
+  return abs(v.x) < most && abs(v.y) < most && abs(v.z) < most;
 }
 
 }  // namespace detail
@@ -100,13 +102,14 @@ template <class P>
   const Vector3<Both<P>> finite_axes{axes.x - axes.x, axes.y - axes.y, axes.z - axes.z};
   const Both<P> zero = finite_axes.x + finite_axes.y + finite_axes.z;
   out.valid = detail::is_usual(size) && min(shortest.a, shortest.b) > P(0.0) && zero.a + zero.b == P(0.0) &&
-              detail::is_finite(out.position1) && detail::is_finite(position2);
+              detail::is_in_reach(out.position1) && detail::is_in_reach(position2);
   out.rotation = detail::load_rotation(index, pairs, out.valid);
   out.unit = power_below(size);
   const P factor = one / out.unit, large = min(factor, one), small = max(factor, one);
   out.semi_axes = axes * Both<P>(factor);
   out.size = size * factor;
   out.c = (position2 * large - out.position1 * large) * small;
+  out.valid = out.valid && largest(out.c) < P(1e150);  // beyond it squares overflow
   return out;
 }
 

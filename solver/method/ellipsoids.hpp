@@ -139,11 +139,17 @@ template <class S>
   return adjugate(sum(pair.square)).matrix * pair.c;
 }
 
-/// The same, largest component 1; the line of centres, which is the normal to rounding, for bodies 1e17 sizes apart; the thinnest
-/// direction for centres that coincide, or whose distance has no reciprocal.
+/// Sizes apart from which the line of centres is the normal to rounding.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S far_apart() {
+  return by_precision<S>(1e17, 1e8);
+}
+
+/// The same, largest component 1; the line of centres for bodies far apart; the thinnest direction for centres that coincide, or
+/// whose distance has no reciprocal.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
-  const Vector3<S> n = pair.size > by_precision<S>(1e17, 1e8) ? pair.c : start_by_centres(pair);
+  const Vector3<S> n = pair.size > far_apart<S>() ? pair.c : start_by_centres(pair);
   const S scale = S(1) / largest(n);
   return scale < std::numeric_limits<S>::infinity() ? n * scale : smallest_eigenvector(sum(pair.square));
 }
