@@ -87,6 +87,7 @@ template <class S>
   }
   if ((want.curvature || want.derivatives) && found.status == Status::converged)
     set_second_order<S>(out, found, want, pair);
+  finish<S>(out, want);
   return out;
 }
 

@@ -107,6 +107,31 @@ template <class S>
   return {placed.to_world_length(c.radius1), placed.to_world_length(c.radius2), c.direction1, c.direction2};
 }
 
+/// Whether a contact holds what was asked for: numbers, but for radii of curvature, which may be infinite, and a normal that has
+/// a length.
+template <class S>
+[[nodiscard]] bool is_whole(const Contact<S>& c, const Want& want) {
+  if (want.overlap && !(c.overlap - c.overlap == S(0))) return false;
+  if (want.normal && !(c.normal.allFinite() && c.normal.squaredNorm() > S(0.5))) return false;
+  if (want.points && !(c.point1.allFinite() && c.point2.allFinite() && c.contact_point.allFinite())) return false;
+  for (const PrincipalCurvature<S>& of : c.curvature)
+    if (want.curvature &&
+        !(of.radius1 >= S(0) && of.radius2 >= S(0) && of.direction1.allFinite() && of.direction2.allFinite()))
+      return false;
+  if (!want.derivatives || !c.derivatives) return true;
+  for (const PoseDerivative<S>& by : *c.derivatives)
+    if (!(by.overlap_by_shift.allFinite() && by.overlap_by_turn.allFinite() && by.normal_by_shift.allFinite() &&
+          by.normal_by_turn.allFinite()))
+      return false;
+  return true;
+}
+
+/// The last word on a contact's status: overlaps and points of legal bodies may lie beyond what the scalar holds.
+template <class S>
+void finish(Contact<S>& out, const Want& want) {
+  if (out.status == Status::converged && !is_whole<S>(out, want)) out.status = Status::not_finite;
+}
+
 /// Fills a contact from two points and the normal of the pair's frame; the overlap is n.(x1 - x2).
 template <class S>
 void set_contact(Contact<S>& out, const Want& want, const PlacedPair<S>& placed, const Pair& pair,
@@ -121,6 +146,7 @@ void set_contact(Contact<S>& out, const Want& want, const PlacedPair<S>& placed,
   if (want.curvature && at.x1.allFinite() && at.x2.allFinite())
     out.curvature = {to_world<S>(placed, placed_curvature<S>(placed.body1, at.x1)),
                      to_world<S>(placed, placed_curvature<S>(placed.body2, at.x2))};
+  finish<S>(out, {.curvature = want.curvature});
 }
 
 }  // namespace plumb

@@ -115,11 +115,12 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   const S s1 = distance_to_surface<S>(placed.body1, x, n, 1);
   const S s2 = distance_to_surface<S>(placed.body2, x, n, -1);
   set_contact<S>(out, want, placed, pair, {x + s1 * n, x + s2 * n}, n);
-  // Apart, the line along the normal may miss a body: then the potential still says so.
-  if (!(s1 == s1 && s2 == s2))
-    out.verdict =
-        gauge<S>(placed.body1.shape, placed.body1.to_body(x)) > S(1) ? Verdict::separated : Verdict::undecided;
   out.contact_point = placed.to_world_point(x, pair);
+  const bool misses = !(s1 == s1 && s2 == s2);
+  if (misses && gauge<S>(placed.body1.shape, placed.body1.to_body(x)) > S(1) && out.contact_point.allFinite()) {
+    out.status = result.status;
+    out.verdict = Verdict::separated;
+  }
   return out;
 }
 
