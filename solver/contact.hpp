@@ -62,7 +62,7 @@ struct Want {
   bool points = true;
   bool curvature = false;
   bool derivatives = false;
-  int iteration_limit = 100;  ///< of each local solve: the last resorts of `auto` are several
+  int iteration_limit = 100;  ///< of each local solve: the last resorts of `auto` are several; see Status::stalled
   /// Residual, relative to the pair's size, at which a method may stop; 0 asks for all that rounding allows.
   double tolerance = 0;
 
@@ -75,7 +75,7 @@ struct Want {
 enum class Status {
   converged,        ///< residual <= max(Want::tolerance, the method's rounding floor)
   iteration_limit,  ///< Want::iteration_limit steps were taken and the residual is still larger
-  stalled,          ///< no step along the search direction lowers the residual any more
+  stalled,          ///< no step along the search direction lowers the residual any more, or 100 did by less than 10 %
   singular,         ///< the Jacobian has lost rank, so that there is no search direction
   not_finite,       ///< a NaN or an infinity came up at a point that the method had to use
   invalid_input     ///< a number is not finite, an axis not positive, an exponent not above 1, or a quaternion zero

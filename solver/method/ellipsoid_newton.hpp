@@ -7,6 +7,7 @@
 #pragma once
 
 #include "solver/method/ellipsoid_steps.hpp"
+#include "solver/method/patience.hpp"
 #include "solver/scalar.hpp"
 
 namespace plumb {
@@ -27,7 +28,7 @@ class EllipsoidNewton {
  public:
   /// `axis`: unit, the line about which both bodies are of revolution; zero where there is none.
   EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
-      : pair_(pair), axis_(axis), is_ring_(largest(axis) > S(0)), limit_(want.iteration_limit),
+      : pair_(pair), axis_(axis), is_ring_(largest(axis) > S(0)), patience_(want.iteration_limit),
         is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.size),
         floor_(S(is_ring_ ? newton::ring_multiple : newton::noise_multiple) * epsilon<S>() * pair.size) {}
 
@@ -37,8 +38,10 @@ class EllipsoidNewton {
     out.status = Status::converged;
     while (!is_small_enough(out.at)) {
       if (is_yes_or_no_ && is_apart(out.at)) break;
-      if (!(out.at.error < std::numeric_limits<S>::infinity())) out.status = Status::not_finite;
-      if (out.iterations >= limit_) out.status = Status::iteration_limit;
+      if (!(out.at.error < std::numeric_limits<S>::infinity()))
+        out.status = Status::not_finite;
+      else if (patience_.ends(out.iterations, out.at.error))
+        out.status = patience_.status(out.iterations);
       if (out.status != Status::converged) break;
       ++out.iterations;
       if (descend(out)) break;
@@ -117,7 +120,7 @@ class EllipsoidNewton {
   const EllipsoidPair<S>& pair_;
   const Vector3<S> axis_;
   bool is_ring_;
-  int limit_;
+  Patience<S> patience_;
   bool is_yes_or_no_;
   S asked_, floor_;
 };

@@ -3,6 +3,7 @@
 
 #include "solver/method/common.hpp"
 #include "solver/method/minimum_distance.hpp"
+#include "solver/method/patience.hpp"
 #include "solver/shape/tangent.hpp"
 
 namespace plumb {
@@ -50,14 +51,14 @@ template <class S>
 class MinimumDistance {
  public:
   MinimumDistance(const PlacedPair<S>& pair, const Want& want, const Vec3<S>& start)
-      : pair_(pair), want_(want), here_(evaluate(start)) {}
+      : pair_(pair), want_(want), patience_(want.iteration_limit), here_(evaluate(start)) {}
 
   [[nodiscard]] Status solve() {
     if (!here_.h.allFinite()) leave_the_flat();
     while (true) {
       if (!here_.off.allFinite() || !here_.h.allFinite()) return Status::not_finite;
       if (is_small_enough()) break;
-      if (iterations_ == want_.iteration_limit) return Status::iteration_limit;
+      if (patience_.ends(iterations_, here_.off.norm())) return patience_.status(iterations_);
       ++iterations_;
       if (!descend(most_dampings)) return Status::stalled;
     }
@@ -142,6 +143,7 @@ class MinimumDistance {
 
   const PlacedPair<S>& pair_;
   const Want& want_;
+  Patience<S> patience_;
   int iterations_ = 0, evaluations_ = 0;
   DistanceTerms<S> here_;
 };

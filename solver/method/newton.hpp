@@ -9,6 +9,7 @@
 
 #include "solver/contact.hpp"
 #include "solver/least_squares.hpp"
+#include "solver/method/patience.hpp"
 #include "solver/scalar.hpp"
 
 namespace plumb {
@@ -35,14 +36,15 @@ class Newton {
  public:
   using Unknown = Eigen::Matrix<S, Unknowns, 1>;
 
-  Newton(const System& system, const Want& want) : system_(system), want_(want) {}
+  Newton(const System& system, const Want& want) : system_(system), want_(want), patience_(want.iteration_limit) {}
 
   [[nodiscard]] NewtonResult<S, Unknowns> solve(const Unknown& start) {
     move_to(start, evaluate(start));
     while (true) {
       if (!here_.value.allFinite() || !here_.jacobian.allFinite()) return ended(Status::not_finite);
       if (is_small_enough()) break;
-      if (out_.iterations == want_.iteration_limit) return ended(Status::iteration_limit);
+      if (patience_.ends(out_.iterations, here_.value.cwiseAbs().maxCoeff()))
+        return ended(patience_.status(out_.iterations));
       const Unknown step = newton_step();
       if (!search_along(step, most_backtracks)) return ended(lost_rank_ ? Status::singular : Status::stalled);
     }
@@ -111,6 +113,7 @@ class Newton {
 
   const System& system_;
   const Want& want_;
+  Patience<S> patience_;
   NewtonResult<S, Unknowns> out_;
   Values here_;
   S phi_{};
