@@ -8,3 +8,9 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" 
    AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-fsanitize")
   target_compile_definitions(test_c_api PRIVATE PLUMB_HAS_STACK_FIGURES)
 endif()
+
+# With the library's sources in the program, so that clang's sanitizers, which are the program's, see them.
+add_executable(extreme_calls ${folder}/extreme_calls/extreme_calls.cpp ${PROJECT_SOURCE_DIR}/solver/c/plumb.cpp)
+target_compile_definitions(extreme_calls PRIVATE PLUMB_LIBRARY_VERSION="${PROJECT_VERSION}")
+target_link_libraries(extreme_calls PRIVATE plumb_batch plumb_flags)
+add_test(NAME c_api/extreme_calls COMMAND extreme_calls)
