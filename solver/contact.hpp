@@ -99,7 +99,7 @@ template <class S>
 struct PoseDerivative {
   Vec3<S> overlap_by_shift;  ///< d overlap = . dx
   Vec3<S> overlap_by_turn;   ///< d overlap = . dw, length
-  Mat3<S> normal_by_shift;   ///< d normal = . dx, 1/length
+  Mat3<S> normal_by_shift;   ///< d normal = . dx, 1/length; NaN, as the next, where there is none: on a ring of normals
   Mat3<S> normal_by_turn;    ///< d normal = . dw
 };
 

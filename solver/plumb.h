@@ -94,7 +94,7 @@ typedef struct plumb_details {
   double
       overlap_by_turn[2]
                      [3]; /* d overlap = . dw, the body turned by the rotation vector dw about its position; length */
-  double normal_by_shift[2][3][3]; /* d normal = . dx, 1 / length */
+  double normal_by_shift[2][3][3]; /* d normal = . dx, 1 / length; NaN, as the next, where it has none: on a ring of normals */
   double normal_by_turn[2][3][3];  /* d normal = . dw */
 } plumb_details;
 

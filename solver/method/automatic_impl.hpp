@@ -50,9 +50,14 @@ void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, 
   if (!want.derivatives) return;
   out.derivatives = pose_derivatives<S>(at);
   const S unit = placed.to_world_length(S(1));
+  const auto none_unless_finite = [](Mat3<S>& m) {
+    if (!m.allFinite()) m.setConstant(std::numeric_limits<S>::quiet_NaN());
+  };
   for (PoseDerivative<S>& of_body : *out.derivatives) {
     of_body.overlap_by_turn *= unit;
     of_body.normal_by_shift /= unit;
+    none_unless_finite(of_body.normal_by_shift);
+    none_unless_finite(of_body.normal_by_turn);
   }
 }
 
