@@ -7,7 +7,6 @@
 #pragma once
 
 #include "solver/method/ellipsoid_steps.hpp"
-#include "solver/method/patience.hpp"
 #include "solver/scalar.hpp"
 
 namespace plumb {
@@ -28,7 +27,8 @@ class EllipsoidNewton {
  public:
   /// `axis`: unit, the line about which both bodies are of revolution; zero where there is none.
   EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
-      : pair_(pair), axis_(axis), is_ring_(largest(axis) > S(0)), patience_(want.iteration_limit),
+      : pair_(pair), axis_(axis), is_ring_(largest(axis) > S(0)),
+        limit_(std::min(want.iteration_limit, newton::most_iterations)), stops_early_(limit_ < want.iteration_limit),
         is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.size),
         floor_(S(is_ring_ ? newton::ring_multiple : newton::noise_multiple) * epsilon<S>() * pair.size) {}
 
@@ -40,8 +40,8 @@ class EllipsoidNewton {
       if (is_yes_or_no_ && is_apart(out.at)) break;
       if (!(out.at.error < std::numeric_limits<S>::infinity()))
         out.status = Status::not_finite;
-      else if (patience_.ends(out.iterations, out.at.error))
-        out.status = patience_.status(out.iterations);
+      else if (out.iterations >= limit_)
+        out.status = stops_early_ ? Status::stalled : Status::iteration_limit;
       if (out.status != Status::converged) break;
       ++out.iterations;
       if (descend(out)) break;
@@ -120,7 +120,8 @@ class EllipsoidNewton {
   const EllipsoidPair<S>& pair_;
   const Vector3<S> axis_;
   bool is_ring_;
-  Patience<S> patience_;
+  int limit_;
+  bool stops_early_;
   bool is_yes_or_no_;
   S asked_, floor_;
 };

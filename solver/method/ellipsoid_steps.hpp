@@ -15,6 +15,7 @@ inline constexpr double tie = 0.01;          // of o: the eigenvalue along a rin
 inline constexpr double tie_on_ring = 1e-9;  // the same where the ring is held anyway
 inline constexpr double ring_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
 inline constexpr double surely_apart = 16;   // epsilon, relative: o is below zero whatever its rounding
+inline constexpr int most_iterations = 100;  // what is not at rest by then takes what the search may spend
 inline constexpr int most_settling = 3;
 inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
 
