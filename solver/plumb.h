@@ -94,8 +94,10 @@ typedef struct plumb_details {
   double
       overlap_by_turn[2]
                      [3]; /* d overlap = . dw, the body turned by the rotation vector dw about its position; length */
-  double normal_by_shift[2][3][3]; /* d normal = . dx, 1 / length; NaN, as the next, where it has none: on a ring of normals */
-  double normal_by_turn[2][3][3];  /* d normal = . dw */
+  double
+      normal_by_shift[2][3]
+                     [3]; /* d normal = . dx, 1 / length; NaN, as the next, where it has none: on a ring of normals */
+  double normal_by_turn[2][3][3]; /* d normal = . dw */
 } plumb_details;
 
 /* Bytes of the caller's stack that are enough for plumb_solve and plumb_solve_batch, whatever the pairs and the method, and for
