@@ -1,8 +1,10 @@
 // The C API, plumb.h, but for certificates. Thin: what is solved, and how, is the library's.
 #include "solver/plumb.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -28,8 +30,16 @@ plumb_options options_of(const plumb_options* given) {
 
 constexpr unsigned all_wants = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES;
 
+/// A size that ends within a field is no header's: of a pointer a part would be left.
+bool is_of_a_header(std::size_t size) {
+  constexpr std::array ends{offsetof(plumb_options, method), offsetof(plumb_options, want),
+                            offsetof(plumb_options, iteration_limit), offsetof(plumb_options, tolerance),
+                            offsetof(plumb_options, motion)};
+  return size >= sizeof(plumb_options) || std::find(ends.begin(), ends.end(), size) != ends.end();
+}
+
 bool are_legal(const plumb_options& options) {
-  return options.size >= sizeof options.size && (options.want & ~all_wants) == 0 && options.iteration_limit > 0 &&
+  return is_of_a_header(options.size) && (options.want & ~all_wants) == 0 && options.iteration_limit > 0 &&
          options.tolerance >= 0 && std::isfinite(options.tolerance) && Vec3<double>::Map(options.motion).allFinite();
 }
 
