@@ -10,7 +10,8 @@
 // Both are solved with the gauge's gradient g, which is parallel to the potential's, so that powers of large numbers do not
 // come in; G1 = G2 is asked for as log (1 + G1) = log (1 + G2).
 //
-// Apart, midway's line may miss a body: the potential still says so, and overlap and points are NaN in an answer that converged.
+// Midway's line may miss a body, mostly of bodies apart, of which the potential still tells: overlap and points are NaN then in an
+// answer that converged.
 //
 // What they do not promise: neither normal is a common normal. The first stays 11-39 degrees off as the overlap goes to
 // zero (spheroids of aspect 1.5-3), the second's deviation vanishes linearly with the overlap.

@@ -117,9 +117,10 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   set_contact<S>(out, want, placed, pair, {x + s1 * n, x + s2 * n}, n);
   out.contact_point = placed.to_world_point(x, pair);
   const bool misses = !(s1 == s1 && s2 == s2);
-  if (misses && gauge<S>(placed.body1.shape, placed.body1.to_body(x)) > S(1) && out.contact_point.allFinite()) {
+  if (misses && is_whole<S>(out, {.overlap = false, .points = false}) && out.contact_point.allFinite()) {
     out.status = result.status;
-    out.verdict = Verdict::separated;
+    out.verdict =
+        gauge<S>(placed.body1.shape, placed.body1.to_body(x)) > S(1) ? Verdict::separated : Verdict::undecided;
   }
   return out;
 }

@@ -12,9 +12,9 @@ bool has_points(const Contact<double>& c) {
   return c.point1.allFinite() && c.point2.allFinite() && c.contact_point.allFinite();
 }
 
-/// Apart, the line of `geometric_potential_midway` may miss a body (geometric_potential.hpp).
+/// The line of `geometric_potential_midway` may miss a body (geometric_potential.hpp).
 bool may_miss_a_body(const Method& method, const Contact<double>& c) {
-  return method.problem == Problem::midway && c.verdict == Verdict::separated && std::isnan(c.overlap);
+  return method.problem == Problem::midway && c.verdict != Verdict::overlapping && std::isnan(c.overlap);
 }
 
 Want any_tolerance(Extremes& draw) {
