@@ -5,6 +5,7 @@
 
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -31,10 +32,12 @@ double angle_deg(const Vec3<double>& a, const Vec3<double>& b) {
 }
 
 ContactNormals normals_at(const Pair& pair, const Vec3<double>& point1, const Vec3<double>& point2) {
+  const StandardArithmetic mode;
   return {normal_at(pair.body1, point1).cast<double>(), normal_at(pair.body2, point2).cast<double>()};
 }
 
 Diagnosis diagnose(const Pair& pair, const Vec3<double>& point1, const Vec3<double>& point2, int overlap_sign) {
+  const StandardArithmetic mode;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Diagnosis out{{nan, nan, nan, nan, nan}, nan, nan, nan};
   if (!point1.allFinite() || !point2.allFinite()) return out;

@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// While it lives the thread rounds to nearest, keeps subnormal numbers, traps nothing and has the x87's full precision; the
-/// host's mode and flags are put back at its end. What is computed under it has to go through memory that others see, as
+/// host's mode is put back at its end, and its flags with it where it was another. What is computed under it has to go through memory that others see, as
 /// references and results of functions that are not inlined do: compilers move other arithmetic past a change of mode.
 class StandardArithmetic {
  public:

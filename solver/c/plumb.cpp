@@ -13,6 +13,7 @@
 #include "solver/batch/batch.hpp"
 #include "solver/c/auto_door.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
@@ -231,6 +232,7 @@ int plumb_describe_input(const plumb_pair* pair, char* text, size_t size) {
 
 int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_context* context, plumb_contact* contact,
                 plumb_details* details) {
+  const StandardArithmetic mode;
   const plumb_options chosen = options_of(options);
   if (pair == nullptr || contact == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
   if (details != nullptr && details->size < sizeof details->size) return PLUMB_ERROR_ARGUMENT;
@@ -249,6 +251,7 @@ int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_cont
 
 int plumb_solve_batch(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
                       const plumb_contact_arrays* contacts) {
+  const StandardArithmetic mode;
   const plumb_options chosen = options_of(options);
   if (bodies == nullptr || contacts == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
   if (n > 0 && !(is_complete(bodies[0]) && is_complete(bodies[1]))) return PLUMB_ERROR_ARGUMENT;

@@ -1,7 +1,7 @@
 // The one list of methods: name -> function.
 //
-// Adding a method: one header/source pair in this folder and one row in method_table.hpp; the laws, the corpus, the fuzzers,
-// the campaign and the reports pick it up from there.
+// Adding a method: one header/source pair in this folder, a row in method_table.hpp, a line in instantiate.hpp; the laws, the corpus,
+// the fuzzers, the campaign and the reports pick it up from there.
 #pragma once
 
 #include <span>

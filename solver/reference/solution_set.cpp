@@ -335,6 +335,7 @@ SolutionSet enclose_solutions(const Pair& pair, const Vec3<Real50>& normal, doub
 }
 
 bool holds_normal(const SolutionSet& set, const Vec3<double>& normal) {
+  const StandardArithmetic mode;
   const Vec3<double> n = normal.normalized();
   return 2 * std::atan2((n - set.normal).norm(), (n + set.normal).norm()) <= set.normal_radius + 4 * machine_epsilon;
 }
@@ -351,6 +352,7 @@ bool may_be_lowest(const Pair& pair, const SolutionSet& set, const Vec3<double>&
 }
 
 bool holds_points(const SolutionSet& set, const Vec3<double>& point1, const Vec3<double>& point2, double rounding) {
+  const StandardArithmetic mode;
   const double allowed = set.points_radius + rounding;
   return (point1 - set.point1).norm() <= allowed && (point2 - set.point2).norm() <= allowed;
 }

@@ -224,6 +224,7 @@ StationarySet find_stationary(const Pair& pair, const StationaryLimits& limits) 
 
 std::optional<std::size_t> find_hit(const StationarySet& set, const Vec3<double>& normal, double overlap, double angle,
                                     double length) {
+  const StandardArithmetic mode;
   std::optional<std::size_t> best;
   double least = angle;
   const Vec3<double> n = normal.normalized();

@@ -120,6 +120,24 @@ TEST(AnswersInHostModes, OfTheBatchAreTheSameBits) {
   }
 }
 
+TEST(InputInHostModes, WhatIsNoNumberIsRefused) {
+  const plumb_pair pair = door::c_pair(generate("ellipsoid", 1, 0).pair);
+  const plumb_body_arrays nothing[2] = {};
+  const plumb_contact_arrays nowhere{};
+  plumb_options spoilt = PLUMB_OPTIONS, endless = PLUMB_OPTIONS;
+  spoilt.tolerance = std::numeric_limits<double>::quiet_NaN();
+  endless.motion[2] = std::numeric_limits<double>::infinity();
+  for (const HostMode& mode : host_modes()) {
+    plumb_contact contact;
+    const InHostMode host(mode);
+    for (const plumb_options* options : {&spoilt, &endless}) {
+      EXPECT_EQ(plumb_solve(&pair, options, nullptr, &contact, nullptr), PLUMB_ERROR_ARGUMENT) << mode.name;
+      EXPECT_EQ(plumb_solve_batch(0, nothing, options, &nowhere), PLUMB_ERROR_ARGUMENT) << mode.name;
+    }
+    EXPECT_TRUE(host.is_in_force()) << mode.name;
+  }
+}
+
 TEST(InputInHostModes, IsAsLegalAsInTheStandardMode) {
   plumb_pair pair = door::c_pair(generate("ellipsoid", 1, 0).pair);
   pair.bodies[0].semi_axes[1] = 4e-320;
