@@ -1,6 +1,7 @@
 #include "corpus/line_sink.hpp"
 
 #include "corpus/command.hpp"
+#include "corpus/interrupt.hpp"
 
 namespace plumb {
 
@@ -23,7 +24,11 @@ void LineSink::flush() {
 
 void LineSink::finish() {
   flush();
-  if (file_) file_->finish();
+  if (!file_) return;
+  if (interrupted())
+    file_->finish_incomplete();
+  else
+    file_->finish();
 }
 
 }  // namespace plumb

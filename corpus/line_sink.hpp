@@ -15,7 +15,7 @@ class LineSink {
   /// Text and a line feed; handed on at flush(), or before.
   void add(const std::string& text);
   void flush();
-  /// Until then a file holds what it held.
+  /// Until then a file holds what it held; after an interrupt as well, and what was done is beside it in FILE.incomplete.
   void finish();
 
  private:

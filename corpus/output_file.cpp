@@ -92,7 +92,15 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::finish() {
-  if (!temporary_.empty() && (::fsync(file_) != 0 || ::rename(temporary_.c_str(), target_.c_str()) != 0)) fail(errno);
+  move_to(target_);
+}
+
+void OutputFile::finish_incomplete() {
+  move_to(target_.string() + ".incomplete");
+}
+
+void OutputFile::move_to(const fs::path& target) {
+  if (!temporary_.empty() && (::fsync(file_) != 0 || ::rename(temporary_.c_str(), target.c_str()) != 0)) fail(errno);
   ::close(file_);
   file_ = -1;
 }

@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// A full disk, Ctrl-C or bad input half way loses nothing of what was there. What is no regular file (a pipe, a device) and
+/// A full disk or bad input half way loses nothing of what was there. What is no regular file (a pipe, a device) and
 /// whatever is under /proc is written to directly, and so are the process's own descriptors (/dev/stdout, /dev/fd/3), after what
 /// was printed so far.
 class OutputFile {
@@ -21,8 +21,11 @@ class OutputFile {
   void write(std::string_view text);
   /// Puts it in its place; nothing is written after that.
   void finish();
+  /// What an interrupt leaves goes to FILE.incomplete, and FILE stays as it was.
+  void finish_incomplete();
 
  private:
+  void move_to(const std::filesystem::path& target);
   [[noreturn]] void fail(int error) const;
 
   std::filesystem::path path_, target_, temporary_;  ///< temporary_: empty where it is written to directly

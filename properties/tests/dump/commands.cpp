@@ -209,6 +209,24 @@ TEST_F(DumpCommands, AnInterruptEndsItWith130) {
   EXPECT_EQ(read("said"), "1 frames, 3 particles, 1 pairs; interrupted: incomplete\n");
 }
 
+TEST_F(DumpCommands, AnInterruptLeavesTheOldFileAndWhatWasDoneBesideIt) {
+  (void)file("d.dump", touching.text());
+  (void)file("cases.jsonl", "old\n");
+  ASSERT_EQ(::mkfifo((path_ / "pipe").c_str(), 0600), 0);
+  const int pipe = ::open((path_ / "pipe").c_str(), O_RDWR | O_CLOEXEC);  // nobody writes to it
+  const pid_t child = start_command("cd " + path_.string() + " && exec " + std::string(PLUMB_BINARY_DIR) +
+                                    "/bin/plumb-import d.dump - -o cases.jsonl < pipe 2> said");
+  const auto has_begun = [&](pid_t process) {
+    for (const auto& entry : fs::directory_iterator(path_))
+      if (entry.path().extension() == ".tmp" && fs::file_size(entry.path()) > 0 && is_asleep(process)) return true;
+    return false;
+  };
+  EXPECT_EQ(interrupt_when(child, has_begun), 130);
+  ::close(pipe);
+  EXPECT_EQ(read("cases.jsonl"), "old\n");
+  EXPECT_EQ(lines_of(read("cases.jsonl.incomplete")).size(), 1U);
+}
+
 RC_GTEST_PROP(DumpText, EveryCaseReadsBackToTheSameDoubles, ()) {
   const std::string family(*rc::gen::element<std::string_view>("spheroid", "ellipsoid", "superquadric", "hard"));
   const Pair pair = (*generators::case_of(family)).pair;
