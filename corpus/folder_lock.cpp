@@ -5,8 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -30,18 +32,27 @@ bool is_at(const fs::path& path, int file) {
          here.st_dev == there.st_dev;
 }
 
-std::string this_process() {
+/// Of a process on this host.
+std::string name_of(pid_t process) {
   std::array<char, 256> host{};
   const bool is_named = ::gethostname(host.data(), host.size() - 1) == 0 && host[0] != '\0';
-  return "process " + std::to_string(::getpid()) + (is_named ? std::string(" on ") + host.data() : "");
+  return "process " + std::to_string(process) + (is_named ? std::string(" on ") + host.data() : "");
+}
+
+/// One that was killed leaves its name behind, which the next holder has not yet written over. Of another host nobody knows.
+bool is_gone(const std::string& holder) {
+  int process = 0;
+  if (std::sscanf(holder.c_str(), "process %d", &process) != 1 || !holder.starts_with(name_of(process))) return false;
+  return ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
 /// "" where the holder could not write it, or has not yet.
 std::string holder_in(int file) {
   std::array<char, 512> text{};
   const ssize_t size = ::pread(file, text.data(), text.size(), 0);
-  const std::string holder(text.data(), size > 0 ? static_cast<std::size_t>(size) : 0);
-  return holder.substr(0, holder.find('\n'));
+  std::string holder(text.data(), size > 0 ? static_cast<std::size_t>(size) : 0);
+  holder.resize(std::min(holder.size(), holder.find('\n')));
+  return is_gone(holder) ? "" : holder;
 }
 
 [[noreturn]] void refuse(const fs::path& folder, int file) {
@@ -86,7 +97,7 @@ bool FolderLock::take(int kind) const {
 
 // On a full disk it stays unnamed.
 void FolderLock::name_holder(const char* and_whom) const {
-  const std::string text = this_process() + and_whom + "\n";
+  const std::string text = name_of(::getpid()) + and_whom + "\n";
   (void)!::ftruncate(file_, 0);
   (void)!::pwrite(file_, text.data(), text.size(), 0);
 }
