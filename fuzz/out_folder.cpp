@@ -24,9 +24,20 @@ bool is_summary(const fs::path& file) {
   return true;
 }
 
+/// Whatever it is, a link that leads nowhere among it.
+bool is_there(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(file, error));
+}
+
+bool is_regular(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error);
+}
+
 /// Not read where it is a pipe.
 bool is_campaigns(const fs::path& file) {
-  return fs::is_regular_file(file) && is_summary(file);
+  return is_regular(file) && is_summary(file);
 }
 
 }  // namespace
@@ -40,19 +51,19 @@ FolderLock lock_out(const fs::path& out) {
 
 std::optional<Asked> asked_in(const fs::path& out) {
   const fs::path file = out / "campaign.bins";
-  if (!fs::exists(file)) return std::nullopt;
-  if (!fs::is_regular_file(file)) refuse(file, "is no campaign's");
+  if (!is_there(file)) return std::nullopt;
+  if (!is_regular(file)) refuse(file, "is no campaign's");
+  const Json root = Json::parse(read_text(file), nullptr, false);
   try {
-    const Json root = Json::parse(read_text(file));
     return Asked::read(Field(root).member("asked"));
-  } catch (const std::exception&) {
+  } catch (const FieldError&) {
     refuse(file, "is no campaign's");
   }
 }
 
 void require_replaceable(const fs::path& out, const Asked& asked, bool is_begun) {
   const fs::path summary = out / "summary.json";
-  const bool has_summary = fs::exists(summary);
+  const bool has_summary = is_there(summary);
   if (has_summary && !is_campaigns(summary)) refuse(summary, "is no campaign's");
   if (const auto earlier = asked_in(out))
     return require_part_of(asked, *earlier, out / "campaign.bins", kForceReplaces);
