@@ -156,6 +156,7 @@ void serve(const SolverLibrary& library, int socket) {
     if (getpid() != self) return;
     reply.number = request->number;
     reply.peak_bytes = peak_bytes();
+    reply.resident_bytes = resident_bytes_of("self");
     const OneProcessor beside_plumb(request->processor);
     say(socket, reply);
     request = next_request(socket);

@@ -166,6 +166,7 @@ wire::Reply SolverProcess::ask(wire::Request request) {
   if (reply.number != request.number)
     throw NoAnswer(NoAnswer::How::crashed, "sent an answer that is none to this pair");
   if (reply.peak_bytes > peak_at_start_) require_memory(reply.peak_bytes);
+  require_memory(reply.resident_bytes);  // the peak may be plumb's own, which exec handed on
   return reply;
 }
 
