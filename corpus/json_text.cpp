@@ -24,6 +24,14 @@ bool ends_in_nan_or_infinity(const std::string& read) {
   return std::find(starts.begin(), starts.end(), token) != starts.end();
 }
 
+/// "parse error at line 1, column 39: " and the library's account of its grammar: the place is kept.
+std::string in_own_words(const std::string& reason) {
+  const std::size_t place = reason.find(": ");
+  if (!reason.starts_with("parse error") || place == std::string::npos) return reason;
+  const bool ends = reason.find("unexpected end of input") != std::string::npos;
+  return reason.substr(0, place) + (ends ? ": the text ends too early" : ": this is not JSON");
+}
+
 // Builds the tree itself instead of letting the library do so, because the library keeps the last of two equal keys
 // without a word and does not say where it stood when the text broke.
 class TreeBuilder : public nlohmann::json_sax<Json> {
@@ -50,7 +58,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   }
 
   bool parse_error(std::size_t, const std::string& read, const nlohmann::json::exception& error) override {
-    const std::string reason = without_prefix(error.what());
+    const std::string reason = in_own_words(without_prefix(error.what()));
     if (!ends_in_nan_or_infinity(read)) throw FieldError(path(), "broken JSON: " + reason);
     throw FieldError(path(), "broken JSON: NaN and infinity are not numbers in JSON: " + reason);
   }
