@@ -28,17 +28,30 @@ std::string_view entity(char c) {
   }
 }
 
+/// What makes a line a heading or an item of a list where it begins one: "# ", "- ", "+ ", "1. ".
+std::size_t line_mark(std::string_view text) {
+  if (!text.empty() && std::string_view("#+-").find(text.front()) != std::string_view::npos) return 0;
+  const std::size_t digits = text.find_first_not_of("0123456789");
+  const bool is_number =
+      digits != 0 && digits != std::string_view::npos && (text[digits] == '.' || text[digits] == ')');
+  return is_number && (digits + 1 == text.size() || text[digits + 1] == ' ') ? digits : std::string_view::npos;
+}
+
 }  // namespace
 
 std::string markdown_text(std::string_view text) {
+  constexpr std::string_view no_width = "&#8203;";  // no name of somebody who would be told
+  const std::size_t mark = line_mark(text);
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i == mark) out += '\\';
     if (const std::string_view e = entity(text[i]); !e.empty()) {
       out += e;
       continue;
     }
     if (is_markup(text, i)) out += '\\';
     out += is_control(text[i]) ? ' ' : text[i];
+    if (text[i] == '@') out += no_width;
   }
   return out;
 }

@@ -22,6 +22,11 @@ TEST(Escaped, MarkdownIsNoMarkup) {
   EXPECT_EQ(markdown_text("new_cn, auto 0.01 of build/fuzz-run"), "new_cn, auto 0.01 of build/fuzz-run");
   EXPECT_EQ(markdown_text("_a_b_ *c* `d` ~e~ $f$"), "\\_a_b\\_ \\*c\\* \\`d\\` \\~e\\~ \\$f\\$");
   EXPECT_EQ(markdown_text("[a](b) <script> & \\|"), "\\[a\\](b) &lt;script&gt; &amp; \\\\\\|");
+  EXPECT_EQ(markdown_text("# a"), "\\# a");
+  EXPECT_EQ(markdown_text("- a"), "\\- a");
+  EXPECT_EQ(markdown_text("1. a"), "1\\. a");
+  EXPECT_EQ(markdown_text("1.5 a"), "1.5 a");
+  EXPECT_EQ(markdown_text("@a"), "@&#8203;a");
   EXPECT_EQ(markdown_text("one\n# two\r\tthree\x7f"), "one # two  three ");
 }
 
