@@ -27,8 +27,8 @@ class Foreign : public Commands {
   static void behave(const std::string& how) { ::setenv("PLUMB_MISBEHAVIOUR", how.c_str(), 1); }
   [[nodiscard]] Ran campaign(const std::string& how, int cases, const std::string& options = "--out out") const {
     behave(how);
-    return plumb("campaign --family spheroid --seed 1 --cases " + std::to_string(cases) + " --solver " + kLibrary +
-                 " " + options + " 2>/dev/null");
+    return plumb("campaign --force --family spheroid --seed 1 --cases " + std::to_string(cases) + " --solver " +
+                 kLibrary + " " + options + " 2>/dev/null");
   }
   [[nodiscard]] Json of_solver() const { return json("out/summary.json").at("methods").at(kName); }
   [[nodiscard]] int found(const std::string& finding) const { return of_solver().at("findings").value(finding, 0); }
