@@ -100,9 +100,10 @@ typedef struct plumb_details {
   double normal_by_turn[2][3][3]; /* d normal = . dw */
 } plumb_details;
 
-/* Bytes of the caller's stack that are enough for plumb_solve and plumb_solve_batch, whatever the pairs and the method, and for
- * plumb_certify: of a release build by g++ for x86-64, which tests hold to them. */
+/* Bytes of the caller's stack that are enough for plumb_solve and plumb_solve_batch, whatever the pairs and the method: of a release
+ * build by g++ for x86-64, which tests hold to them. */
 #define PLUMB_STACK_SOLVE (60 * 1024)
+/* The same for plumb_certify. */
 #define PLUMB_STACK_CERTIFY (192 * 1024)
 
 /* Solves a pair. options, context and details may be NULL: the options above, a cold start, nothing more than the contact. */

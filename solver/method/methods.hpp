@@ -26,6 +26,7 @@ struct MethodIn {
   SolveFunction<S>
       iterate;  ///< legal pairs only, in the caller's rounding; its fields are the last iterate's, whatever the status
 };
+/// In double, the scalar of most.
 using Method = MethodIn<double>;
 
 /// All of them, `auto` among them.
