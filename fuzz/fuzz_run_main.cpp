@@ -1,17 +1,19 @@
-// plumb fuzz-run: the second half of ./fuzz/run - real pairs, the families, then the coverage-guided targets; one table.
+// plumb fuzz-run: what ./fuzz/run runs - real pairs, the families, then the coverage-guided targets; a verdict in words.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <exception>
 #include <filesystem>
 
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/progress.hpp"
 #include "fuzz/arguments.hpp"
 #include "fuzz/engine_run.hpp"
 #include "fuzz/out_folder.hpp"
 #include "fuzz/table.hpp"
+#include "fuzz/verdict.hpp"
 
 namespace plumb {
 namespace {
@@ -26,6 +28,7 @@ struct Arguments {
   bool force = false;
   unsigned threads = default_threads();
   std::string out = "build/fuzz-run", fuzzers;
+  bool first = false;
   std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
 };
 
@@ -37,6 +40,9 @@ struct Rate {
 };
 constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 2000}, {"superquadric", 500}, {"hard", 350}};
 constexpr Rate kTargets[] = {{"pair", 150}, {"contact", 10000}, {"methods", 1000}, {"scalars", 1000}};
+
+/// Of the families, before anything else: some 2000 pairs.
+constexpr double minutes_of_the_first = 0.1;
 
 std::uint64_t scaled(const Rate& rate, double minutes) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(rate.per_minute * minutes)));
@@ -62,7 +68,8 @@ Source real_source(const std::string& folder) {
 std::vector<Source> sources_of(const Arguments& args) {
   std::vector<Source> sources{real_source(args.real)};
   for (const Rate& family : kFamilies)
-    sources.push_back(family_source(family.what, scaled(family, args.minutes), args.seed, " --method all"));
+    sources.push_back(family_source(family.what, scaled(family, args.first ? minutes_of_the_first : args.minutes),
+                                    args.seed, " --method all"));
   return sources;
 }
 
@@ -71,18 +78,36 @@ fs::path seeds_of(const Arguments& args, const Rate& target) {
 }
 
 std::string engine_text(const std::vector<EngineRun>& runs) {
-  if (runs.empty()) return "\ncoverage-guided: not run (it needs clang: ./fuzz/run builds it)\n";
-  std::string out = "\ncoverage-guided, address and undefined sanitizers:\n";
+  std::string text;
   for (const EngineRun& run : runs)
-    out += fmt::format("  {:<14}{:>8} inputs in {:.0f} s: {}\n", run.target, run.inputs, run.seconds,
-                       run.found.empty() ? "nothing that stops it" : "STOPPED: " + run.found);
-  return out;
+    text += fmt::format("{}{} {} inputs, {}", text.empty() ? "coverage-guided, under sanitizers: " : "; ", run.target,
+                        grouped(run.inputs), run.found.empty() ? "nothing found" : "STOPPED: " + run.found);
+  return text.empty() ? text : text + "\n";
+}
+
+/// What to do with what is there; `page`: there will be one.
+std::string next_steps(const fs::path& out, bool page) {
+  std::string text = "\nnext\n";
+  if (page) text += fmt::format("  the page of all this                 {}\n", (out / "report.html").string());
+  text += fmt::format("  every method, family and finding     {}\n", (out / "table.txt").string());
+  text += "  a failure made simple, and explained plumb shrink FILE\n";
+  text +=
+      "  your own solver, on the same pairs   plumb campaign --family all --cases 2000 --seed 1 --solver ./yours.so\n";
+  return text;
+}
+
+/// What the run ends with: 25 lines at most.
+std::string verdict_text(const Results& results, const std::vector<EngineRun>& runs, const CampaignOptions& options,
+                         const Arguments& args) {
+  return fmt::format("\n{} pairs, every method:\n{}{}\n{}{}", grouped(results.cases()), methods_in_words(results),
+                     engine_text(runs), failures_in_words(results, options.solvers, args.out),
+                     next_steps(args.out, !args.first));
 }
 
 /// Target after target; a finding of one does not keep the others from being asked.
 std::vector<EngineRun> run_targets(const Arguments& args) {
   std::vector<EngineRun> runs;
-  if (args.fuzzers.empty()) return runs;
+  if (args.first || args.fuzzers.empty()) return runs;
   const fs::path out = args.out;
   for (const Rate& target : kTargets) {
     if (interrupted()) break;
@@ -100,6 +125,17 @@ void require_replaceable(const Arguments& args, const Asked& asked) {
   require_replaceable(args.out, is_own ? *earlier : asked, false);
 }
 
+/// The campaign's files and the table; the failure to write them, which must not keep the verdict from being told.
+std::exception_ptr leave_files(const Results& results, const fs::path& out) {
+  try {
+    write_results(results, out);
+    write_file(out / "table.txt", table_text(results) + kept_text(results, out));
+    return nullptr;
+  } catch (const InputFailure&) {
+    return std::current_exception();
+  }
+}
+
 int fuzz_run(const Arguments& args) {
   if (!args.fuzzers.empty())
     for (const Rate& target : kTargets) require_seeds(seeds_of(args, target));
@@ -108,14 +144,16 @@ int fuzz_run(const Arguments& args) {
   const FolderLock lock = lock_out(args.out);
   if (!args.force) require_replaceable(args, asked_of(sources, options));
   prepare_folder(args.out);
-  const int found = report(run_campaign(sources, options), args.out);
-  // The engine shows its progress on stderr: below the table, also where both go to one file.
-  (void)std::fflush(stdout);
-  const std::vector<EngineRun> runs = run_targets(args);
-  fmt::print("{}", engine_text(runs));
+  const Results results = run_campaign(sources, options);
+  const std::exception_ptr failed = leave_files(results, args.out);
+  const std::vector<EngineRun> runs = failed ? std::vector<EngineRun>() : run_targets(args);
+  const std::string verdict = verdict_text(results, runs, options, args);
+  print_line(verdict);
+  if (failed) std::rethrow_exception(failed);
   add_to_summary(runs, args.out);
+  write_file(fs::path(args.out) / "verdict.txt", verdict + "\n");
   const bool stopped = std::any_of(runs.begin(), runs.end(), [](const EngineRun& run) { return !run.found.empty(); });
-  return std::max(found, stopped ? 1 : 0);
+  return std::max(exit_code(results), stopped ? 1 : 0);
 }
 
 }  // namespace
@@ -127,6 +165,7 @@ int main(int argc, char** argv) {
   app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")
       ->check(plumb::refuse_minutes)
       ->capture_default_str();
+  app.add_flag("--first", args.first, "a first verdict: the real pairs and some random ones, no target");
   plumb::declare_seed(app, args.seed);
   app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
   app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzers/")->capture_default_str();
