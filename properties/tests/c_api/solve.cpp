@@ -172,7 +172,7 @@ TEST(CApi, WhatCannotBeIsAnError) {
   EXPECT_TRUE(refused([](plumb_options& o) { o.motion[1] = INFINITY; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.size = 0; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.size = offsetof(plumb_options, want) - 1; }));  // a part of a pointer
-  plumb_details details{};  // its size is not set
+  plumb_details details{};                                                                     // its size is not set
   EXPECT_EQ(plumb_solve(&pair, nullptr, nullptr, &contact, &details), PLUMB_ERROR_ARGUMENT);
   const plumb_body_arrays nothing[2] = {};
   plumb_contact_arrays contacts{};
