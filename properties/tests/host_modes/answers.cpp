@@ -16,15 +16,20 @@
 namespace plumb {
 namespace {
 
+/// NaN included.
+bool same_bytes(const void* a, const void* b, std::size_t size) {
+  return std::memcmp(a, b, size) == 0;
+}
+
 struct Answer {
   plumb_contact contact{};
   plumb_details details{};
   plumb_context context{};
 
-  [[nodiscard]] bool operator==(const Answer& other) const {  // bit by bit, NaN included
-    return std::memcmp(&contact, &other.contact, sizeof contact) == 0 &&
-           std::memcmp(&context, &other.context, sizeof context) == 0 &&
-           std::memcmp(details.radii, other.details.radii, sizeof details - offsetof(plumb_details, radii)) == 0;
+  [[nodiscard]] bool operator==(const Answer& other) const {
+    return same_bytes(&contact, &other.contact, sizeof contact) &&
+           same_bytes(&context, &other.context, sizeof context) &&
+           same_bytes(details.radii, other.details.radii, sizeof details - offsetof(plumb_details, radii));
   }
 };
 
@@ -67,8 +72,8 @@ TEST(AnswersInHostModes, AreTheSameBitsBehindTheSolversDoor) {
     const InHostMode host(mode_of(i));
     const Contact<double> found = automatic<double>(pair, {}, nullptr);
     EXPECT_TRUE(host.is_in_force()) << mode_of(i).name;
-    EXPECT_EQ(std::memcmp(&found.overlap, &expected.overlap, sizeof(double)), 0) << i << ", " << mode_of(i).name;
-    EXPECT_EQ(std::memcmp(found.normal.data(), expected.normal.data(), sizeof found.normal), 0) << i;
+    EXPECT_TRUE(same_bytes(&found.overlap, &expected.overlap, sizeof found.overlap)) << i << ", " << mode_of(i).name;
+    EXPECT_TRUE(same_bytes(found.normal.data(), expected.normal.data(), sizeof found.normal)) << i;
   }
 }
 
@@ -87,9 +92,8 @@ TEST(AnswersInHostModes, OfAutoAreNeverWrong) {
   }
 }
 
-/// NaN included.
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return a.size() == b.size() && same_bytes(a.data(), b.data(), a.size() * sizeof(double));
 }
 
 bool same_bits(const ContactColumns& a, const ContactColumns& b) {

@@ -1,6 +1,8 @@
 // The verifier of meridians: what a long proof takes, counted (meter.hpp), and that its sweep over the valleys leaves none out.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "properties/draft.hpp"
 #include "solver/reference/make_proof.hpp"
 #include "solver/reference/meridian.hpp"
@@ -21,7 +23,8 @@ Pair spheroids_in_line() {
 
 Proof proof_of(const Pair& pair) {
   const auto out = make_proof(pair, find_reference(pair, Effort::bounds));
-  EXPECT_TRUE(out && out->kind == ProofKind::meridian && !out->meridian.valleys.empty());
+  if (!out || out->kind != ProofKind::meridian || out->meridian.valleys.empty())
+    throw std::logic_error("spheroids in line have a proof by valleys of a meridian");
   return *out;
 }
 
@@ -58,7 +61,9 @@ double least_one_by_one(const FramedPair<Interval80>& framed, const Meridian& me
   double out = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < meridian.witnesses.size(); ++i) {
     const Arc arc{meridian.places[i], meridian.places[i + 1]};
-    double bound = least_on<Interval80>(framed, arc, *points_apart<Interval80>(framed.pair, meridian.witnesses[i]));
+    const auto apart = points_apart<Interval80>(framed.pair, meridian.witnesses[i]);
+    if (!apart) throw std::logic_error("a witness of a proof that holds lies in its body");
+    double bound = least_on<Interval80>(framed, arc, *apart);
     for (const Valley& valley : meridian.valleys) {
       const auto least = least_in<Interval80>(framed, valley);
       if (valley.first <= arc.first && arc.last <= valley.last && least) bound = std::max(bound, low(*least));
