@@ -142,7 +142,6 @@ Reply memory() {
   reply.kind = Reply::Kind::measured;
   const auto heap = mallinfo2();
   reply.heap_bytes = heap.uordblks + heap.hblkhd;
-  reply.resident_bytes = resident_bytes_of("self");
   return reply;
 }
 
