@@ -125,15 +125,10 @@ void require_replaceable(const Arguments& args, const Asked& asked) {
   require_replaceable(args.out, is_own ? *earlier : asked, false);
 }
 
-/// The campaign's files and the table; the failure to write them, which must not keep the verdict from being told.
-std::exception_ptr leave_files(const Results& results, const fs::path& out) {
-  try {
-    write_results(results, out);
-    write_file(out / "table.txt", table_text(results) + kept_text(results, out));
-    return nullptr;
-  } catch (const InputFailure&) {
-    return std::current_exception();
-  }
+/// The campaign's files and the table.
+void leave_files(const Results& results, const fs::path& out) {
+  write_results(results, out);
+  write_file(out / "table.txt", table_text(results) + kept_text(results, out));
 }
 
 int fuzz_run(const Arguments& args) {
@@ -145,7 +140,7 @@ int fuzz_run(const Arguments& args) {
   if (!args.force) require_replaceable(args, asked_of(sources, options));
   prepare_folder(args.out);
   const Results results = run_campaign(sources, options);
-  const std::exception_ptr failed = leave_files(results, args.out);
+  const std::exception_ptr failed = failure_to([&] { leave_files(results, args.out); });
   const std::vector<EngineRun> runs = failed ? std::vector<EngineRun>() : run_targets(args);
   const std::string verdict = verdict_text(results, runs, options, args);
   print_line(verdict);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 #include <vector>
 
@@ -130,16 +129,16 @@ std::string rest_of(const std::vector<RankedBucket>& lines, std::size_t shown, c
                      alike ? replay_command(failures, library) : failures.string());
 }
 
-std::exception_ptr failure_to_write(const Results& results, const fs::path& folder) {
+}  // namespace
+
+std::exception_ptr failure_to(const std::function<void()>& write) {
   try {
-    if (!folder.empty()) write_results(results, folder);
+    write();
     return nullptr;
   } catch (const InputFailure&) {
     return std::current_exception();
   }
 }
-
-}  // namespace
 
 std::string table_text(const Results& results) {
   std::string text;
@@ -167,7 +166,9 @@ std::string kept_text(const Results& results, const fs::path& folder) {
 }
 
 int report(const Results& results, const fs::path& folder) {
-  const std::exception_ptr failed = failure_to_write(results, folder);
+  const std::exception_ptr failed = failure_to([&] {
+    if (!folder.empty()) write_results(results, folder);
+  });
   fmt::print("{}", table_text(results));
   if (failed) std::rethrow_exception(failed);
   if (!folder.empty()) fmt::print("{}", kept_text(results, folder));
