@@ -10,7 +10,7 @@ namespace plumb {
 
 /// A mode: the control words, of which there may be none such on this machine.
 struct HostMode {
-  std::string_view name;
+  std::string_view name = {};
   int rounding = FE_TONEAREST;
   unsigned mxcsr = 0;          ///< further bits: flush to zero, subnormal numbers are zero
   unsigned x87_precision = 3;  ///< field of the x87's control word: 0 for 24 bits, 2 for 53, 3 for 64

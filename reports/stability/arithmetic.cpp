@@ -6,6 +6,7 @@
 
 #include "corpus/program_folder.hpp"
 #include "corpus/solver.hpp"
+#include "properties/host_modes.hpp"
 #include "reports/precision_error.hpp"
 #include "reports/precision_methods.hpp"
 #include "reports/stability/stochastic_methods.hpp"
@@ -29,18 +30,6 @@ Arithmetic scalar(bool may_lose) {
           [](std::string_view method, const Pair& pair, std::uint64_t) { return solve_in<S>(method, pair); }};
 }
 
-/// The mode of <cfenv>, of this thread, while it lives: SSE's and x87's.
-class RoundingMode {
- public:
-  explicit RoundingMode(int mode) : before_(std::fegetround()) { std::fesetround(mode); }
-  ~RoundingMode() { std::fesetround(before_); }
-  RoundingMode(const RoundingMode&) = delete;
-  RoundingMode& operator=(const RoundingMode&) = delete;
-
- private:
-  int before_;
-};
-
 Arithmetic rounded(const char* name, int mode) {
   return {name, epsilon<double>(), 1, false,
           [mode](std::string_view method, const Pair& pair, std::uint64_t) -> Answer {
@@ -48,7 +37,7 @@ Arithmetic rounded(const char* name, int mode) {
             if (solve == nullptr) return std::nullopt;
             Contact<double> answer;
             {
-              const RoundingMode rounding(mode);
+              const InHostMode rounding({.rounding = mode});
               answer = solve(pair, {}, nullptr);
             }
             return widened(answer);
