@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <thread>
+#include <utility>
 
 #include "corpus/build_info.hpp"
 #include "corpus/command.hpp"
@@ -18,7 +20,7 @@ namespace {
 struct Options {
   std::vector<std::string> paths, arithmetic;
   std::string method = "auto", out;
-  std::uint64_t samples = 5;
+  std::uint64_t samples = 5, cases = 0;  // 0 cases: all
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool json = false, list = false;
 };
@@ -32,6 +34,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--samples", options.samples, "solves of each case in stochastic rounding")
       ->capture_default_str()
       ->check(refuse_count);
+  app.add_option("--cases", options.cases, "the first so many of each step; default: all")->check(refuse_count);
   app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
   app.add_flag("--list", options.list, "every answer that is lost or wrong, a line each, also of published methods");
   app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
@@ -74,10 +77,15 @@ bool is_of_motion(const Case& c) {
 
 std::vector<CertifiedCase> cases_of(const Options& options) {
   std::vector<CertifiedCase> out;
+  std::map<std::pair<std::string, std::size_t>, std::uint64_t> of_step;
   for (const auto& file : find_case_files(options.paths)) {
     CaseReader reader(file.string());
-    for (std::optional<Case> c = reader.next(); c; c = reader.next())
-      if (!is_of_motion(*c)) out.push_back(read_certified(*std::move(c), file.string(), reader.line()));
+    for (std::optional<Case> c = reader.next(); c; c = reader.next()) {
+      if (is_of_motion(*c)) continue;
+      CertifiedCase read = read_certified(*std::move(c), file.string(), reader.line());
+      const std::uint64_t place = ++of_step[{read.ladder, read.step}];
+      if (options.cases == 0 || place <= options.cases) out.push_back(std::move(read));
+    }
   }
   if (out.empty()) throw InputFailure(options.paths.front(), 0, "", "holds no case");
   return out;
@@ -106,8 +114,9 @@ Json json_of(const StabilityRow& row) {
 }
 
 std::string json_lines(const StabilityResults& results, const Options& options) {
-  const std::string command = fmt::format("plumb report-stability {} --method {} --samples {}",
-                                          fmt::join(options.paths, " "), options.method, options.samples);
+  const std::string fewer = options.cases > 0 ? fmt::format(" --cases {}", options.cases) : "";
+  const std::string command = fmt::format("plumb report-stability {} --method {} --samples {}{}",
+                                          fmt::join(options.paths, " "), options.method, options.samples, fewer);
   std::string text = write_json({{"kind", "run"}, {"command", command}, {"host", host_json()}}) + "\n";
   for (const StabilityRow& row : results.rows) text += write_json(json_of(row)) + "\n";
   if (interrupted()) text += write_json({{"kind", "interrupted"}}) + "\n";

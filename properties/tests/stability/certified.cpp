@@ -159,6 +159,17 @@ TEST_F(Stability, APublishedMethodLetsGoAndThatIsAResult) {
   EXPECT_EQ(lines[1].at("cases").size(), 7u);
 }
 
+TEST_F(Stability, TakesTheFirstCasesOfEachStep) {
+  const std::string args = "report-stability " + kFolder + "needle.jsonl --method original_cn --arithmetic double --json";
+  const Json all = lines_of(plumb(args).out).at(1).at("cases"), two = lines_of(plumb(args + " --cases 2").out).at(1).at("cases");
+  ASSERT_EQ(all.size(), two.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(all[i], 3);
+    EXPECT_EQ(two[i], 2);
+  }
+  EXPECT_EQ(plumb(args + " --cases 0 2>/dev/null").code, 2);
+}
+
 TEST_F(Stability, UnusableInput) {
   write_file(path_ / "plain.jsonl", format_case(ladder_case("needle", 0, 1, 0)) + "\n");
   expect_refusal("report-stability plain.jsonl", "plain.jsonl:1: provenance.certificate: missing");
