@@ -1,6 +1,7 @@
 # `auto` once more for each compiler that there is and each of these options, as a shared library whose name says so; what plumb
 # report-stability finds in bin/variants it solves the hard cases with. With the machine's own instructions multiplications and
-# additions may also be fused, which no other build of plumb allows.
+# additions may also be fused, which no other build of plumb allows: these two are always built, because they differ most. The
+# others take a minute of a processor, and are built at night and for reports/record (PLUMB_ALL_VARIANTS).
 set(plumb_variant_options "-O0 -ffp-contract=off" "-O2 -ffp-contract=off" "-O3 -ffp-contract=off"
     "-O3 -march=native -ffp-contract=fast")
 set(plumb_variants)
@@ -15,6 +16,10 @@ foreach(compiler g++ clang++-19)
     string(REPLACE " -ffp-contract=off" "" name "${compiler} ${options}")
     string(REPLACE " " "_" name "${name}")
     set(library ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/variants/${name}.so)
+    if(NOT PLUMB_ALL_VARIANTS AND NOT options MATCHES "native")
+      file(REMOVE ${library})  # of an older source, perhaps: what lies there is taken
+      continue()
+    endif()
     separate_arguments(flags UNIX_COMMAND "${options}")
     add_custom_command(
       OUTPUT ${library}
