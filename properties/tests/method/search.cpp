@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "properties/generators.hpp"
 #include "solver/method/curvature_floor.hpp"
@@ -44,8 +44,8 @@ struct Squared {
                  rotation.transpose();
     }
     const Eigen::Matrix<long double, 2, 2> across = sides.transpose() * hessian * sides / v.norm();
-    return across.allFinite() ? across.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff()
-                              : std::numeric_limits<long double>::infinity();
+    if (!across.allFinite()) return std::numeric_limits<long double>::infinity();
+    return (across(0, 0) + across(1, 1)) / 2 - std::hypot((across(0, 0) - across(1, 1)) / 2, across(1, 0));
   }
 
   [[nodiscard]] Vec3<long double> at(long double a, long double b) const {
@@ -216,8 +216,8 @@ RC_GTEST_PROP(TurnSlope, HasTheSignThatItSaysAllOverTheCell, ()) {
   const double tilt = stream.log_uniform(1e-12, 1);
   const Vec3<double> axis1 = own.col(body1.axis), axis2 = (axis1 + tilt * random_direction(stream)).normalized();
   const Vec3<double> from = Vec3<double>::Unit(body2.axis);
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, axis2);
-  pair.body2.quaternion = {turn.w(), turn.x(), turn.y(), turn.z()};
+  const Vec3<double> turn = from.cross(axis2);
+  pair.body2.quaternion = {1 + from.dot(axis2), turn[0], turn[1], turn[2]};
   pair.body2.position = axis1 * stream.uniform(-1, 1) + tilt * random_direction(stream);
   const PlacedPair<double> placed = place<double>(pair);
   const auto slope = TurnSlope<double>::of(placed);
