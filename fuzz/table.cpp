@@ -94,7 +94,7 @@ std::string family_heading(const std::string& name, const FamilyResults& family)
     text += fmt::format(", {} without a reference ({} %)", grouped(family.reference_unsolved),
                         share_text(family.reference_unsolved, family.cases));
   if (family.not_proved_lowest > 0)
-    text += fmt::format(", {} not proved to be the lowest", grouped(family.not_proved_lowest));
+    text += fmt::format(", the reference of {} not proved to be the lowest minimum", grouped(family.not_proved_lowest));
   if (family.reference_beaten > 0)
     text += fmt::format(", the reference BEATEN in {}", grouped(family.reference_beaten));
   text += fmt::format("\n  judged by bounds {}, by a proof {}, by 50 digits {}", grouped(family.needed[0]),

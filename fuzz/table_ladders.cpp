@@ -9,15 +9,16 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kColumn = 10;  ///< nine methods beside the names of the ladders fill 120 columns
+constexpr std::size_t kColumn = 11;
 
-/// "geometric_potential_midway" in lines that fit: "geometric", "potential", "midway".
+/// "geometric_potential_midway" in lines that fit: "geometric", "_potential", "_midway".
 std::vector<std::string> heading_lines(const std::string& method) {
   std::vector<std::string> lines;
   std::stringstream parts(method);
   for (std::string part; std::getline(parts, part, '_');) {
-    if (!lines.empty() && lines.back().size() + 1 + part.size() < kColumn)
-      lines.back() += "_" + part;
+    if (!lines.empty()) part.insert(0, 1, '_');
+    if (!lines.empty() && lines.back().size() + part.size() < kColumn)
+      lines.back() += part;
     else
       lines.push_back(part.substr(0, kColumn - 1));
   }

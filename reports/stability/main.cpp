@@ -148,14 +148,14 @@ std::string digits_text(const StabilityRow& row, double error) {
 
 void print_arithmetics(const StabilityResults& results, const std::vector<std::string>& methods,
                        const std::vector<Arithmetic>& of) {
-  print_line(fmt::format("{:<16}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", "method", "arithmetic", "answers", "right", "lost",
+  print_line(fmt::format("{:<18}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", "method", "arithmetic", "answers", "right", "lost",
                          "wrong", "overlap digits"));
   for (const std::string& method : methods)
     for (const Arithmetic& arithmetic : of) {
       const StabilityRow row = joined(results.rows, method, arithmetic.name);
       const StepCounts n = row.total();
       if (n.answers > 0)
-        print_line(fmt::format("{:<16}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", method, arithmetic.name, n.answers, n.right,
+        print_line(fmt::format("{:<18}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", method, arithmetic.name, n.answers, n.right,
                                n.lost, n.wrong, digits_text(row, row.largest.overlap)));
     }
 }
@@ -167,12 +167,12 @@ std::string step_text(const StabilityRow& row) {
 
 /// In double, where each method lets go.
 void print_ladders(const StabilityResults& results) {
-  print_line(fmt::format("\n{:<27}{:<16}{:<16}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", "ladder, in double", "knob", "method",
+  print_line(fmt::format("\n{:<27}{:<16}{:<18}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", "ladder, in double", "knob", "method",
                          "right", "of", "overlap", "normal", "points", "lets go at step"));
   for (const StabilityRow& row : results.rows) {
     if (row.arithmetic != "double") continue;
     const StepCounts n = row.total();
-    print_line(fmt::format("{:<27}{:<16}{:<16}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", row.ladder, row.knob, row.method,
+    print_line(fmt::format("{:<27}{:<16}{:<18}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", row.ladder, row.knob, row.method,
                            n.right, n.answers, digits_text(row, row.largest.overlap),
                            digits_text(row, row.largest.normal), digits_text(row, row.largest.points), step_text(row)));
   }
