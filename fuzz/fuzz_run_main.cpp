@@ -38,7 +38,7 @@ struct Rate {
   const char* what;
   double per_minute;
 };
-constexpr Rate kFamilies[] = {{"spheroid", 20000}, {"ellipsoid", 2000}, {"superquadric", 500}, {"hard", 350}};
+constexpr Rate kFamilies[] = {{"spheroid", 12000}, {"ellipsoid", 2000}, {"superquadric", 500}, {"hard", 350}};
 constexpr Rate kTargets[] = {{"pair", 150}, {"contact", 10000}, {"methods", 1000}, {"scalars", 1000}};
 
 /// Of the families, before anything else: some 2000 pairs.
