@@ -84,9 +84,15 @@ plumb_setup() {
 # plumb_build PRESET [TARGET...] configures and builds in build/PRESET. Two runs at once take turns, because ninja does not
 # lock its folder. Configuring prints only when it fails.
 plumb_build() {
-  local preset=$1 lock
+  local preset=$1 lock place
   shift
   mkdir -p build
+  # CMake's caches name their folder, and so does what was built: of a checkout that was copied or moved they are of no use.
+  place=$(sed -n 's/^CMAKE_CACHEFILE_DIR:INTERNAL=//p' "build/$preset/CMakeCache.txt" 2>/dev/null) || true
+  [[ -z $place || $place -ef build/$preset ]] || {
+    complain "build/$preset was configured as $place: remove it (rm -rf build/$preset) and start again"
+    exit 2
+  }
   exec {lock}>"build/.lock-$preset"
   flock "$lock"
   if ! cmake --preset "$preset" >"build/configure-$preset.log" 2>&1; then

@@ -19,7 +19,11 @@ import time
 BUILD = pathlib.Path(__file__).absolute().parents[1] / "build/release"
 sys.path.insert(0, str(BUILD / "python"))
 
-import numpy as np
+try:
+    import numpy as np
+except ModuleNotFoundError:
+    print(f"{sys.executable} has no numpy: install python3-numpy and call Debian's own /usr/bin/python3", file=sys.stderr)
+    sys.exit(2)
 
 import plumb
 

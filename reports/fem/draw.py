@@ -6,8 +6,13 @@ whatever it shows; axes, exponents and angles are rounded, so that they can be r
 """
 
 import json
+import sys
 
-import numpy as np
+try:
+    import numpy as np
+except ModuleNotFoundError:
+    print(f"{sys.executable} has no numpy: install python3-numpy and call Debian's own /usr/bin/python3", file=sys.stderr)
+    sys.exit(2)
 
 SEED = 2018
 # Name, aspect, exponents, line and Euler angles of body 2 in degrees; both bodies are alike.

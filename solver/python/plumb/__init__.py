@@ -13,6 +13,12 @@ Lengths in one unit of the caller's own, world frame, quaternions (w, x, y, z) t
 bodies penetrate by that length; < 0: they are -overlap apart. The normal points from body 1 to body 2.
 """
 
+import importlib.util as _util
+import sys as _sys
+
+if _util.find_spec("numpy") is None:
+    raise ImportError(f"{_sys.executable} has no numpy: install python3-numpy and call Debian's own /usr/bin/python3")
+
 from ._batch import Bodies, Contacts, solve_batch
 from ._case import bodies_of, case
 from ._certify import Bounds, Certificate, certify, certify_all
