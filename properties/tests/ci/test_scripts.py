@@ -1,0 +1,129 @@
+"""CI's scripts, each in a tree of its own: which units a change touches, which seconds are too many, what a moved checkout is told."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[3] / ".ci"
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.top = pathlib.Path(folder.name).resolve()
+
+    def write(self, path, text):
+        (self.top / path).parent.mkdir(parents=True, exist_ok=True)
+        (self.top / path).write_text(text)
+
+    def copy(self, script):
+        self.write(f".ci/{script}", (SCRIPTS / script).read_text())
+        (self.top / ".ci" / script).chmod(0o755)
+
+    def run_here(self, *command):
+        return subprocess.run(command, cwd=self.top, capture_output=True, text=True, check=False)
+
+
+class Touched(InAFolder):
+    def setUp(self):
+        super().setUp()
+        self.write("a/one.cpp", '#include <vector>\n#include "a/one.hpp"\n')
+        self.write("a/two.cpp", '#include "a/both.hpp"\n')
+        self.write("a/one.hpp", '#include "a/both.hpp"\n')
+        self.write("a/both.hpp", '#  include "rows.inc"\n')
+        self.write("a/rows.inc", "")
+        self.write("b/small.cpp", '#include "a/both.hpp"\n')
+        self.write("a/nowhere.hpp", "")
+        self.write("build/unity.cxx", f'#include "{self.top}/a/one.cpp"\n#include "{self.top}/a/two.cpp"\n')
+        entries = [{"directory": str(self.top / "build"), "file": file} for file in ("unity.cxx", str(self.top / "b/small.cpp"))]
+        self.write("build/database.json", json.dumps(entries))
+
+    def touched(self, *files):
+        ran = self.run_here(SCRIPTS / "touched", "build/database.json", *files)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        return [pathlib.Path(entry["file"]).name for entry in json.loads(ran.stdout)]
+
+    def test_a_source_is_linted_in_the_unit_that_holds_it(self):
+        self.assertEqual(self.touched("a/two.cpp"), ["unity.cxx"])
+        self.assertEqual(self.touched("b/small.cpp"), ["small.cpp"])
+
+    def test_a_header_is_linted_once_in_the_cheapest_unit(self):
+        self.assertEqual(self.touched("a/both.hpp"), ["small.cpp"])
+        self.assertEqual(self.touched("a/rows.inc"), ["small.cpp"])
+        self.assertEqual(self.touched("a/one.hpp"), ["unity.cxx"])
+        self.assertEqual(self.touched("a/both.hpp", "a/one.hpp"), ["small.cpp", "unity.cxx"][::-1])
+
+    def test_a_header_that_a_chosen_unit_reads_takes_no_other(self):
+        self.assertEqual(self.touched("a/both.hpp", "a/one.cpp"), ["unity.cxx"])
+
+    def test_what_no_unit_reads_is_not_linted(self):
+        self.assertEqual(self.touched("a/nowhere.hpp", "README.md", "a/gone.cpp"), [])
+        self.assertEqual(self.touched(), [])
+
+
+class Times(InAFolder):
+    def setUp(self):
+        super().setUp()
+        self.copy("times")
+        self.copy("timed")
+        self.write(".ci/limits.tsv", "# a table\ndefault\t60\nfast/dear\t100\n")
+        self.write("build/fast/times.log", "dear a.o 80 0\ndear a.o 70 1.5\ndear b.o 20 0\ncheap c.o 59 0\n")
+        self.write("ctest.xml", '<testsuite><testcase name="laws/A.B" time="1.5"/><testcase name="laws/A.C" time="2"/></testsuite>')
+
+    def times(self, *arguments):
+        return self.run_here(".ci/times", *arguments)
+
+    def test_the_last_of_each_object_counts_and_the_dearest_comes_first(self):
+        ran = self.times("ctest.xml")
+        self.assertEqual(ran.returncode, 0)
+        shown = [line.split() for line in ran.stdout.splitlines()]
+        self.assertEqual([(row[0], row[-1]) for row in shown],
+                         [("91.5", "fast/dear"), ("59.0", "fast/cheap"), ("3.5", "test/laws"), ("154.0", "all")])
+
+    def test_what_is_beyond_its_limit_is_named(self):
+        self.write("build/other/times.log", "cheap c.o 60 1\n")
+        ran = self.times()
+        self.assertEqual(ran.returncode, 1)
+        self.assertEqual(ran.stdout.splitlines()[-1], "other/cheap: 61 s, its limit is 60 (.ci/limits.tsv)")
+
+    def test_an_update_leaves_room(self):
+        self.assertEqual(self.times("--update").returncode, 0)
+        rows = (self.top / ".ci/limits.tsv").read_text().splitlines()[1:]
+        self.assertEqual(rows, ["default\t60", "fast/cheap\t180", "fast/dear\t280"])
+
+    def test_what_cannot_be_read_is_two(self):
+        self.assertEqual(self.times("none.xml").returncode, 2)
+        self.write("build/fast/times.log", "dear a.o\n")
+        self.assertEqual(self.times().returncode, 2)
+
+    def test_a_launched_command_keeps_its_words_its_output_and_its_code(self):
+        ran = self.run_here(".ci/timed", "log", "target", "a.o", "sh", "-c", 'echo "$1"; echo wrong >&2; exit 3', "sh", "two  words")
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (3, "two  words\n", "wrong\n"))
+        self.assertRegex((self.top / "log").read_text(), r"^target a\.o [0-9.]+ [0-9.]+\n$")
+
+
+class Checkout(InAFolder):
+    def build(self, configured_in):
+        self.write("build/release/CMakeCache.txt", f"CMAKE_CACHEFILE_DIR:INTERNAL={configured_in}\n")
+        self.write("bin/cmake", "#!/bin/sh\necho built\n")
+        (self.top / "bin/cmake").chmod(0o755)
+        return self.run_here("env", f"PATH={self.top}/bin:{os.environ['PATH']}", "bash", "-c",
+                             f"source {SCRIPTS}/setup.sh; plumb_build release", "properties/run")
+
+    def test_a_folder_that_was_configured_elsewhere_is_to_be_removed(self):
+        ran = self.build("/old/build/release")
+        self.assertEqual((ran.returncode, ran.stdout), (2, ""))
+        self.assertEqual(ran.stderr, "properties/run: build/release was configured as /old/build/release: "
+                                     "remove it (rm -rf build/release) and start again\n")
+
+    def test_a_folder_that_was_configured_here_is_built(self):
+        ran = self.build(self.top / "build/release")
+        self.assertEqual((ran.returncode, ran.stdout), (0, "built\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
