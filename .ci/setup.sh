@@ -81,16 +81,24 @@ plumb_setup() {
   exit 2
 }
 
+# The folders of build/ that are another place's: CMake's caches name their folder, and so does what was built.
+stale_builds() {
+  local cache place
+  for cache in build/*/CMakeCache.txt; do
+    place=$(sed -n 's/^CMAKE_CACHEFILE_DIR:INTERNAL=//p' "$cache" 2>/dev/null) || true
+    [[ -z $place || $place -ef ${cache%/*} ]] || printf '%s\n' "${cache%/*}"
+  done
+}
+
 # plumb_build PRESET [TARGET...] configures and builds in build/PRESET. Two runs at once take turns, because ninja does not
 # lock its folder. Configuring prints only when it fails.
 plumb_build() {
-  local preset=$1 lock place
+  local preset=$1 lock stale
   shift
   mkdir -p build
-  # CMake's caches name their folder, and so does what was built: of a checkout that was copied or moved they are of no use.
-  place=$(sed -n 's/^CMAKE_CACHEFILE_DIR:INTERNAL=//p' "build/$preset/CMakeCache.txt" 2>/dev/null) || true
-  [[ -z $place || $place -ef build/$preset ]] || {
-    complain "build/$preset was configured as $place: remove it (rm -rf build/$preset) and start again"
+  mapfile -t stale < <(stale_builds)
+  [[ " ${stale[*]} " != *" build/$preset "* ]] || {
+    complain "build/$preset was configured in another place, as a checkout copied or moved has it: remove it (rm -rf ${stale[*]}) and start again"
     exit 2
   }
   exec {lock}>"build/.lock-$preset"

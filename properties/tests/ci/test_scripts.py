@@ -107,22 +107,24 @@ class Times(InAFolder):
 
 
 class Checkout(InAFolder):
-    def build(self, configured_in):
-        self.write("build/release/CMakeCache.txt", f"CMAKE_CACHEFILE_DIR:INTERNAL={configured_in}\n")
+    def build(self, **places):
+        for preset, place in places.items():
+            self.write(f"build/{preset}/CMakeCache.txt", f"CMAKE_CACHEFILE_DIR:INTERNAL={place}\n")
         self.write("bin/cmake", "#!/bin/sh\necho built\n")
         (self.top / "bin/cmake").chmod(0o755)
         return self.run_here("env", f"PATH={self.top}/bin:{os.environ['PATH']}", "bash", "-c",
                              f"source {SCRIPTS}/setup.sh; plumb_build release", "properties/run")
 
-    def test_a_folder_that_was_configured_elsewhere_is_to_be_removed(self):
-        ran = self.build("/old/build/release")
+    def test_what_was_configured_elsewhere_is_to_be_removed(self):
+        ran = self.build(release="/old/build/release", fuzz="/old/build/fuzz", lint=self.top / "build/lint")
         self.assertEqual((ran.returncode, ran.stdout), (2, ""))
-        self.assertEqual(ran.stderr, "properties/run: build/release was configured as /old/build/release: "
-                                     "remove it (rm -rf build/release) and start again\n")
+        self.assertEqual(ran.stderr, "properties/run: build/release was configured in another place, as a checkout copied or moved has it: "
+                                     "remove it (rm -rf build/fuzz build/release) and start again\n")
 
-    def test_a_folder_that_was_configured_here_is_built(self):
-        ran = self.build(self.top / "build/release")
+    def test_what_was_configured_here_is_built(self):
+        ran = self.build(release=self.top / "build/release", fuzz="/old/build/fuzz")
         self.assertEqual((ran.returncode, ran.stdout), (0, "built\n"))
+        self.assertEqual(self.build().returncode, 0)
 
 
 if __name__ == "__main__":
