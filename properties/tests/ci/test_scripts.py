@@ -3,8 +3,11 @@
 import json
 import os
 import pathlib
+import shutil
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[3] / ".ci"
@@ -15,17 +18,23 @@ class InAFolder(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.top = pathlib.Path(folder.name).resolve()
+        (self.top / ".ci").mkdir()
+        # Stand-ins for programs come first.
+        self.environment = os.environ | {"PATH": f"{self.top}/bin:{os.environ['PATH']}"}
 
     def write(self, path, text):
         (self.top / path).parent.mkdir(parents=True, exist_ok=True)
         (self.top / path).write_text(text)
 
     def copy(self, script):
-        self.write(f".ci/{script}", (SCRIPTS / script).read_text())
-        (self.top / ".ci" / script).chmod(0o755)
+        shutil.copy(SCRIPTS / script, self.top / ".ci")
+
+    def program(self, path, text):
+        self.write(path, f"#!/bin/sh\n{text}\n")
+        (self.top / path).chmod(0o755)
 
     def run_here(self, *command):
-        return subprocess.run(command, cwd=self.top, capture_output=True, text=True, check=False)
+        return subprocess.run(command, cwd=self.top, env=self.environment, capture_output=True, text=True, check=False)
 
 
 class Touched(InAFolder):
@@ -110,10 +119,8 @@ class Checkout(InAFolder):
     def build(self, **places):
         for preset, place in places.items():
             self.write(f"build/{preset}/CMakeCache.txt", f"CMAKE_CACHEFILE_DIR:INTERNAL={place}\n")
-        self.write("bin/cmake", "#!/bin/sh\necho built\n")
-        (self.top / "bin/cmake").chmod(0o755)
-        return self.run_here("env", f"PATH={self.top}/bin:{os.environ['PATH']}", "bash", "-c",
-                             f"source {SCRIPTS}/setup.sh; plumb_build release", "properties/run")
+        self.program("bin/cmake", "echo built")
+        return self.run_here("bash", "-c", f"source {SCRIPTS}/setup.sh; plumb_build release", "properties/run")
 
     def test_what_was_configured_elsewhere_is_to_be_removed(self):
         ran = self.build(release="/old/build/release", fuzz="/old/build/fuzz", lint=self.top / "build/lint")
@@ -125,6 +132,60 @@ class Checkout(InAFolder):
         ran = self.build(release=self.top / "build/release", fuzz="/old/build/fuzz")
         self.assertEqual((ran.returncode, ran.stdout), (0, "built\n"))
         self.assertEqual(self.build().returncode, 0)
+
+
+class Run(InAFolder):
+    """.ci/run with stand-ins for all that it runs."""
+
+    def setUp(self):
+        super().setUp()
+        self.copy("run")
+        self.write(".ci/setup.sh", 'complain() { echo "$*" >&2; }\nplumb_setup() { :; }\nplumb_build() { :; }\nplumb_seeds() { echo seeds; }\n')
+        for target in ("contact", "pair", "ellipsoid", "methods", "scalars", "path", "scene", "files", "case"):
+            self.write(f"fuzz/engine/{target}.options", "max_len = 8\n")
+            self.write(f"fuzz/seeds/{target}", "")
+            self.program(f"build/fuzz/bin/fuzz-{target}", "echo first; echo last")
+            self.program(f"build/release/bin/replay-{target}", "")
+        for path in (".ci/lint", ".ci/times", ".ci/workflows", ".clusterfuzzlite/configure", "reports/gate", "reports/quote",
+                     "build/release/bin/plumb", "bin/clang-format-19"):
+            self.program(path, "")
+        self.program("properties/run", "echo '100% tests passed'")
+        self.run_here("git", "init", "--quiet")
+
+    def test_the_last_line_is_that_of_the_test_runner(self):
+        ran = self.run_here(".ci/run")
+        self.assertEqual((ran.returncode, ran.stdout.splitlines()[-1]), (0, "100% tests passed"), ran.stdout)
+
+    def test_all_steps_are_run_and_those_that_failed_are_named(self):
+        self.program("properties/run", "exit 1")
+        self.program("build/fuzz/bin/fuzz-contact", "exit 77")
+        self.program("reports/gate", "exit 2")
+        ran = self.run_here(".ci/run")
+        self.assertEqual(ran.returncode, 1)
+        self.assertEqual(sorted(ran.stdout.splitlines()[-3:]),
+                         ["failed: fuzz-contact with sanitizers", "failed: properties/run", "failed: reports/gate"])
+        self.assertEqual(ran.stdout.count("\n== "), 2 * 21)
+
+    def test_what_a_step_prints_stays_together(self):
+        self.program("build/fuzz/bin/fuzz-pair", "echo first; sleep 0.5; echo last")
+        ran = self.run_here(".ci/run")
+        self.assertEqual(ran.stdout.count("first\nlast\n"), 9)
+
+    def test_nightly_is_everything(self):
+        self.program(".ci/lint", 'echo "lint: $* $PLUMB_NIGHTLY"')
+        self.assertIn("lint: --all 1\n", self.run_here(".ci/run", "--nightly").stdout)
+        self.assertIn("lint:  \n", self.run_here(".ci/run").stdout)
+        self.assertEqual(self.run_here(".ci/run", "--daily").returncode, 2)
+
+    def test_an_interrupt_ends_what_runs_beside(self):
+        self.program(".ci/lint", "touch begun; sleep 2; touch ended")
+        with subprocess.Popen([".ci/run"], cwd=self.top, env=self.environment, stdout=subprocess.DEVNULL) as running:
+            while not (self.top / "begun").exists():
+                time.sleep(0.05)
+            running.send_signal(signal.SIGINT)
+            self.assertEqual(running.wait(20), 130)
+        time.sleep(2.5)
+        self.assertFalse((self.top / "ended").exists())
 
 
 if __name__ == "__main__":
