@@ -93,6 +93,11 @@ class Times(InAFolder):
         self.assertEqual([(row[0], row[-1]) for row in shown],
                          [("91.5", "fast/dear"), ("59.0", "fast/cheap"), ("3.5", "test/laws"), ("154.0", "all")])
 
+    def test_a_custom_command_counts_for_the_folder_that_it_writes_to(self):
+        self.write("build/fast/times.log", f"- {self.top}/build/fast/bin/variants/a.so:g++ 4 0\n- ../../bin/variants/b.so:g++ 3 0\n- :cmake 1 0\n")
+        rows = [line.split() for line in self.times().stdout.splitlines()]
+        self.assertEqual([(row[0], row[-1]) for row in rows], [("7.0", "fast/bin/variants"), ("1.0", "fast/others"), ("8.0", "all")])
+
     def test_what_is_beyond_its_limit_is_named(self):
         self.write("build/other/times.log", "cheap c.o 60 1\n")
         ran = self.times()
@@ -112,7 +117,7 @@ class Times(InAFolder):
     def test_a_launched_command_keeps_its_words_its_output_and_its_code(self):
         ran = self.run_here(".ci/timed", "log", "target", "a.o", "sh", "-c", 'echo "$1"; echo wrong >&2; exit 3', "sh", "two  words")
         self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (3, "two  words\n", "wrong\n"))
-        self.assertRegex((self.top / "log").read_text(), r"^target a\.o [0-9.]+ [0-9.]+\n$")
+        self.assertRegex((self.top / "log").read_text(), r"^target a\.o:sh [0-9.]+ [0-9.]+\n$")
 
 
 class Checkout(InAFolder):
