@@ -103,7 +103,7 @@ plumb_build() {
   }
   exec {lock}>"build/.lock-$preset"
   flock "$lock"
-  if ! cmake --preset "$preset" >"build/configure-$preset.log" 2>&1; then
+  if ! cmake --preset "$preset" -D PLUMB_ALL_VARIANTS="${PLUMB_ALL_VARIANTS:-OFF}" >"build/configure-$preset.log" 2>&1; then
     cat "build/configure-$preset.log" >&2
     exit 2
   fi
