@@ -22,8 +22,8 @@ Contact<double> given(double overlap, const Vec3<double>& normal, const Vec3<dou
   return out;
 }
 
-FindingKind judged(const Pair& pair, const Contact<double>& answer) {
-  return Judge(pair).judge(Problem::common_normal, answer).finding.kind;
+FindingKind judged(Judge& judge, const Contact<double>& answer) {
+  return judge.judge(Problem::common_normal, answer).finding.kind;
 }
 
 Pair concentric(const Vec3<double>& semi_axes1, const Vec3<double>& semi_axes2) {
@@ -36,22 +36,22 @@ Pair concentric(const Vec3<double>& semi_axes1, const Vec3<double>& semi_axes2) 
 const Vec3<double> ex(1, 0, 0), ey(0, 1, 0), ez(0, 0, 1), absent = not_valid<double>();
 
 TEST(Laws, PointsAloneAreJudgedByTheTieTheyBelongTo) {
-  const Pair pair = concentric({1, 1.5, 2}, {1, 1.5, 2});
+  Judge judge(concentric({1, 1.5, 2}, {1, 1.5, 2}));
   for (const double side : {1.0, -1.0}) {
-    EXPECT_EQ(judged(pair, given(2, absent, side * ex, -side * ex)), FindingKind::none);
-    EXPECT_NE(judged(pair, given(2, absent, side * ey, -side * ey)), FindingKind::none);
+    EXPECT_EQ(judged(judge, given(2, absent, side * ex, -side * ex)), FindingKind::none);
+    EXPECT_NE(judged(judge, given(2, absent, side * ey, -side * ey)), FindingKind::none);
   }
 }
 
 TEST(Laws, OnARingAnyOfItsNormalsAndNoOther) {
-  const Pair pair = concentric({1, 1, 0.9}, {0.2, 0.2, 0.9});  // 1.2 on the equator, 1.8 at the poles
+  Judge judge(concentric({1, 1, 0.9}, {0.2, 0.2, 0.9}));  // 1.2 on the equator, 1.8 at the poles
   const Vec3<double> n = Vec3<double>(0.6, 0.8, 0).normalized();
-  EXPECT_EQ(judged(pair, given(1.2, n, n, -0.2 * n)), FindingKind::none);
-  EXPECT_EQ(judged(pair, given(1.2, ez)), FindingKind::misaligned);
-  EXPECT_EQ(judged(pair, given(1.2, absent, 0.9 * ez, -0.9 * ez)), FindingKind::overlap_error);
-  EXPECT_EQ(judged(pair, given(std::nan(""), absent, 0.9 * ez, -0.9 * ez)), FindingKind::point_error);
+  EXPECT_EQ(judged(judge, given(1.2, n, n, -0.2 * n)), FindingKind::none);
+  EXPECT_EQ(judged(judge, given(1.2, ez)), FindingKind::misaligned);
+  EXPECT_EQ(judged(judge, given(1.2, absent, 0.9 * ez, -0.9 * ez)), FindingKind::overlap_error);
+  EXPECT_EQ(judged(judge, given(std::nan(""), absent, 0.9 * ez, -0.9 * ez)), FindingKind::point_error);
   for (const double length : {0.0, 9.0, 1e-300, 1e300})
-    EXPECT_EQ(judged(pair, given(1.2, length * n)), FindingKind::misaligned);
+    EXPECT_EQ(judged(judge, given(1.2, length * n)), FindingKind::misaligned);
 }
 
 /// Nearly of revolution: nothing is proved but bounds, and the mirror image of the answer that is found is as good.
@@ -60,12 +60,13 @@ TEST(Laws, WhatMayTieIsNotFlagged) {
   pair.body1.shape.n1 = 2.5;
   pair.body1.shape.n2 = 1.9999993144483852;
   pair.body2.position << 0, 0, 0.1;
+  Judge judge(pair);
   const double a = 0.7070982689206692, b = 0.7069795061075875, c = 0.636365460570671, overlap = 1.8997995409163861;
   for (const double side : {1.0, -1.0}) {
     const Vec3<double> n(side * a, -side * a, 0.004906748290477945), p1(side * b, -side * b, 0.09165818220241116),
         p2(-side * c, side * c, 0.08233634405276889);
-    EXPECT_EQ(judged(pair, given(overlap, n, p1, p2)), FindingKind::none);
-    EXPECT_EQ(judged(pair, given(overlap, ez)), FindingKind::misaligned);
+    EXPECT_EQ(judged(judge, given(overlap, n, p1, p2)), FindingKind::none);
+    EXPECT_EQ(judged(judge, given(overlap, ez)), FindingKind::misaligned);
   }
 }
 
@@ -74,9 +75,10 @@ TEST(Laws, BoundsAloneContradictAnAnswer) {
   Pair pair = concentric({1, 1, 1.1}, {1, 1, 1.1});
   pair.body2.position << 0, 0, 0.3;
   pair.body2.quaternion = {1, 1.5538308190117619e-09, 0, 0};
-  EXPECT_EQ(judged(pair, given(-1, ez)), FindingKind::missed_contact);
-  EXPECT_EQ(judged(pair, given(1, absent)), FindingKind::overlap_error);
-  EXPECT_EQ(judged(pair, given(1.889821, absent)), FindingKind::none);
+  Judge judge(pair);
+  EXPECT_EQ(judged(judge, given(-1, ez)), FindingKind::missed_contact);
+  EXPECT_EQ(judged(judge, given(1, absent)), FindingKind::overlap_error);
+  EXPECT_EQ(judged(judge, given(1.889821, absent)), FindingKind::none);
 }
 
 /// What the certified solution becomes in doubles: no answer is better, so whatever a law says of it is the law's fault.
