@@ -1,29 +1,15 @@
 // The finite elements in Chromium: what is shown is what the document holds, and what is asked and does not hold is marked.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { bring, launch, open } from "./support/browser.mjs";
+import { test } from "node:test";
+import { bring } from "./support/browser.mjs";
 import { makeFem, makeFemReport } from "./support/fixture-fem.mjs";
-import { withFolder, writePage } from "./support/pages.mjs";
+import { withPage as withReport } from "./support/tab.mjs";
 
 const fem = makeFem();
 const METHODS = 5;
-let browser;
 
-before(async () => {
-  browser = await launch();
-});
-after(() => browser?.close());
-
-const withPage = (shown, use) =>
-  withFolder(async (folder) => {
-    const { page, noticed } = await open(browser, await writePage(makeFemReport(shown), join(folder, "page.html")));
-    try {
-      await use(page, noticed);
-    } finally {
-      await page.close();
-    }
-  });
+const withPage = (shown, use) => withReport(makeFemReport(shown), {}, use);
 
 const textsOf = (page, selector) =>
   page.$$eval(selector, (all) => all.map((one) => one.textContent.replaceAll("\u200b", "")));

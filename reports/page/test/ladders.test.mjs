@@ -1,26 +1,13 @@
 // The hard cases, ladder by ladder, in Chromium: what a strip shows is what the document holds.
 import assert from "node:assert/strict";
-import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { launch, open } from "./support/browser.mjs";
+import { test } from "node:test";
 import { makeReport } from "./support/fixture.mjs";
-import { withFolder, writePage } from "./support/pages.mjs";
+import { withPage as withReport } from "./support/tab.mjs";
 
 const report = makeReport({ failures: 1, cases: 1000, precision: false });
 const { ladders } = report.runs[0];
-let browser;
 
-before(async () => {
-  browser = await launch();
-});
-after(() => browser?.close());
-
-const withPage = (use) =>
-  withFolder(async (folder) => {
-    const { page, noticed } = await open(browser, await writePage(report, join(folder, "page.html")));
-    await use(page, noticed);
-    await page.close();
-  });
+const withPage = (use) => withReport(report, {}, use);
 
 const plain = (text) => text.replaceAll("\u200b", "");
 const texts = async (page, selector) =>

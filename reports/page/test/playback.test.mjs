@@ -1,29 +1,11 @@
 // Scenes played back, in Chromium and without: where bodies are between frames, what the player moves, what a reader is told.
 import assert from "node:assert/strict";
-import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { bring, launch, open } from "./support/browser.mjs";
+import { test } from "node:test";
+import { bring } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
 import { makePlayback, makeSceneReport, playbackLines, playbackOf } from "./support/fixture-playback.mjs";
 import { load } from "./support/modules.mjs";
-import { withFolder, writePage } from "./support/pages.mjs";
-
-let browser;
-
-before(async () => {
-  browser = await launch();
-});
-after(() => browser?.close());
-
-const withPage = (report, options, use) =>
-  withFolder(async (folder) => {
-    const { page, noticed } = await open(browser, await writePage(report, join(folder, "page.html")), options);
-    try {
-      await use(page, noticed);
-    } finally {
-      await page.close();
-    }
-  });
+import { withPage } from "./support/tab.mjs";
 
 const pixels = (page) => page.$eval("#playback canvas", (canvas) => canvas.toDataURL());
 const status = (page) => page.$eval("#playback .player-status", (line) => line.textContent);

@@ -5,11 +5,12 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { bring, launch, open } from "./support/browser.mjs";
+import { bring } from "./support/browser.mjs";
 import { femLines, femOf } from "./support/fixture-fem.mjs";
 import { playbackLines, playbackOf } from "./support/fixture-playback.mjs";
 import { studyLines, studyOf } from "./support/fixture-study.mjs";
 import { withFolder } from "./support/pages.mjs";
+import { withUrl } from "./support/tab.mjs";
 
 const bin = process.env.PLUMB_BIN;
 const skip = bin ? false : "PLUMB_BIN is not set";
@@ -49,34 +50,26 @@ function makePlanted(folder) {
 test("a regression planted in a campaign is the first row of the comparison", { skip }, () =>
   withFolder(async (folder) => {
     const url = makePlanted(folder);
-    const browser = await launch();
-    try {
-      const { page } = await open(browser, url);
+    await withUrl(url, {}, async (page) => {
       const rows = await page.$$eval("#compare tbody tr", (all) => all.map((row) => row.textContent));
       assert.match(rows[0], /worse.*spheroid.*new_.?cn/);
       assert.ok(rows.slice(0, 2).some((row) => /misaligned/.test(row)));
       assert.ok(rows.slice(2).every((row) => !/worse/.test(row)));
-    } finally {
-      await browser.close();
-    }
+    });
   }),
 );
 
 test("a report of plumb's own is shown whole, without a complaint or a request", { skip }, () =>
   withFolder(async (folder) => {
     const url = makePage(folder);
-    const browser = await launch();
-    try {
-      const { page, noticed } = await open(browser, url);
+    await withUrl(url, {}, async (page, noticed) => {
       for (const id of ["summary", "precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
       await bring(page, "#gallery canvas");
       assert.deepEqual(noticed, { console: [], requests: [] });
       const figures = await page.$$eval("td, dd, svg text", (all) => all.map((one) => one.textContent));
       assert.ok(figures.length > 100);
       for (const figure of figures) assert.doesNotMatch(figure, /undefined|\[object|^-?NaN|Infinity/);
-    } finally {
-      await browser.close();
-    }
+    });
   }),
 );
 
@@ -88,15 +81,11 @@ test("a scene's lines are packed as the made-up data are, and shown", { skip }, 
     run(folder, "plumb", "report", "pile", "-o", "page.html");
     const { playbacks } = JSON.parse(readFileSync(join(folder, "page.json"), "utf8"));
     assert.deepEqual(playbacks, [{ ...playbackOf(lines), folder: "pile" }]);
-    const browser = await launch();
-    try {
-      const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
+    await withUrl(pathToFileURL(join(folder, "page.html")).href, {}, async (page, noticed) => {
       await bring(page, "#playback canvas");
       await bring(page, "#playback .plot");
       assert.deepEqual(noticed, { console: [], requests: [] });
-    } finally {
-      await browser.close();
-    }
+    });
   }),
 );
 
@@ -106,15 +95,11 @@ test("a study's lines become the document that the made-up data are, and are sho
     writeFileSync(join(folder, "study.jsonl"), lines.map((line) => `${JSON.stringify(line)}\n`).join(""));
     run(folder, "plumb", "report", "--study", "study.jsonl", "-o", "page.html");
     assert.deepEqual(JSON.parse(readFileSync(join(folder, "page.json"), "utf8")).study, studyOf(lines));
-    const browser = await launch();
-    try {
-      const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
+    await withUrl(pathToFileURL(join(folder, "page.html")).href, {}, async (page, noticed) => {
       for (const id of ["study-angles", "study-maps", "study-limits"]) await bring(page, `#${id} .plot`);
       assert.match(await page.$eval('[role="alert"]', (alarm) => alarm.textContent), /study is incomplete/);
       assert.deepEqual(noticed, { console: [], requests: [] });
-    } finally {
-      await browser.close();
-    }
+    });
   }),
 );
 
@@ -124,14 +109,10 @@ test("the lines of finite elements become the document that the made-up data are
     writeFileSync(join(folder, "fem.jsonl"), lines.map((line) => `${JSON.stringify(line)}\n`).join(""));
     run(folder, "plumb", "report", "--fem", "fem.jsonl", "-o", "page.html");
     assert.deepEqual(JSON.parse(readFileSync(join(folder, "page.json"), "utf8")).fem, femOf(lines));
-    const browser = await launch();
-    try {
-      const { page, noticed } = await open(browser, pathToFileURL(join(folder, "page.html")).href);
+    await withUrl(pathToFileURL(join(folder, "page.html")).href, {}, async (page, noticed) => {
       await bring(page, "#fem-angles .plot");
       assert.match(await page.$eval('[role="alert"]', (alarm) => alarm.textContent), /element study is incomplete/);
       assert.deepEqual(noticed, { console: [], requests: [] });
-    } finally {
-      await browser.close();
-    }
+    });
   }),
 );

@@ -1,29 +1,14 @@
 // The source's study in Chromium: what is shown is what the document holds, and what fails is marked.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { bring, launch, open } from "./support/browser.mjs";
+import { test } from "node:test";
+import { bring } from "./support/browser.mjs";
 import { makeStudy, makeStudyReport } from "./support/fixture-study.mjs";
-import { withFolder, writePage } from "./support/pages.mjs";
+import { withPage as withReport } from "./support/tab.mjs";
 
 const study = makeStudy();
-let browser;
 
-before(async () => {
-  browser = await launch();
-});
-after(() => browser?.close());
-
-const withPage = (shown, use, options) =>
-  withFolder(async (folder) => {
-    const url = await writePage(makeStudyReport(shown), join(folder, "page.html"));
-    const { page, noticed } = await open(browser, url, options);
-    try {
-      await use(page, noticed);
-    } finally {
-      await page.close();
-    }
-  });
+const withPage = (shown, use, options) => withReport(makeStudyReport(shown), options, use);
 
 const plain = (text) => text.replaceAll("\u200b", "");
 const textsOf = (element, selector) =>

@@ -8,24 +8,36 @@ export const launch = () =>
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"],
   });
 
-/** Opens a page and notes all that it must not do: complain, or ask for anything but itself. */
-export async function open(browser, url, { width = 1400, height = 900, dark = false } = {}) {
-  const page = await browser.newPage();
+/** Notes all that a page must not do: complain, or ask for anything but itself. */
+function watch(page, url) {
   const noticed = { console: [], requests: [] };
-  page.on("console", (message) => {
-    if (["error", "warn", "warning"].includes(message.type())) noticed.console.push(message.text());
-  });
-  page.on("pageerror", (error) => noticed.console.push(String(error)));
-  page.on("request", (request) => {
-    const address = request.url();
-    if (address !== url && !/^(data|blob):/.test(address)) noticed.requests.push(address);
-  });
+  const watchers = {
+    console: (message) => {
+      if (["error", "warn", "warning"].includes(message.type())) noticed.console.push(message.text());
+    },
+    pageerror: (error) => noticed.console.push(String(error)),
+    request: (request) => {
+      const address = request.url();
+      if (address !== url && !/^(data|blob):/.test(address)) noticed.requests.push(address);
+    },
+  };
+  for (const [event, watcher] of Object.entries(watchers)) page.on(event, watcher);
+  const forget = () => Object.entries(watchers).forEach(([event, watcher]) => page.off(event, watcher));
+  return { noticed, forget };
+}
+
+/** Goes there in a tab and waits until the page is ready; what it does until forget() is noticed. */
+export async function show(page, url, { width = 1400, height = 900, dark = false } = {}) {
+  const { noticed, forget } = watch(page, url);
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
   await page.goto(url, { waitUntil: "load" });
   await page.waitForSelector('html[data-ready="true"]', { timeout: 30000 });
-  return { page, noticed };
+  return { page, noticed, forget };
 }
+
+/** The same in a tab of its own. */
+export const open = async (browser, url, options) => show(await browser.newPage(), url, options);
 
 /** Scrolls there until it is drawn: what is drawn above it may push it out of view again. */
 export async function bring(page, selector) {

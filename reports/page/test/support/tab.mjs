@@ -1,0 +1,33 @@
+// One browser and one tab for all tests of a process: to start either takes longer than most of them.
+import { join } from "node:path";
+import { after } from "node:test";
+import { launch, show } from "./browser.mjs";
+import { withFolder, writePage } from "./pages.mjs";
+
+let browser;
+let tab;
+
+after(async () => (await browser)?.close());
+
+/** What a page left behind goes, whether its test held or not: what it keeps, and itself. */
+async function leave(page) {
+  await page.evaluate(() => localStorage.clear());
+  await page.goto("about:blank");
+}
+
+/** The page there, given to `use` with what it must not do. One at a time: tests of a process follow each other. */
+export async function withUrl(url, options, use) {
+  browser ??= launch();
+  tab ??= (await browser).newPage();
+  const { page, noticed, forget } = await show(await tab, url, options);
+  try {
+    return await use(page, noticed);
+  } finally {
+    forget();
+    await leave(page);
+  }
+}
+
+/** The page of a report. */
+export const withPage = (report, options, use) =>
+  withFolder(async (folder) => withUrl(await writePage(report, join(folder, "page.html")), options, use));
