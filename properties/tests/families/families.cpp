@@ -8,6 +8,7 @@
 #include <set>
 
 #include "properties/generators.hpp"
+#include "properties/tests/draws.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/shape/superellipsoid.hpp"
@@ -173,7 +174,7 @@ RC_GTEST_PROP(Simpler, IsLegalAndDifferent, ()) {
 /// Whatever is taken, it ends; and always taking the last, the least preferred, is the longest way.
 TEST(Simpler, Ends) {
   for (const Family& family : families())
-    for (std::uint64_t i = 0; i < 20; ++i)
+    for (std::uint64_t i = 0; i < draws(20); ++i)
       for (const bool last : {false, true}) {
         Case c = generate(family.name, 3, i);
         int steps = 0;

@@ -6,6 +6,7 @@
 #include "properties/columns.hpp"
 #include "properties/families.hpp"
 #include "properties/laws.hpp"
+#include "properties/tests/draws.hpp"
 #include "properties/tests/host_modes/drawn.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/c/door.hpp"
@@ -53,7 +54,7 @@ Answer solved_in(const HostMode& mode, const plumb_pair& pair, const char* metho
 }
 
 TEST(AnswersInHostModes, AreTheSameBitsOfEachMethod) {
-  for (std::uint64_t i = 0; i < drawn_cases(2000); ++i) {
+  for (std::uint64_t i = 0; i < drawn_cases(draws(2000)); ++i) {
     const plumb_pair pair = door::c_pair(scaled_pair(5, i).pair);
     for (const Method& method : methods()) {
       const char* name = method.name.data();

@@ -12,6 +12,7 @@
 
 #include "properties/families.hpp"
 #include "properties/laws_path.hpp"
+#include "properties/tests/kept_references.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
@@ -32,7 +33,7 @@ std::vector<Pair> poses_of(const Path& path) {
 /// What a method's answers along a path break.
 std::vector<PathFinding> findings_of(std::string_view method_name, const std::vector<Pair>& poses) {
   const Method* method = find_method(method_name);
-  PathJudge judge(poses);
+  PathJudge judge(poses, kept_references());
   return judge_path(judge.follow(
       method->problem, [&](const Pair& pair, const Contact<double>* last) { return method->solve(pair, {}, last); }));
 }

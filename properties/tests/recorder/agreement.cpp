@@ -1,6 +1,7 @@
 // The recorder and the laws on the same answers: what it calls wrong is wrong, and it sees most of what is.
 #include <cmath>
 
+#include "properties/tests/draws.hpp"
 #include "properties/tests/recorder/sample.hpp"
 
 namespace plumb {
@@ -12,7 +13,7 @@ TEST_P(RecorderAgrees, NoFalseAlarmOnAnyAnswerOfAuto) {
   plumb_recorder_options exact = plumb_recorder_defaults();
   exact.tolerance = 0;
   open(exact);
-  for (std::uint64_t i = 0; i < 26000; ++i) {
+  for (std::uint64_t i = 0; i < draws(26000); ++i) {
     const Case c = generate(GetParam(), 11, i);
     const Contact<double> contact = answer_of("auto", c.pair);
     if (contact.status != Status::converged) continue;
