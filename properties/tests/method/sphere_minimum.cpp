@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "properties/stream.hpp"
 
 namespace plumb {
@@ -15,9 +17,11 @@ struct Quadratic {
   double size;
 
   Quadratic(const Vec3<double>& eigenvalues, const Vec3<double>& along, Stream& random) {
-    Mat3<double> any;
-    for (double& x : any.reshaped()) x = random.uniform(-1, 1);
-    const Mat3<double> axes = any.householderQr().householderQ();
+    const auto any = [&] { return Vec3<double>(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)); };
+    Mat3<double> axes;
+    axes.col(0) = any().normalized();
+    axes.col(1) = axes.col(0).cross(any()).normalized();
+    axes.col(2) = axes.col(0).cross(axes.col(1));
     const Mat3<double> full = axes * eigenvalues.asDiagonal() * axes.transpose();
     m = {full(0, 0), full(0, 1), full(0, 2), full(1, 1), full(1, 2), full(2, 2)};
     c = Vector3<double>::of(Vec3<double>(axes * along));
