@@ -18,7 +18,8 @@ std::string table_of(std::uint64_t not_proved_lowest) {
 
 TEST(Table, TellsWhatIsNotProvedAndWhatTheProofsTook) {
   const std::string taken = "\n  judged by bounds 5, by a proof 1 990, by 50 digits 5\n";
-  EXPECT_NE(table_of(3).find("spheroid: 2 000 cases, the reference of 3 not proved to be the lowest minimum" + taken), std::string::npos)
+  EXPECT_NE(table_of(3).find("spheroid: 2 000 cases, the reference of 3 not proved to be the lowest minimum" + taken),
+            std::string::npos)
       << table_of(3);
   EXPECT_NE(table_of(0).find("spheroid: 2 000 cases" + taken), std::string::npos) << table_of(0);
 }

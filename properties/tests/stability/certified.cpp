@@ -160,8 +160,10 @@ TEST_F(Stability, APublishedMethodLetsGoAndThatIsAResult) {
 }
 
 TEST_F(Stability, TakesTheFirstCasesOfEachStep) {
-  const std::string args = "report-stability " + kFolder + "needle.jsonl --method original_cn --arithmetic double --json";
-  const Json all = lines_of(plumb(args).out).at(1).at("cases"), two = lines_of(plumb(args + " --cases 2").out).at(1).at("cases");
+  const std::string args =
+      "report-stability " + kFolder + "needle.jsonl --method original_cn --arithmetic double --json";
+  const Json all = lines_of(plumb(args).out).at(1).at("cases"),
+             two = lines_of(plumb(args + " --cases 2").out).at(1).at("cases");
   ASSERT_EQ(all.size(), two.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i], 3);
