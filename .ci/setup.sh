@@ -22,6 +22,9 @@ declare -A plumb_packages=(
   [record]="git"
 )
 
+# Decimal points in what awk and bash print and read.
+export LC_ALL=C.UTF-8
+
 # Ctrl-C ends a script with the contract's exit code, once the child that got the signal too has ended.
 trap 'exit 130' INT TERM
 
@@ -86,7 +89,7 @@ stale_builds() {
   local cache place
   for cache in build/*/CMakeCache.txt; do
     place=$(sed -n 's/^CMAKE_CACHEFILE_DIR:INTERNAL=//p' "$cache" 2>/dev/null) || true
-    [[ -z $place || $place -ef ${cache%/*} ]] || printf '%s\n' "${cache%/*}"
+    [[ -z $place || $place -ef ${cache%/*} ]] || printf '%s\n' "$PWD/${cache%/*}"
   done
 }
 
@@ -97,13 +100,13 @@ plumb_build() {
   shift
   mkdir -p build
   mapfile -t stale < <(stale_builds)
-  [[ " ${stale[*]} " != *" build/$preset "* ]] || {
+  [[ " ${stale[*]} " != *" $PWD/build/$preset "* ]] || {
     complain "build/$preset was configured in another place, as a checkout copied or moved has it: remove it (rm -rf ${stale[*]}) and start again"
     exit 2
   }
   exec {lock}>"build/.lock-$preset"
   flock "$lock"
-  if ! cmake --preset "$preset" -D PLUMB_ALL_VARIANTS="${PLUMB_ALL_VARIANTS:-OFF}" >"build/configure-$preset.log" 2>&1; then
+  if ! cmake --preset "$preset" ${PLUMB_ALL_VARIANTS:+-D PLUMB_ALL_VARIANTS="$PLUMB_ALL_VARIANTS"} >"build/configure-$preset.log" 2>&1; then
     cat "build/configure-$preset.log" >&2
     exit 2
   fi

@@ -32,8 +32,8 @@ struct Arguments {
   std::string real = PLUMB_SOURCE_DIR "/corpus/cases/real", seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
 };
 
-/// How many per minute of ./fuzz/run, from the speed of two cores. Counts and not a clock end the run, so that a second
-/// machine finds the same.
+/// How many a minute: a measure of work, from the speed of two cores. Counts and not a clock end this program, so that a
+/// second machine finds the same; ./fuzz/run says by which minutes it asked.
 struct Rate {
   const char* what;
   double per_minute;
@@ -42,7 +42,7 @@ constexpr Rate kFamilies[] = {{"spheroid", 12000}, {"ellipsoid", 2000}, {"superq
 constexpr Rate kTargets[] = {{"pair", 150}, {"contact", 10000}, {"methods", 1000}, {"scalars", 1000}};
 
 /// Of the families, before anything else: some 2000 pairs.
-constexpr double minutes_of_the_first = 0.1;
+constexpr double minutes_of_the_first = 0.14;
 
 std::uint64_t scaled(const Rate& rate, double minutes) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(rate.per_minute * minutes)));

@@ -19,8 +19,9 @@ class InAFolder(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.top = pathlib.Path(folder.name).resolve()
         (self.top / ".ci").mkdir()
-        # Stand-ins for programs come first.
-        self.environment = os.environ | {"PATH": f"{self.top}/bin:{os.environ['PATH']}"}
+        # Stand-ins for programs come first; nothing of the run that this is a part of.
+        outer = {name: value for name, value in os.environ.items() if not name.startswith("PLUMB_")}
+        self.environment = outer | {"PATH": f"{self.top}/bin:{os.environ['PATH']}"}
 
     def write(self, path, text):
         (self.top / path).parent.mkdir(parents=True, exist_ok=True)
@@ -80,7 +81,7 @@ class Times(InAFolder):
         self.copy("times")
         self.copy("timed")
         self.write(".ci/limits.tsv", "# a table\ndefault\t60\nfast/dear\t100\n")
-        self.write("build/fast/times.log", "dear a.o 80 0\ndear a.o 70 1.5\ndear b.o 20 0\ncheap c.o 59 0\n")
+        self.write("build/fast/times.log", "dear\ta.o\t80\t0\ndear\ta.o\t70\t1.5\ndear\tb.o\t20\t0\ncheap\tc.o\t59\t0\n")
         self.write("ctest.xml", '<testsuite><testcase name="laws/A.B" time="1.5"/><testcase name="laws/A.C" time="2"/></testsuite>')
 
     def times(self, *arguments):
@@ -94,12 +95,12 @@ class Times(InAFolder):
                          [("91.5", "fast/dear"), ("59.0", "fast/cheap"), ("3.5", "test/laws"), ("154.0", "all")])
 
     def test_a_custom_command_counts_for_the_folder_that_it_writes_to(self):
-        self.write("build/fast/times.log", f"- {self.top}/build/fast/bin/variants/a.so:g++ 4 0\n- ../../bin/variants/b.so:g++ 3 0\n- :cmake 1 0\n")
+        self.write("build/fast/times.log", f"-\t{self.top}/build/fast/bin/variants/a.so:g++\t4\t0\n-\t../../bin/variants/b.so:g++\t3\t0\n-\t:cmake\t1\t0\n")
         rows = [line.split() for line in self.times().stdout.splitlines()]
         self.assertEqual([(row[0], row[-1]) for row in rows], [("7.0", "fast/bin/variants"), ("1.0", "fast/others"), ("8.0", "all")])
 
     def test_what_is_beyond_its_limit_is_named(self):
-        self.write("build/other/times.log", "cheap c.o 60 1\n")
+        self.write("build/other/times.log", "cheap\tc.o\t60\t1\n")
         ran = self.times()
         self.assertEqual(ran.returncode, 1)
         self.assertEqual(ran.stdout.splitlines()[-1], "other/cheap: 61 s, its limit is 60 (.ci/limits.tsv)")
@@ -117,7 +118,7 @@ class Times(InAFolder):
     def test_a_launched_command_keeps_its_words_its_output_and_its_code(self):
         ran = self.run_here(".ci/timed", "log", "target", "a.o", "sh", "-c", 'echo "$1"; echo wrong >&2; exit 3', "sh", "two  words")
         self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (3, "two  words\n", "wrong\n"))
-        self.assertRegex((self.top / "log").read_text(), r"^target a\.o:sh [0-9.]+ [0-9.]+\n$")
+        self.assertRegex((self.top / "log").read_text(), r"^target\ta\.o:sh\t[0-9.]+\t[0-9.]+\n$")
 
 
 class Checkout(InAFolder):
@@ -131,7 +132,7 @@ class Checkout(InAFolder):
         ran = self.build(release="/old/build/release", fuzz="/old/build/fuzz", lint=self.top / "build/lint")
         self.assertEqual((ran.returncode, ran.stdout), (2, ""))
         self.assertEqual(ran.stderr, "properties/run: build/release was configured in another place, as a checkout copied or moved has it: "
-                                     "remove it (rm -rf build/fuzz build/release) and start again\n")
+                                     f"remove it (rm -rf {self.top}/build/fuzz {self.top}/build/release) and start again\n")
 
     def test_what_was_configured_here_is_built(self):
         ran = self.build(release=self.top / "build/release", fuzz="/old/build/fuzz")
@@ -171,6 +172,11 @@ class Run(InAFolder):
                          ["failed: fuzz-contact with sanitizers", "failed: properties/run", "failed: reports/gate"])
         self.assertEqual(ran.stdout.count("\n== "), 2 * 21)
 
+    def test_a_step_that_does_not_come_back_has_failed(self):
+        self.program("build/fuzz/bin/fuzz-pair", "kill -9 0")
+        ran = self.run_here(".ci/run")
+        self.assertEqual((ran.returncode, ran.stdout.splitlines()[-1]), (1, "failed: fuzz-pair with sanitizers"), ran.stdout)
+
     def test_what_a_step_prints_stays_together(self):
         self.program("build/fuzz/bin/fuzz-pair", "echo first; sleep 0.5; echo last")
         ran = self.run_here(".ci/run")
@@ -185,7 +191,7 @@ class Run(InAFolder):
     def test_an_interrupt_ends_what_runs_beside(self):
         self.program(".ci/lint", "touch begun; sleep 2; touch ended")
         with subprocess.Popen([".ci/run"], cwd=self.top, env=self.environment, stdout=subprocess.DEVNULL) as running:
-            while not (self.top / "begun").exists():
+            while not (self.top / "begun").exists() and running.poll() is None:
                 time.sleep(0.05)
             running.send_signal(signal.SIGINT)
             self.assertEqual(running.wait(20), 130)

@@ -17,7 +17,7 @@ import importlib.util as _util
 import sys as _sys
 
 if _util.find_spec("numpy") is None:
-    raise ImportError(f"{_sys.executable} has no numpy: install python3-numpy and call Debian's own /usr/bin/python3")
+    raise ImportError(f"{_sys.executable} has no numpy: pip install numpy, or install python3-numpy and call Debian's own /usr/bin/python3")
 
 from ._batch import Bodies, Contacts, solve_batch
 from ._case import bodies_of, case

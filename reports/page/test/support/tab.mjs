@@ -11,6 +11,7 @@ after(async () => (await browser)?.close());
 
 /** What a page left behind goes, whether its test held or not: what it keeps, and itself. */
 async function leave(page) {
+  await page.mouse.move(0, 0);
   await page.evaluate(() => localStorage.clear());
   await page.goto("about:blank");
 }
@@ -19,12 +20,19 @@ async function leave(page) {
 export async function withUrl(url, options, use) {
   browser ??= launch();
   tab ??= (await browser).newPage();
-  const { page, noticed, forget } = await show(await tab, url, options);
+  const page = await tab;
+  let forget;
   try {
-    return await use(page, noticed);
+    const shown = await show(page, url, options);
+    forget = shown.forget;
+    return await use(shown.page, shown.noticed);
+  } catch (error) {
+    tab = undefined; // whatever is wrong with it, the next test has another
+    throw error;
   } finally {
-    forget();
-    await leave(page);
+    forget?.();
+    if (tab) await leave(page);
+    else await page.close();
   }
 }
 
