@@ -199,5 +199,49 @@ class Run(InAFolder):
         self.assertFalse((self.top / "ended").exists())
 
 
+class FuzzRun(InAFolder):
+    """fuzz/run with stand-ins for all that it runs."""
+
+    def setUp(self):
+        super().setUp()
+        self.write(".ci/setup.sh", 'complain() { echo "$*" >&2; }\nplumb_setup() { :; }\nplumb_build() { :; }\n')
+        (self.top / "fuzz").mkdir()
+        shutil.copy(SCRIPTS.parent / "fuzz/run", self.top / "fuzz")
+        self.write("build/fuzz-run/verdict.txt", "the verdict\n")
+
+    def ran(self, minutes, codes=""):
+        """What plumb was asked for, the exit code and the last line. `codes`: cases of sh, by the words of a call."""
+        self.program("build/release/bin/plumb", f'sleep 0.02; echo "$*" >>asked; case "$*" in {codes} *) exit 0 ;; esac')
+        run = self.run_here("fuzz/run", "--minutes", minutes)
+        asked = [line.split() for line in (self.top / "asked").read_text().splitlines()]
+        return asked, run.returncode, run.stdout.splitlines()[-1]
+
+    def test_all_parts_are_run_and_the_verdict_comes_last(self):
+        asked, code, last = self.ran("2")
+        self.assertEqual([words[0] for words in asked], ["fuzz-run", "fuzz-run", "fuzz-run", "report-precision", "report-stability", "report"])
+        self.assertEqual((code, last), (0, "the verdict"))
+
+    def test_more_minutes_are_more_of_each(self):
+        sizes = []
+        for minutes in ("0.2", "1", "5", "60", "300"):
+            (self.top / "asked").unlink(missing_ok=True)
+            words = self.ran(minutes)[0][2]
+            sizes.append(float(words[words.index("--minutes") + 1]))
+        self.assertEqual(sizes, sorted(sizes))
+        self.assertEqual(len(set(sizes)), 5)
+
+    def test_a_finding_does_not_end_the_run(self):
+        asked, code, _ = self.ran("2", "*--fuzzers*) exit 1 ;; report-precision*) exit 2 ;;")
+        self.assertEqual((len(asked), code), (6, 1))
+
+    def test_what_was_interrupted_has_a_page(self):
+        asked, code, _ = self.ran("2", "*--fuzzers*) exit 130 ;;")
+        self.assertEqual(([words[0] for words in asked[3:]], code), (["report"], 130))
+
+    def test_unusable_input_ends_the_run(self):
+        asked, code, _ = self.ran("2", "*--fuzzers*) exit 2 ;;")
+        self.assertEqual((len(asked), code), (3, 2))
+
+
 if __name__ == "__main__":
     unittest.main()
