@@ -25,27 +25,27 @@ std::vector<std::string> problem_words() {
   return out;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
   app.add_option("--digits", options.digits, "significant digits that are printed, and computed without --effort")
-      ->check(CLI::Range(1, 50))
+      ->in_range(1, 50)
       ->capture_default_str();
-  CLI::Option* all = app.add_flag("--all", options.all, "also every other common normal, and whether these are all");
+  CommandOption* all = app.add_flag("--all", options.all, "also every other common normal, and whether these are all");
   app.add_flag("--json", options.json, "one JSON object a line for each case");
-  CLI::Option* effort =
+  CommandOption* effort =
       app.add_option("--effort", options.effort, "bounds (trusts the machine's pow), proof (19 digits), digits (50)")
-          ->check(CLI::IsMember({"bounds", "proof", "digits"}));
-  CLI::Option* proof = app.add_option("--proof", options.proof, "write the proofs to this file, one a line");
-  CLI::Option* verify = app.add_option("--verify", options.verify,
-                                       "confirm the proofs in this file, one for each case, without searching")
-                            ->excludes(all)
-                            ->excludes(effort)
-                            ->excludes(proof);
+          ->is_one_of({"bounds", "proof", "digits"});
+  CommandOption* proof = app.add_option("--proof", options.proof, "write the proofs to this file, one a line");
+  CommandOption* verify = app.add_option("--verify", options.verify,
+                                         "confirm the proofs in this file, one for each case, without searching")
+                              ->excludes(all)
+                              ->excludes(effort)
+                              ->excludes(proof);
   app.add_option("--problem", options.problem,
                  "another problem than the common normal's: a geometric potential's (deepest_points, midway) or that "
                  "of the relative motion undone, with the centre distance at first touch along the line of centres "
                  "(first_touch)")
-      ->check(CLI::IsMember(problem_words()))
+      ->is_one_of(problem_words())
       ->excludes(all)
       ->excludes(effort)
       ->excludes(proof)
@@ -209,7 +209,7 @@ int certify(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::Options options;
-  CLI::App app("Prove the overlap, the verdict, the normal and the points of a case.", "plumb certify");
+  plumb::CommandLine app("Prove the overlap, the verdict, the normal and the points of a case.", "plumb certify");
   plumb::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::certify(options); });
 }

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
-#include <sstream>
 
 #include "corpus/case.hpp"
 #include "corpus/interrupt.hpp"
@@ -20,25 +19,14 @@ int refuse(std::string reason) {
   return exit_unusable;
 }
 
-// Help and version are exceptions of the library, too; they print and end with 0.
-int end_parsing(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() != 0) return refuse(app.get_name() + ": " + error.what() + " (--help tells more)");
-  // By way of a string: nobody would notice what std::cout could not write.
-  std::ostringstream text;
-  (void)app.exit(error, text, text);
-  if (std::fputs(text.str().c_str(), stdout) < 0) fail_with("standard output", errno);
+/// The exit code where parsing is the end of it.
+std::optional<int> parse(CommandLine& app, int argc, char** argv) {
+  const CommandLine::Parsed parsed = app.parse(argc, argv);
+  if (parsed.go_on) return std::nullopt;
+  if (!parsed.error.empty()) return refuse(app.name() + ": " + parsed.error + " (--help tells more)");
+  if (std::fputs(parsed.help.c_str(), stdout) < 0) fail_with("standard output", errno);
   flush_output();
   return exit_done;
-}
-
-/// The exit code where parsing is the end of it.
-std::optional<int> parse(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    return end_parsing(app, error);
-  }
 }
 
 int run_body(const std::function<int()>& body) {
@@ -49,7 +37,7 @@ int run_body(const std::function<int()>& body) {
 
 }  // namespace
 
-int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
+int run_command(CommandLine& app, int argc, char** argv, const std::function<int()>& body) {
   try {
     if (const auto code = parse(app, argc, argv)) return *code;
     catch_interrupt();
@@ -60,11 +48,11 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>
     return interrupted() ? static_cast<int>(exit_interrupted) : refuse(error.what());
   } catch (const std::exception& error) {
     (void)std::fflush(stdout);
-    return refuse(app.get_name() + ": " + error.what());
+    return refuse(app.name() + ": " + error.what());
   }
 }
 
-CLI::Option* declare_solver(CLI::App& app, ForeignOption& option, const std::string& help) {
+CommandOption* declare_solver(CommandLine& app, ForeignOption& option, const std::string& help) {
   auto* solver = app.add_option("--solver", option.library, help);
   app.add_option("--solver-limit", option.limits.seconds,
                  "seconds of processor time for an answer of that library; sleeping, six times that")
@@ -105,7 +93,7 @@ std::string refuse_seed(const std::string& text) {
   return "'" + text + "' is not a whole number from 0 to 18446744073709551615";
 }
 
-void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& help) {
+void declare_seed(CommandLine& app, std::uint64_t& seed, const std::string& help) {
   app.add_option("--seed", seed, help)->capture_default_str()->check(refuse_seed);
 }
 

@@ -1,14 +1,12 @@
 // What every command's main() shares: one line and exit 2 for unusable input, 130 after Ctrl-C, output that was written.
 #pragma once
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "corpus/command_line.hpp"
 #include "corpus/solver.hpp"
 
 namespace plumb {
@@ -21,7 +19,7 @@ struct ForeignOption {
   SolverLimits limits;
 };
 /// The option --solver, for what excludes it.
-CLI::Option* declare_solver(CLI::App& app, ForeignOption& option, const std::string& help);
+CommandOption* declare_solver(CommandLine& app, ForeignOption& option, const std::string& help);
 /// The one solver that takes the place of a case's own: the library, else the method of that name; none where neither was named.
 /// `command` is for the refusal of several methods. Throws InputFailure.
 [[nodiscard]] std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::string& method,
@@ -31,7 +29,7 @@ enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interru
 
 /// Parses the arguments, runs the body (which returns 0 or 1) and turns whatever it throws into one line on stderr and 2.
 /// Ctrl-C only sets interrupted() of corpus/interrupt.hpp: the body stops when it sees it, and what it printed is kept.
-[[nodiscard]] int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
+[[nodiscard]] int run_command(CommandLine& app, int argc, char** argv, const std::function<int()>& body);
 
 /// A check for CLI11, which takes nan for a number in any range and prints the bounds of a type as hundreds of digits: what is
 /// wrong with the text of a whole number above 0, empty when nothing is.
@@ -40,7 +38,7 @@ enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interru
 /// The same of a whole number of 64 bits, 0 among them: a seed, an index. CLI11 takes -1 for the greatest.
 [[nodiscard]] std::string refuse_seed(const std::string& text);
 /// The option --seed.
-void declare_seed(CLI::App& app, std::uint64_t& seed, const std::string& help = "same seed, same cases");
+void declare_seed(CommandLine& app, std::uint64_t& seed, const std::string& help = "same seed, same cases");
 
 /// The same of a time: a number above 0.
 [[nodiscard]] std::string refuse_seconds(const std::string& text);

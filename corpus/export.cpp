@@ -20,10 +20,10 @@ struct Arguments {
   std::string file, format = "lammps", out;
 };
 
-void declare(CLI::App& app, Arguments& arguments) {
+void declare(CommandLine& app, Arguments& arguments) {
   app.add_option("FILE", arguments.file, "cases, a scene, or - for standard input")->required();
   app.add_option("--format", arguments.format, "whose columns")
-      ->check(CLI::IsMember({"lammps", "liggghts"}))
+      ->is_one_of({"lammps", "liggghts"})
       ->capture_default_str();
   app.add_option("-o", arguments.out, "file for the dump; else standard output");
 }
@@ -109,8 +109,8 @@ class Exporter {
 
 int main(int argc, char** argv) {
   plumb::Arguments arguments;
-  CLI::App app("Cases, a frame each, or a scene's first state as a dump for LAMMPS, LIGGGHTS and OVITO.",
-               "plumb export");
+  plumb::CommandLine app("Cases, a frame each, or a scene's first state as a dump for LAMMPS, LIGGGHTS and OVITO.",
+                         "plumb export");
   plumb::declare(app, arguments);
   return plumb::run_command(app, argc, argv, [&] { return plumb::Exporter(arguments).run(); });
 }

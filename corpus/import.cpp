@@ -32,10 +32,10 @@ std::string refuse_gap(const std::string& text) {
   return gap && *gap >= 0 && *gap <= 1e6 ? "" : "'" + text + "' is not a number from 0 to 1e6";
 }
 
-void declare(CLI::App& app, Arguments& arguments) {
+void declare(CommandLine& app, Arguments& arguments) {
   app.add_option("FILE", arguments.files, "dumps, or - for standard input")->required();
   app.add_option("--format", arguments.format, "shapex is a diameter (lammps) or a semi-axis (liggghts)")
-      ->check(CLI::IsMember({"lammps", "liggghts", "auto"}))
+      ->is_one_of({"lammps", "liggghts", "auto"})
       ->capture_default_str();
   app.add_option("--step", arguments.step, "the frame of this step, the last one of all files, or all")
       ->check(refuse_step)
@@ -165,7 +165,7 @@ int import_files(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   plumb::Arguments arguments;
-  CLI::App app("The pairs of a LAMMPS or LIGGGHTS dump that touch, as cases.", "plumb import");
+  plumb::CommandLine app("The pairs of a LAMMPS or LIGGGHTS dump that touch, as cases.", "plumb import");
   plumb::declare(app, arguments);
   return plumb::run_command(app, argc, argv, [&] { return plumb::import_files(arguments); });
 }

@@ -15,6 +15,6 @@ int list_methods() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("The methods, the problem that each one solves, and what it is.", "plumb methods");
+  plumb::CommandLine app("The methods, the problem that each one solves, and what it is.", "plumb methods");
   return plumb::run_command(app, argc, argv, list_methods);
 }

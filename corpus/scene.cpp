@@ -6,6 +6,7 @@
 #include "corpus/case.hpp"
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
+#include "corpus/number_text.hpp"
 #include "corpus/scene_file.hpp"
 #include "corpus/scene_run.hpp"
 #include "corpus/scene_view.hpp"
@@ -24,29 +25,25 @@ struct Arguments {
 };
 
 std::string refuse_accuracy(const std::string& text) {
-  double accuracy = 0;
-  const bool is_number = CLI::detail::lexical_cast(text, accuracy);
-  return is_number && accuracy > 0 && accuracy < 1 ? "" : "must be a number between 0 and 1";
+  const auto accuracy = number_from<double>(text);
+  return accuracy && *accuracy > 0 && *accuracy < 1 ? "" : "must be a number between 0 and 1";
 }
 
 std::string refuse_empty(const std::string& text) {
   return text.empty() ? "names no folder" : "";
 }
 
-void declare(CLI::App& app, Arguments& arguments) {
+void declare(CommandLine& app, Arguments& arguments) {
   app.add_option("SCENE", arguments.scene, "scene file, or - for standard input")->required();
   app.add_flag("--plan", arguments.plan, "which effects run, why, what each costs; nothing is simulated");
   auto* out = app.add_option("--out", arguments.out, "folder for what the scene writes, checkpoints and run.json");
   out->check(refuse_empty);
   app.add_flag("--resume", arguments.run.resume, "go on with the run in the folder")->needs(out);
-  app.add_option("--threads", arguments.run.threads, "for the solver; as many as the scene can use")
-      ->check(CLI::Range(1, 1024));
+  app.add_option("--threads", arguments.run.threads, "for the solver; as many as the scene can use")->in_range(1, 1024);
   app.add_flag("--record", arguments.run.record, "keep hard contacts as cases in the folder")->needs(out);
   app.add_option("--force", arguments.forced, "an effect to be on even where it changes nothing; for tests")
       ->check([](const std::string& name) { return find_effect(name) == nullptr ? name + " is no effect" : ""; });
-  app.add_option("--accuracy", arguments.accuracy, "instead of the scene's own")->check([](const std::string& text) {
-    return refuse_accuracy(text);
-  });
+  app.add_option("--accuracy", arguments.accuracy, "instead of the scene's own")->check(refuse_accuracy);
   app.add_option("--checkpoint", arguments.run.checkpoint, "steps between two checkpoints")->check(refuse_count);
   app.add_flag("--json", arguments.json, "one JSON object instead of a table");
 }
@@ -133,7 +130,7 @@ int scene_command(Arguments& arguments) {
 
 int main(int argc, char** argv) {
   plumb::scene::Arguments arguments;
-  CLI::App app("Simulate the effects that a scene calls for, and nothing else.", "plumb scene");
+  plumb::CommandLine app("Simulate the effects that a scene calls for, and nothing else.", "plumb scene");
   plumb::scene::declare(app, arguments);
   return plumb::run_command(app, argc, argv, [&] { return plumb::scene::scene_command(arguments); });
 }

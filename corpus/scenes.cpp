@@ -30,9 +30,9 @@ void print_scene(const std::string& name, int bodies) {
 int main(int argc, char** argv) {
   std::string name;
   int bodies = 0;
-  CLI::App app("The named scenes; with a name, that scene as a file.", "plumb scenes");
+  plumb::CommandLine app("The named scenes; with a name, that scene as a file.", "plumb scenes");
   app.add_option("NAME", name, "which one to write");
-  app.add_option("--bodies", bodies, "how many, where that may be chosen")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--bodies", bodies, "how many, where that may be chosen")->in_range(1, 1'000'000);
   return plumb::run_command(app, argc, argv, [&] {
     if (name.empty())
       plumb::scene::list_scenes();

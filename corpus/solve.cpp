@@ -24,15 +24,14 @@ struct Options {
   bool json = false;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
   app.add_option("--method", options.methods, "NAME,.. or all; default auto (plumb methods lists them)");
   declare_solver(app, options.library, "a shared library that implements solver/plumb_solver.h");
   app.add_option("--want", options.want,
                  "what to compute: overlap,normal,points,curvature,derivatives; or verdict alone")
       ->capture_default_str();
-  app.add_option("--repeat", options.repeat, "time the smallest of this many calls")
-      ->check(CLI::Range(1, 1'000'000'000));
+  app.add_option("--repeat", options.repeat, "time the smallest of this many calls")->in_range(1, 1'000'000'000);
   app.add_flag("--warm", options.warm, "start the timed calls from the case's own answer");
   app.add_flag("--json", options.json, "one JSON object a line for each case and method");
 }
@@ -113,7 +112,7 @@ int solve(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::Options options;
-  CLI::App app("Solve the contact of each case, by one method or all of them.", "plumb solve");
+  plumb::CommandLine app("Solve the contact of each case, by one method or all of them.", "plumb solve");
   plumb::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::solve(options); });
 }

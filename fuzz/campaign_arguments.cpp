@@ -43,7 +43,7 @@ void require_replaceable(const CampaignArguments& args, const PreparedCampaign& 
 
 }  // namespace
 
-CLI::Option* declare_campaign(CLI::App& app, CampaignArguments& args, const std::string& threads) {
+CommandOption* declare_campaign(CommandLine& app, CampaignArguments& args, const std::string& threads) {
   app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")
       ->required();
   app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
@@ -51,11 +51,11 @@ CLI::Option* declare_campaign(CLI::App& app, CampaignArguments& args, const std:
   app.add_option("--method", args.method, "methods with commas, or all (the default without --solver)");
   declare_solver(app, args.solver, "a shared library behind solver/plumb_solver.h, in processes of its own");
   app.add_option("--shard", args.shard, "i/n: the i-th of n parts, 1 <= i <= n; plumb merge puts them together");
-  app.add_option("--threads", args.threads, threads)->check(CLI::Range(1, 1024));
+  app.add_option("--threads", args.threads, threads)->in_range(1, 1024);
   auto* out = app.add_option("--out", args.out, "folder for summary.json, campaign.bins and failures/");
   app.add_option("--chunks", args.chunks, "parts of the work, each kept in DIR/chunks once it is done")
       ->check(refuse_count)
-      ->check(CLI::Range(std::uint64_t{1}, kMostParts))
+      ->in_range(1, static_cast<std::int64_t>(kMostParts))
       ->capture_default_str();
   app.add_flag("--resume", args.resume, "do what is missing in DIR, after a run with the same arguments")->needs(out);
   app.add_flag("--force", args.force, kForceHelp)->needs(out);

@@ -22,7 +22,7 @@ struct CampaignArguments {
 };
 
 /// `threads`: says what the default is. Returns --out.
-CLI::Option* declare_campaign(CLI::App& app, CampaignArguments& args, const std::string& threads);
+CommandOption* declare_campaign(CommandLine& app, CampaignArguments& args, const std::string& threads);
 
 /// The arguments as what the library takes; the references are kept as long as this is.
 struct PreparedCampaign {

@@ -25,7 +25,7 @@ int campaign(const CampaignArguments& args) {
 int main(int argc, char** argv) {
   plumb::CampaignArguments args;
   args.threads = plumb::default_threads();
-  CLI::App app("Random cases of the families: every method's answer judged by every law", "plumb campaign");
+  plumb::CommandLine app("Random cases of the families: every method's answer judged by every law", "plumb campaign");
   plumb::declare_campaign(app, args, "default: one for each processor");
   return plumb::run_command(app, argc, argv, [&] { return plumb::campaign(args); });
 }

@@ -261,7 +261,8 @@ int campaign_of_other(const CampaignArguments& args, std::uint64_t token, int ra
 int main(int argc, char** argv) {
   plumb::Session session(argc, argv);
   plumb::CampaignArguments args;
-  CLI::App app("plumb campaign over the processes of mpirun: rank 0 hands out its chunks", "plumb campaign-mpi");
+  plumb::CommandLine app("plumb campaign over the processes of mpirun: rank 0 hands out its chunks",
+                         "plumb campaign-mpi");
   plumb::declare_campaign(app, args, "of each rank; default: one")->required();
   if (session.rank > 0) {
     // What is wrong with the arguments is said once, by rank 0.

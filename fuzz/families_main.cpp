@@ -22,6 +22,6 @@ int list_families() {
 }  // namespace plumb
 
 int main(int argc, char** argv) {
-  CLI::App app("The families of random cases", "plumb families");
+  plumb::CommandLine app("The families of random cases", "plumb families");
   return plumb::run_command(app, argc, argv, plumb::list_families);
 }

@@ -156,13 +156,14 @@ int fuzz_run(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::Arguments args;
-  CLI::App app("Real pairs, random families and the coverage-guided targets, judged; one table", "plumb fuzz-run");
+  plumb::CommandLine app("Real pairs, random families and the coverage-guided targets, judged; one table",
+                         "plumb fuzz-run");
   app.add_option("--minutes", args.minutes, "sizes the run: counts, not a clock")
       ->check(plumb::refuse_minutes)
       ->capture_default_str();
   app.add_flag("--first", args.first, "a first verdict: the real pairs and some random ones, no target");
   plumb::declare_seed(app, args.seed);
-  app.add_option("--threads", args.threads, "default: one for each processor")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", args.threads, "default: one for each processor")->in_range(1, 1024);
   app.add_option("--out", args.out, "folder for summary.json, failures/ and fuzzers/")->capture_default_str();
   app.add_flag("--force", args.force, plumb::kForceHelp);
   app.add_option("--fuzzers", args.fuzzers, "folder of the programs fuzz-TARGET; without it that part is left out");

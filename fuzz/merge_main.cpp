@@ -48,7 +48,7 @@ int merge(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::Arguments args;
-  CLI::App app("What one campaign would have found, from its shards", "plumb merge");
+  plumb::CommandLine app("What one campaign would have found, from its shards", "plumb merge");
   app.add_option("folders", args.folders, "folders that plumb campaign --out wrote, or files of their chunks/")
       ->required();
   app.add_option("--out", args.out, "folder for the result")->required();

@@ -13,7 +13,7 @@ struct Arguments {
   bool json = false;
 };
 
-void declare(CLI::App& app, Arguments& args) {
+void declare(CommandLine& app, Arguments& args) {
   app.add_option("CASE", args.file, "case file; of a .jsonl each line is shrunk by itself")->required();
   auto* method = app.add_option("--method", args.method, "instead of the method that the case names");
   declare_solver(app, args.foreign, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
@@ -57,8 +57,9 @@ int shrink_files(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::Arguments args;
-  CLI::App app("The simplest case with the same finding and at least half its severity, explained; 1 for a finding.",
-               "plumb shrink");
+  plumb::CommandLine app(
+      "The simplest case with the same finding and at least half its severity, explained; 1 for a finding.",
+      "plumb shrink");
   plumb::declare(app, args);
   return plumb::run_command(app, argc, argv, [&] { return plumb::shrink_files(args); });
 }

@@ -23,7 +23,7 @@ struct Options {
   std::string cache;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, or .jsonl whose cases the answers name")->required();
   app.add_option("--answer", options.answers,
                  "the fields of plumb solve: one object, or one a line; - for standard input")
@@ -153,7 +153,7 @@ int check(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::Options options;
-  CLI::App app("Judge anybody's answer to a case by the reference; 1 for a finding.", "plumb check");
+  plumb::CommandLine app("Judge anybody's answer to a case by the reference; 1 for a finding.", "plumb check");
   plumb::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::check(options); });
 }

@@ -28,10 +28,10 @@ std::vector<std::string> all_ladders() {
   return {names.begin(), names.end()};
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("LADDER", options.ladder, "one ladder (plumb families lists them); all without")
-      ->check(CLI::IsMember(all_ladders()));
-  app.add_option("--step", options.step, "one step, from 1; all without")->check(CLI::Range(1, 1000));
+      ->is_one_of(all_ladders());
+  app.add_option("--step", options.step, "one step, from 1; all without")->in_range(1, 1000);
   declare_seed(app, options.seed);
   auto* index =
       app.add_option("--index", options.index, "which variant is printed")->capture_default_str()->check(refuse_seed);
@@ -127,7 +127,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::Options options;
-  CLI::App app("The hard cases, step by step.", "plumb ladder");
+  plumb::CommandLine app("The hard cases, step by step.", "plumb ladder");
   plumb::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::run(options); });
 }

@@ -23,7 +23,7 @@ struct Options {
   bool json = false;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("FILE", options.files, "case files whose lines are the steps of a motion, and folders of them");
   auto* methods = app.add_option("--method", options.methods, "NAME,.. or all; default auto");
   declare_solver(app, options.library, "instead, a shared library (solver/plumb_solver.h)")->excludes(methods);
@@ -198,7 +198,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::Options options;
-  CLI::App app("Follow a motion step by step, cold and warm; 1 for a finding.", "plumb path");
+  plumb::CommandLine app("Follow a motion step by step, cold and warm; 1 for a finding.", "plumb path");
   plumb::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::run(options); });
 }

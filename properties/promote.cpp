@@ -23,14 +23,14 @@ std::string refuse_empty(const std::string& text) {
   return text.find_first_not_of(" \t\n") == std::string::npos ? "says nothing" : "";
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("FILE", options.file, "a case of the corpus is moved, one from elsewhere is copied")->required();
   app.add_option("--to", options.to)
       ->required()
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(life_folders), std::end(life_folders))));
+      ->is_one_of(std::vector<std::string>(std::begin(life_folders), std::end(life_folders)));
   app.add_option("--why", options.why, "what was found, mended or seen, for the case's provenance")
       ->required()
-      ->check(CLI::Validator(refuse_empty, "TEXT"));
+      ->check(refuse_empty);
   app.add_option("--corpus", options.corpus, "where the three folders are")->capture_default_str();
 }
 
@@ -113,7 +113,8 @@ int promote(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::Options options;
-  CLI::App app("Move a kept case on in its life; 1 where it does not hold what its new folder asks.", "plumb promote");
+  plumb::CommandLine app("Move a kept case on in its life; 1 where it does not hold what its new folder asks.",
+                         "plumb promote");
   plumb::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::promote(options); });
 }

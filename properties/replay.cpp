@@ -27,14 +27,14 @@ struct Options {
   bool quiet = false;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("PATH", options.paths, "case files, and folders of them")->required();
   auto* method = app.add_option("--method", options.method, "instead of the method that each case names");
   declare_solver(app, options.library, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");
   app.add_option("--cache", options.cache, cache_help);
-  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", options.threads, "changes nothing but the time")->in_range(1, 1024);
   app.add_flag("--quiet", options.quiet, "print the cases that differ or were not judged, and the last line, only");
 }
 
@@ -152,7 +152,7 @@ int replay(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::Options options;
-  CLI::App app("Run kept cases against what they expect; 1 when one differs.", "plumb replay");
+  plumb::CommandLine app("Run kept cases against what they expect; 1 when one differs.", "plumb replay");
   plumb::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::replay(options); });
 }

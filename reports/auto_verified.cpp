@@ -28,17 +28,17 @@ struct Options {
   std::string out;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
   declare_seed(app, options.seed);
   app.add_option("--family", options.family, "one family in the place of all");
-  app.add_option("--unit", options.unit, "all lengths times this")->capture_default_str()->check(CLI::PositiveNumber);
+  app.add_option("--unit", options.unit, "all lengths times this")->capture_default_str()->is_positive();
   app.add_option("--shift", options.shift, "both bodies moved by this many sizes along (1, 2, 3)")
       ->capture_default_str();
   app.add_option("--sample", options.sample, "judge one case in this many by all laws")
       ->capture_default_str()
       ->check(refuse_count);
-  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", options.threads, "changes nothing but the time")->in_range(1, 1024);
   app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
 }
@@ -200,7 +200,7 @@ int report(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app(
+  plumb::CommandLine app(
       "The answers of auto against the reference's bounds; what they do not show right, and a sample, by all laws",
       "plumb report-auto");
   plumb::reports::declare(app, options);

@@ -24,7 +24,7 @@ struct Options {
   int repeat = 5, times = 1;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("--set", options.sets, "spheroid, ellipsoid, exponents-8, exponents-40; default: all of them")
       ->delimiter(',');
   app.add_option("--pairs", options.pairs, "cases of a file, .jsonl or one, in the place of the sets");
@@ -33,14 +33,14 @@ void declare(CLI::App& app, Options& options) {
   declare_seed(app, options.seed, "same seed, same pairs");
   app.add_option("--repeat", options.repeat, "time each pair so often; the least counts")
       ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
+      ->in_range(1, 1000);
   app.add_flag("--json", options.json, "one JSON object a line in the place of the table");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
   app.add_flag("--print", options.print, "print the cases of the sets, one a line, and time nothing");
   app.add_flag("--count-only", options.count_only, "one method over one set without a clock, for callgrind");
   app.add_option("--times", options.times, "with --count-only: passes over the set")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1'000'000));
+      ->in_range(0, 1'000'000);
   app.add_flag("--batch", options.batch, "with --count-only: all pairs in one batch, in the place of a method");
   app.add_flag("--warm", options.warm, "with --count-only: solve moved pairs from the answers before the move");
 }
@@ -250,8 +250,8 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("The time of one solve, cold and warm, by every method and peer, over fixed sets of pairs.",
-               "plumb bench");
+  plumb::CommandLine app("The time of one solve, cold and warm, by every method and peer, over fixed sets of pairs.",
+                         "plumb bench");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::run(options); });
 }

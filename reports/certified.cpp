@@ -24,15 +24,15 @@ struct Options {
   std::string out;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   std::vector<std::string> names{"all"};
   for (const Family& family : families()) names.emplace_back(family.name);
   app.add_option("--cases", options.cases, "cases of each family")->required()->check(refuse_count);
   declare_seed(app, options.seed);
-  app.add_option("--family", options.family, "one family, or all")->capture_default_str()->check(CLI::IsMember(names));
+  app.add_option("--family", options.family, "one family, or all")->capture_default_str()->is_one_of(names);
   app.add_option("--effort", options.effort, "how far the reference goes: bounds, proof or digits")
       ->capture_default_str()
-      ->check(CLI::IsMember(std::vector<std::string>{"bounds", "proof", "digits"}));
+      ->is_one_of(std::vector<std::string>{"bounds", "proof", "digits"});
   app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
 }
@@ -240,9 +240,10 @@ int report(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("What the reference proves of random cases, held against an independent 50-digit solution; 1 for a "
-               "contradiction.",
-               "plumb report-certified");
+  plumb::CommandLine app(
+      "What the reference proves of random cases, held against an independent 50-digit solution; 1 for a "
+      "contradiction.",
+      "plumb report-certified");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
 }

@@ -23,7 +23,7 @@ struct Options {
   std::string out;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
   declare_seed(app, options.seed);
   app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
@@ -150,7 +150,8 @@ int report(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("Median times of the reference at its three efforts, and of new_cn.", "plumb report-certify-cost");
+  plumb::CommandLine app("Median times of the reference at its three efforts, and of new_cn.",
+                         "plumb report-certify-cost");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
 }

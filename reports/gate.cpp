@@ -26,7 +26,7 @@ struct Options {
   unsigned threads = default_threads();
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   auto* check = app.add_flag("--check", options.check,
                              "a line for each deviation from the table; exit 1: there is one (default)");
   auto* update = app.add_flag("--update", options.update, "write what is measured into the table")->excludes(check);
@@ -37,7 +37,7 @@ void declare(CLI::App& app, Options& options) {
   cases->check(refuse_count)->needs(update);
   app.add_option("--family", options.family, "NAME,.. or all (plumb families lists them)")->capture_default_str();
   app.add_option("--method", options.method, "NAME,.. of plumb's own or all")->capture_default_str()->excludes(cases);
-  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", options.threads, "changes nothing but the time")->in_range(1, 1024);
 }
 
 /// Which peers there are depends on the machine: they are not held to anything.
@@ -124,8 +124,9 @@ int update(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("Every method on every family against the table of what it must reach: nothing changes unannounced.",
-               "plumb report-gate");
+  plumb::CommandLine app(
+      "Every method on every family against the table of what it must reach: nothing changes unannounced.",
+      "plumb report-gate");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] {
     return options.update ? plumb::reports::update(options) : plumb::reports::check(options);

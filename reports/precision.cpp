@@ -23,7 +23,7 @@ struct Options {
   bool json = false;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("--set", options.sets, "spheroid, ellipsoid, exponents-8, exponents-40, hard; default: all of them")
       ->delimiter(',');
   app.add_option("--method", options.method, "NAME,.. or all (plumb methods lists them)")->capture_default_str();
@@ -31,7 +31,7 @@ void declare(CLI::App& app, Options& options) {
   declare_seed(app, options.seed, "same seed, same pairs");
   app.add_option("--repeat", options.repeat, "time each pair so often; the least counts")
       ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
+      ->in_range(1, 1000);
   app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
 }
@@ -119,8 +119,9 @@ int report(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("What accuracy costs in time: every method, scalar and tolerance, against the certified reference.",
-               "plumb report-precision");
+  plumb::CommandLine app(
+      "What accuracy costs in time: every method, scalar and tolerance, against the certified reference.",
+      "plumb report-precision");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
 }

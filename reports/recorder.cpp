@@ -21,7 +21,7 @@ struct Options {
   std::string folder;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("FOLDER", options.folder, "for the recorders' cases")->required();
   app.add_option("--pairs", options.pairs, "of each set that is timed")->capture_default_str()->check(refuse_count);
   app.add_option("--passes", options.passes, "over each set; the least time counts")
@@ -197,8 +197,8 @@ int report(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("The flight recorder's cost a call beside auto's, and the laws' findings that it sees.",
-               "plumb report-recorder");
+  plumb::CommandLine app("The flight recorder's cost a call beside auto's, and the laws' findings that it sees.",
+                         "plumb report-recorder");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
 }

@@ -31,7 +31,7 @@ int export_command(const std::string& path, const std::filesystem::path& folder)
 
 int main(int argc, char** argv) {
   std::string scene, out;
-  CLI::App app("Write a scene as LAMMPS input for plumb-lammps.", "plumb export-lammps");
+  plumb::CommandLine app("Write a scene as LAMMPS input for plumb-lammps.", "plumb export-lammps");
   app.add_option("SCENE", scene, "scene file, or - for standard input")->required();
   app.add_option("-o,--out", out, "folder for in.lammps and data.lammps")->required();
   return plumb::run_command(app, argc, argv, [&] { return plumb::scene::export_command(scene, out); });

@@ -24,7 +24,7 @@ struct Arguments {
   std::size_t failures = 500;
 };
 
-void declare(CLI::App& app, Arguments& args) {
+void declare(CommandLine& app, Arguments& args) {
   app.add_option(
       "DIR", args.folders,
       "folders of campaigns, the first of which the others are compared with, and of plumb scene --out; none "
@@ -42,7 +42,7 @@ void declare(CLI::App& app, Arguments& args) {
   app.add_option("--failures", args.failures,
                  "kept cases in the gallery of each run: plumb's own, then each method's most frequent")
       ->capture_default_str()
-      ->check(CLI::Range(0, 100000));
+      ->in_range(0, 100000);
 }
 
 /// In a <script>, no text can end it or open a comment.
@@ -193,7 +193,7 @@ int report(const Arguments& args) {
 
 int main(int argc, char** argv) {
   plumb::reports::Arguments args;
-  CLI::App app(
+  plumb::CommandLine app(
       "Campaigns, scenes, the source's study and the finite elements as one self-contained page, with .json, .csv, "
       ".ladders.csv, .md, .junit.xml and .sarif beside it.",
       "plumb report");

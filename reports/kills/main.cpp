@@ -29,7 +29,7 @@ struct Options {
   bool list = false;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("--library", options.library, "what `cmake --build --preset bugs` built")->capture_default_str();
   app.add_option("--bugs", options.bugs, "NAME,.. in the place of all");
   app.add_option("--engines", options.engines, "which of them, in the order of the table's columns")
@@ -49,7 +49,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--fuzzers", options.fuzzers, "folder of the programs fuzz-TARGET")->capture_default_str();
   app.add_option("--fuzzed-library", options.fuzzed_library, "what `cmake --build --preset bugs-fuzz` built")
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", options.threads, "changes nothing but the time")->in_range(1, 1024);
   app.add_option("--cache", options.cache, cache_help);
   app.add_option("--out", options.out, "file for JSON lines: the engines, the bugs");
   app.add_flag("--list", options.list, "list the bugs");
@@ -269,7 +269,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("Which engine kills which seeded bug of the solver, in how many runs.", "plumb report-kills");
+  plumb::CommandLine app("Which engine kills which seeded bug of the solver, in how many runs.", "plumb report-kills");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::run(options); });
 }

@@ -144,8 +144,8 @@ int report_command(const std::string& out) {
 
 int main(int argc, char** argv) {
   std::string out;
-  CLI::App app("Scenes by plumb and by LAMMPS: the same trajectory, on any number of processes.",
-               "plumb report-lammps");
+  plumb::CommandLine app("Scenes by plumb and by LAMMPS: the same trajectory, on any number of processes.",
+                         "plumb report-lammps");
   app.add_option("--out", out, "folder for the runs")->required();
   return plumb::run_command(app, argc, argv, [&] { return plumb::scene::report_command(out); });
 }

@@ -51,14 +51,12 @@ int report_scenes(const ScenesCommand& command) {
 
 int main(int argc, char** argv) {
   plumb::reports::ScenesCommand command;
-  CLI::App app("What accuracy, effects and size cost in scenes.", "plumb report-scenes");
+  plumb::CommandLine app("What accuracy, effects and size cost in scenes.", "plumb report-scenes");
   app.add_option("--scene", command.tables.scenes, "of the table of accuracy; default: all")->delimiter(',');
-  app.add_option("--bodies", command.tables.most_bodies, "of the largest pile")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+  app.add_option("--bodies", command.tables.most_bodies, "of the largest pile")->capture_default_str()->is_positive();
   app.add_option("--repeat", command.tables.repeat, "of each time; the least counts")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->is_positive();
   app.add_option("--out", command.out, "file for the rows as JSON, one a line");
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report_scenes(command); });
 }

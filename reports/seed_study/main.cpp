@@ -61,21 +61,21 @@ std::vector<std::string> part_names() {
   return out;
 }
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   StudyOptions& study = options.study;
   study.threads = std::max(1u, std::thread::hardware_concurrency());
   app.add_option("--part", options.parts, fmt::format("NAME,..; default: all of {}", fmt::join(part_names(), ", ")))
       ->delimiter(',')
-      ->check(CLI::IsMember(part_names()));
+      ->is_one_of(part_names());
   declare_seed(app, study.seed, "of all that is drawn");
   const auto count = [&](const char* flag, int& value, const char* help) {
-    app.add_option(flag, value, help)->capture_default_str()->check(CLI::Range(1, 1'000'000));
+    app.add_option(flag, value, help)->capture_default_str()->in_range(1, 1'000'000);
   };
   count("--starts", study.starts, "random starts of original_cn for each pair");
   count("--orientations", study.orientations, "random orientations for each share");
   count("--pairs", study.pairs, "for each point of a limit");
   count("--cost-pairs", study.cost_pairs, "of each set whose cost is measured");
-  app.add_option("--threads", study.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", study.threads, "changes nothing but the time")->in_range(1, 1024);
   app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
 }
@@ -119,7 +119,7 @@ int report(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("The source's study made again: every system side by side, certified.", "plumb report-study");
+  plumb::CommandLine app("The source's study made again: every system side by side, certified.", "plumb report-study");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
 }

@@ -25,7 +25,7 @@ struct Options {
   bool json = false, list = false;
 };
 
-void declare(CLI::App& app, Options& options) {
+void declare(CommandLine& app, Options& options) {
   app.add_option("PATH", options.paths,
                  "frozen ladders (plumb ladder --write), and folders of them; motions are left out")
       ->required();
@@ -35,7 +35,7 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(refuse_count);
   app.add_option("--cases", options.cases, "the first so many of each step; default: all")->check(refuse_count);
-  app.add_option("--threads", options.threads, "changes nothing but the time")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", options.threads, "changes nothing but the time")->in_range(1, 1024);
   app.add_flag("--list", options.list, "every answer that is lost or wrong, a line each, also of published methods");
   app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
@@ -203,7 +203,8 @@ int report(const Options& options) {
 
 int main(int argc, char** argv) {
   plumb::reports::Options options;
-  CLI::App app("The frozen hard cases in every arithmetic, against their certificates.", "plumb report-stability");
+  plumb::CommandLine app("The frozen hard cases in every arithmetic, against their certificates.",
+                         "plumb report-stability");
   plumb::reports::declare(app, options);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
 }
