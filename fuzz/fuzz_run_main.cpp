@@ -12,6 +12,8 @@
 #include "fuzz/arguments.hpp"
 #include "fuzz/engine_run.hpp"
 #include "fuzz/out_folder.hpp"
+#include "fuzz/ranked.hpp"
+#include "fuzz/shell_word.hpp"
 #include "fuzz/table.hpp"
 #include "fuzz/verdict.hpp"
 
@@ -80,28 +82,44 @@ fs::path seeds_of(const Arguments& args, const Rate& target) {
 std::string engine_text(const std::vector<EngineRun>& runs) {
   std::string text;
   for (const EngineRun& run : runs)
-    text += fmt::format("{}{} {} inputs, {}", text.empty() ? "coverage-guided, under sanitizers: " : "; ", run.target,
-                        grouped(run.inputs), run.found.empty() ? "nothing found" : "STOPPED: " + run.found);
+    text +=
+        fmt::format("{}{} {} inputs, {}", text.empty() ? "auto, coverage-guided, under sanitizers: " : "; ", run.target,
+                    grouped(run.inputs), run.found.empty() ? "no wrong answer" : "STOPPED: " + run.found);
   return text.empty() ? text : text + "\n";
 }
 
-/// What to do with what is there; `page`: there will be one.
-std::string next_steps(const fs::path& out, bool page) {
-  std::string text = "\nnext\n";
-  if (page) text += fmt::format("  the page of all this                 {}\n", (out / "report.html").string());
-  text += fmt::format("  every method, family and finding     {}\n", (out / "table.txt").string());
-  text += "  a failure made simple, and explained plumb shrink FILE\n";
-  text +=
-      "  your own solver, on the same pairs   plumb campaign --family all --cases 2000 --seed 1 --solver ./yours.so\n";
-  return text;
+/// What to do with what is there. After a first verdict there are no commands yet.
+std::string next_steps(const std::vector<ShownFailure>& failures, const Arguments& args) {
+  const fs::path out = args.out;
+  const std::string table = fmt::format("every method, family and finding: {}\n", (out / "table.txt").string());
+  if (args.first)
+    return table + "These commands are there once everything is built; the verdict on more pairs follows.\n";
+  std::string text = fmt::format("next\n  the page of all this: {}\n  {}", (out / "report.html").string(), table);
+  if (!failures.empty())
+    text += fmt::format("  what matters in a failure: {} shrink {}\n", plumb_command(),
+                        shell_word((out / "failures" / failures.front().file).string()));
+  return text +
+         fmt::format("  your own solver, on 2 000 pairs of each family: {} campaign --family all --cases 2000 --seed 1 "
+                     "--solver ./yours.so\n",
+                     plumb_command());
+}
+
+/// "2 100 pairs (1 680 spheroid, 280 ellipsoid, ..)"
+std::string pairs_text(const Results& results) {
+  std::string families;
+  for (const std::string& family : family_order(results))
+    families +=
+        fmt::format("{}{} {}", families.empty() ? "" : ", ", grouped(results.families.at(family).cases), family);
+  return fmt::format("{} pairs ({})", grouped(results.cases()), families);
 }
 
 /// What the run ends with: 25 lines at most.
-std::string verdict_text(const Results& results, const std::vector<EngineRun>& runs, const CampaignOptions& options,
-                         const Arguments& args) {
-  return fmt::format("\n{} pairs, every method:\n{}{}\n{}{}", grouped(results.cases()), methods_in_words(results),
-                     engine_text(runs), failures_in_words(results, options.solvers, args.out),
-                     next_steps(args.out, !args.first));
+std::string verdict_text(const Results& results, const std::vector<EngineRun>& runs,
+                         const std::vector<ShownFailure>& failures, const Arguments& args) {
+  return fmt::format(
+      "\n{}{}; right: to within rounding; error: of the normal, to the certified common normal\n{}{}{}{}{}",
+      args.first ? "A first verdict: " : "", pairs_text(results), methods_in_words(results), engine_text(runs),
+      in_words(failures, args.out), bottom_line(results), next_steps(failures, args));
 }
 
 /// Target after target; a finding of one does not keep the others from being asked.
@@ -131,6 +149,11 @@ void leave_files(const Results& results, const fs::path& out) {
   write_file(out / "table.txt", table_text(results) + kept_text(results, out));
 }
 
+void leave_shrunk(const std::vector<ShownFailure>& failures, const fs::path& out) {
+  for (const ShownFailure& failure : failures)
+    if (failure.shrunk) write_file(out / "failures" / failure.file, format_case(*failure.shrunk) + "\n");
+}
+
 int fuzz_run(const Arguments& args) {
   if (!args.fuzzers.empty())
     for (const Rate& target : kTargets) require_seeds(seeds_of(args, target));
@@ -142,7 +165,9 @@ int fuzz_run(const Arguments& args) {
   const Results results = run_campaign(sources, options);
   const std::exception_ptr failed = failure_to([&] { leave_files(results, args.out); });
   const std::vector<EngineRun> runs = failed ? std::vector<EngineRun>() : run_targets(args);
-  const std::string verdict = verdict_text(results, runs, options, args);
+  const std::vector<ShownFailure> failures = worth_a_look(results, options.solvers);
+  if (!failed) leave_shrunk(failures, args.out);
+  const std::string verdict = verdict_text(results, runs, failures, args);
   print_line(verdict);
   if (failed) std::rethrow_exception(failed);
   add_to_summary(runs, args.out);

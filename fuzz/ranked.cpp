@@ -13,13 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The plumb beside this program, as one would type it here.
-std::string plumb_command() {
-  const fs::path plumb = program_folder() / "plumb";
-  const std::string here = fs::proximate(plumb).string();
-  return shell_word(here.starts_with("..") ? plumb.string() : here);
-}
-
 /// A case names a foreign solver but never its library: replay takes that from whoever runs it.
 std::string library_of(const Results& results, const std::string& method) {
   const auto library = results.libraries.find(method);
@@ -44,6 +37,12 @@ std::vector<RankedBucket> ranked_buckets(const Results& results) {
     return std::pair(a.own, a.count) > std::pair(b.own, b.count);
   });
   return lines;
+}
+
+std::string plumb_command() {
+  const fs::path plumb = program_folder() / "plumb";
+  const std::string here = fs::proximate(plumb).string();
+  return shell_word(here.starts_with("..") ? plumb.string() : here);
 }
 
 std::string replay_command(const fs::path& cases, const std::string& library) {

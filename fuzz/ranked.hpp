@@ -21,7 +21,10 @@ struct RankedBucket {
 /// Those with kept cases: plumb's own first, then the most frequent.
 [[nodiscard]] std::vector<RankedBucket> ranked_buckets(const Results& results);
 
-/// As one would type it here, with the plumb beside this program.
+/// The plumb beside this program, as one would type it here.
+[[nodiscard]] std::string plumb_command();
+
+/// The same of a replay.
 [[nodiscard]] std::string replay_command(const std::filesystem::path& cases, const std::string& library);
 
 }  // namespace plumb

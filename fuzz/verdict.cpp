@@ -10,6 +10,7 @@
 #include "corpus/progress.hpp"
 #include "fuzz/explain.hpp"
 #include "fuzz/ranked.hpp"
+#include "solver/method/methods.hpp"
 
 namespace plumb {
 namespace {
@@ -22,9 +23,14 @@ std::string degrees(double angle) {
   return angle >= 10 ? fmt::format("{:.0f}", angle) : fmt::format("{:.2g}", angle);
 }
 
+bool solves_another_problem(const std::string& name) {
+  const Method* method = find_method(name);
+  return method != nullptr && method->problem != Problem::common_normal;
+}
+
 std::string in_words(const std::string& method, const Tally& tally) {
-  std::string text =
-      fmt::format("{}: right in {} of {} pairs", method, grouped(tally.of(FindingKind::none)), grouped(tally.judged()));
+  std::string text = fmt::format("{}: right in {} of {} pairs{}", method, grouped(tally.of(FindingKind::none)),
+                                 grouped(tally.judged()), solves_another_problem(method) ? " by its own problem" : "");
   text += fmt::format("; converged in {}", grouped(tally.converged()));
   const Histogram& angles = tally.angle_error_deg;
   if (angles.count() > 0)
@@ -39,7 +45,7 @@ bool is_wrong_answer(const RankedBucket& bucket) {
 }
 
 /// The first of each method: own and foreign ones, then the published, then peers; wrong answers before what did not converge.
-std::vector<RankedBucket> worth_a_look(const Results& results) {
+std::vector<RankedBucket> most_telling(const Results& results) {
   std::vector<RankedBucket> ranked = ranked_buckets(results), out;
   std::ranges::stable_sort(ranked, [](const RankedBucket& a, const RankedBucket& b) {
     const auto rank = [](const RankedBucket& of) {
@@ -53,16 +59,23 @@ std::vector<RankedBucket> worth_a_look(const Results& results) {
   return out;
 }
 
-/// Of the simplest case of a bucket; empty where nobody here solves it.
-std::string sentence_of(const RankedBucket& bucket, const Results& results, std::span<const Solver> solvers) {
+/// The simplest case of a bucket, made simpler; as it is where nobody here solves it.
+ShownFailure show(const RankedBucket& bucket, const Results& results, std::span<const Solver> solvers) {
+  ShownFailure out{bucket.name, bucket.name + std::string(kSimplest), bucket.library};
   const auto by = std::ranges::find(solvers, bucket.method, &Solver::name);
   const auto kept = results.kept.buckets().find(bucket.name);
-  if (by == solvers.end() || kept == results.kept.buckets().end()) return bucket.name;
+  if (by == solvers.end() || kept == results.kept.buckets().end()) return out;
+  const Case& simplest = kept->second.simplest.kept;
   try {
-    return shrink_and_explain(kept->second.simplest.kept.pair, *by).sentence;
+    Explained explained;
+    explained.shrunk = shrink(simplest.pair, *by);
+    out.sentence = explained.sentence = sentence(explained.shrunk, {}, by->name);
+    out.shrunk = kept_shrunk(simplest, explained, by->name);
+    out.file = bucket.name + std::string(kShrunk);
   } catch (const NoAnswer& none) {
-    return none.what();
+    out.sentence = none.what();
   }
+  return out;
 }
 
 }  // namespace
@@ -74,13 +87,24 @@ std::string methods_in_words(const Results& results) {
   return text;
 }
 
-std::string failures_in_words(const Results& results, std::span<const Solver> solvers,
-                              const std::filesystem::path& folder) {
+std::vector<ShownFailure> worth_a_look(const Results& results, std::span<const Solver> solvers) {
+  std::vector<ShownFailure> out;
+  for (const RankedBucket& bucket : most_telling(results)) out.push_back(show(bucket, results, solvers));
+  return out;
+}
+
+std::string in_words(const std::vector<ShownFailure>& failures, const std::filesystem::path& folder) {
   std::string text;
-  for (const RankedBucket& bucket : worth_a_look(results))
-    text += fmt::format("{}\n  {}\n", sentence_of(bucket, results, solvers),
-                        replay_command(folder / "failures" / (bucket.name + std::string(kSimplest)), bucket.library));
+  for (const ShownFailure& failure : failures)
+    text += fmt::format("{}\n  {}\n", failure.sentence,
+                        replay_command(folder / "failures" / failure.file, failure.library));
   return text;
+}
+
+std::string bottom_line(const Results& results) {
+  if (exit_code(results) == 1)
+    return "FOUND: a failure of auto, of a foreign solver, of the reference or of the harness: exit code 1\n";
+  return "plumb itself: nothing found. What published methods and peers fail is a result, and no finding.\n";
 }
 
 }  // namespace plumb

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "corpus/solver.hpp"
 #include "fuzz/results.hpp"
@@ -11,12 +13,24 @@
 namespace plumb {
 
 /// A line for each method, `auto` first: "original_cn: right in 20 of 100 pairs; converged in 97; typical error 0.13 degrees,
-/// worst 155". Right: no law finds anything; error: of converged answers, to the certified common normal.
+/// worst 155". Right: no law finds anything, at its own problem; error: of converged answers, to the certified common normal.
 [[nodiscard]] std::string methods_in_words(const Results& results);
 
-/// What failed, shrunk and in a sentence each, with the command that replays it: plumb's own and foreign solvers' first, then what
-/// says most of the published methods. Three at most; nothing where nothing failed.
-[[nodiscard]] std::string failures_in_words(const Results& results, std::span<const Solver> solvers,
-                                            const std::filesystem::path& folder);
+/// A failure made simple.
+struct ShownFailure {
+  std::string sentence;
+  std::string file;                 ///< of the folder failures/
+  std::string library;              ///< of a foreign solver
+  std::optional<Case> shrunk = {};  ///< to be written there; nothing: the file is there, as it was found
+};
+
+/// What failed: plumb's own and foreign solvers' first, then what says most of the published methods. Three at most.
+[[nodiscard]] std::vector<ShownFailure> worth_a_look(const Results& results, std::span<const Solver> solvers);
+
+/// A sentence each, and the command that replays it.
+[[nodiscard]] std::string in_words(const std::vector<ShownFailure>& failures, const std::filesystem::path& folder);
+
+/// Whether anything of plumb itself failed, in a line.
+[[nodiscard]] std::string bottom_line(const Results& results);
 
 }  // namespace plumb

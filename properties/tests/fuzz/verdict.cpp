@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fuzz/campaign.hpp"
+#include "properties/judged_answer.hpp"
 
 namespace plumb {
 namespace {
@@ -33,15 +34,32 @@ TEST(Verdict, SaysOfEachMethodInALineHowOftenItIsRight) {
 
 TEST(Verdict, ShowsThreeFailuresAtMostWrongAnswersFirst) {
   const std::vector<Solver> solvers = all_solvers();
-  const std::string text = failures_in_words(judged(solvers), solvers, "run");
+  const std::vector<ShownFailure> failures = worth_a_look(judged(solvers), solvers);
+  const std::string text = in_words(failures, "run");
   EXPECT_EQ(lines_in(text), 6u) << text;
   EXPECT_TRUE(text.starts_with("original_cn is misaligned")) << text;
   EXPECT_NE(text.find("replay run/failures/misaligned-original_cn"), std::string::npos) << text;
 }
 
+/// What the command replays is what the sentence says.
+TEST(Verdict, ShowsTheCaseThatItTellsOf) {
+  const std::vector<Solver> solvers = find_solvers("original_cn,corrected_cn");
+  for (const ShownFailure& failure : worth_a_look(judged(solvers), solvers)) {
+    ASSERT_TRUE(failure.shrunk.has_value()) << failure.sentence;
+    EXPECT_TRUE(failure.file.ends_with("--shrunk.json")) << failure.file;
+    EXPECT_EQ(failure.shrunk->provenance.at("explanation"), failure.sentence);
+    const Solver by = find_solvers(*failure.shrunk->expect.method).front();
+    Judge judge(failure.shrunk->pair);
+    EXPECT_EQ(name(solve_and_judge(judge, failure.shrunk->pair, by).judgement.finding.kind),
+              *failure.shrunk->expect.finding);
+  }
+}
+
 TEST(Verdict, OfNoFailureThereIsNothingToShow) {
   const std::vector<Solver> solvers = find_solvers("auto");
-  EXPECT_EQ(failures_in_words(judged(solvers), solvers, "run"), "");
+  const Results results = judged(solvers);
+  EXPECT_TRUE(worth_a_look(results, solvers).empty());
+  EXPECT_TRUE(bottom_line(results).starts_with("plumb itself: nothing found"));
 }
 
 }  // namespace
