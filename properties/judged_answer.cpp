@@ -26,7 +26,7 @@ void judge_answer(JudgedAnswer& out, Judge& judge, const Pair& pair, const Solve
   const auto again = [&](const Pair& related) {
     return answer_of([&] { return solver.solve(related, want, nullptr); });
   };
-  out.judgement = judge.judge(solver.problem, out.answer, again, solver.unit_keeps_bits);
+  out.judgement = judge.judge(solver.problem, out.answer, again, solver.is_own);
 }
 
 }  // namespace

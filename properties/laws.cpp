@@ -169,11 +169,11 @@ const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
 }
 
 Judgement Judge::judge(Problem problem, const Contact<double>& answer,
-                       const std::function<Contact<double>(const Pair&)>& solve_again, bool unit_keeps_bits) {
+                       const std::function<Contact<double>(const Pair&)>& solve_again, bool is_own) {
   Judgement out;
   for (const Effort effort : efforts) {
     const Reference& against = reference(effort);
-    out = plumb::judge({pair_, problem, answer, against, solution(problem, against), solve_again, unit_keeps_bits,
+    out = plumb::judge({pair_, problem, answer, against, solution(problem, against), solve_again, is_own,
                         [&]() -> const reference::SolutionSet& { return all_solutions(against); },
                         [&]() -> const reference::NearbyAnswers& { return nearby(against); }});
     if (out.decided) break;

@@ -57,8 +57,8 @@ struct Evidence {
   const Solution& own;  ///< the 50-digit answer to the method's own problem (reference.common_normal for CN methods)
   /// Solves a related pair with the same method; empty when only an answer is there (plumb check).
   std::function<Contact<double>(const Pair&)> solve;
-  /// plumb's own methods give the same bits in any unit that is a power of two; others may round.
-  bool unit_keeps_bits = false;
+  /// One of plumb's: it answers every legal pair, and with the same bits in any unit that is a power of two. Others may refuse, and round.
+  bool is_own = false;
   /// All answers to all inputs within rounding of the pair, for where a condition number is infinite; may be empty.
   std::function<const reference::SolutionSet&()> all_solutions = {};
   /// How far the answers to inputs within rounding are, for where a condition number bounds too little; may be empty.
@@ -100,7 +100,7 @@ class Judge {
   [[nodiscard]] const Solution& solution(Problem problem) { return solution(problem, reference()); }
   [[nodiscard]] Judgement judge(Problem problem, const Contact<double>& answer,
                                 const std::function<Contact<double>(const Pair&)>& solve_again = {},
-                                bool unit_keeps_bits = false);
+                                bool is_own = false);
 
  private:
   [[nodiscard]] const Reference& reference(Effort effort);

@@ -37,6 +37,7 @@ struct Bench {
   Solve solve = solve_new_cn;
   Problem problem = Problem::common_normal;
   Solution own = reference.common_normal;
+  bool is_own = true;  ///< whether the method is one of plumb's
 
   void answer_by(std::string_view name) {
     const Method* method = find_method(name);
@@ -45,7 +46,7 @@ struct Bench {
     solve = [method](const Pair& p) { return method->solve(p, {}, nullptr); };
     answer = solve(pair);
   }
-  [[nodiscard]] Evidence evidence() const { return {pair, problem, answer, reference, own, solve, true}; }
+  [[nodiscard]] Evidence evidence() const { return {pair, problem, answer, reference, own, solve, is_own}; }
   [[nodiscard]] Finding broken() const { return judge(evidence()).finding; }
   [[nodiscard]] Vec3<double> across() const { return answer.normal.unitOrthogonal(); }
 };
@@ -270,6 +271,38 @@ TEST(Laws, SymmetryIsSeenAtBothEndsOfTheRange) {
     };
     EXPECT_EQ(bench.broken().kind, FindingKind::asymmetric) << unit;
   }
+}
+
+/// Right where it answers, and says where it does not: of its own pair and of those that the laws ask for beside it.
+TEST(Laws, ARefusalIsNeverAWrongAnswer) {
+  using Refuses = std::function<bool(const Pair&)>;
+  const Pair given = crossed_spheroids();
+  const std::map<std::string_view, Refuses> limited{
+      {"ellipsoids alone", [](const Pair& p) { return p.body1.shape.n1 != 2 || p.body2.shape.n2 != 2; }},
+      {"body 1 at the origin", [](const Pair& p) { return !p.body1.position.isZero(0); }},
+      {"lengths below 100", [](const Pair& p) { return size_of(p) > 100; }},
+      {"this pair alone", [&](const Pair& p) { return p.body2.position != given.body2.position; }}};
+  for (const auto& [what, refuses] : limited)
+    for (const Status status : {Status::invalid_input, Status::stalled, Status::iteration_limit, Status::not_finite}) {
+      Bench bench;
+      bench.is_own = false;
+      bench.solve = [&refuses, status](const Pair& p) {
+        Contact<double> answer = refuses(p) ? Contact<double>{} : solve_new_cn(p);
+        if (refuses(p)) answer.status = status;
+        return answer;
+      };
+      EXPECT_EQ(bench.broken().kind, FindingKind::none) << what << ": " << bench.broken().law << bench.broken().detail;
+      bench.answer.normal += 1e-12 * bench.across();
+      EXPECT_EQ(bench.broken().kind, FindingKind::misaligned) << what;
+    }
+}
+
+TEST(Laws, AnOwnMethodAnswersEveryRelatedPair) {
+  Bench bench;
+  bench.solve = [first = bench.pair.body1.position](const Pair& p) {
+    return p.body1.position == first ? solve_new_cn(p) : Contact<double>{};
+  };
+  EXPECT_EQ(bench.broken().kind, FindingKind::asymmetric);
 }
 
 /// A field that is not there cannot be wrong.
