@@ -22,7 +22,8 @@ struct Solver {
   std::string summary;
   bool published =
       false;  ///< a baseline from the literature or a peer: its findings are results, not failures of plumb
-  bool is_own = false;  ///< plumb's: answers every legal pair, and with the same bits in any unit that is a power of two
+  bool is_own =
+      false;  ///< plumb's: answers every legal pair, and with the same bits in any unit that is a power of two
   std::function<Contact<double>(const Pair&, const Want&, const Contact<double>* last)> solve;
   std::shared_ptr<SolverPool> pool = nullptr;  ///< the processes of a foreign solver, whose solve() may throw NoAnswer
 };
