@@ -88,6 +88,10 @@ std::string engine_text(const std::vector<EngineRun>& runs) {
   return text.empty() ? text : text + "\n";
 }
 
+bool has_stopped(const std::vector<EngineRun>& runs) {
+  return std::any_of(runs.begin(), runs.end(), [](const EngineRun& run) { return !run.found.empty(); });
+}
+
 /// What to do with what is there. After a first verdict there are no commands yet.
 std::string next_steps(const std::vector<ShownFailure>& failures, const Arguments& args) {
   const fs::path out = args.out;
@@ -119,7 +123,7 @@ std::string verdict_text(const Results& results, const std::vector<EngineRun>& r
   return fmt::format(
       "\n{}{}; right: to within rounding; error: of the normal, to the certified common normal\n{}{}{}{}{}",
       args.first ? "A first verdict: " : "", pairs_text(results), methods_in_words(results), engine_text(runs),
-      in_words(failures, args.out), bottom_line(results), next_steps(failures, args));
+      in_words(failures, args.out), bottom_line(results, has_stopped(runs)), next_steps(failures, args));
 }
 
 /// Target after target; a finding of one does not keep the others from being asked.
@@ -172,8 +176,7 @@ int fuzz_run(const Arguments& args) {
   if (failed) std::rethrow_exception(failed);
   add_to_summary(runs, args.out);
   write_file(fs::path(args.out) / "verdict.txt", verdict + "\n");
-  const bool stopped = std::any_of(runs.begin(), runs.end(), [](const EngineRun& run) { return !run.found.empty(); });
-  return std::max(exit_code(results), stopped ? 1 : 0);
+  return std::max(exit_code(results), has_stopped(runs) ? 1 : 0);
 }
 
 }  // namespace

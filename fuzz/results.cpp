@@ -207,14 +207,18 @@ Json Results::hosts_json() const {
   return all.size() == 1 ? all[0] : all;
 }
 
-int exit_code(const Results& results) {
-  if (results.interrupted || results.shards_missing) return 130;
+bool has_finding(const Results& results) {
   bool found = !results.harness_errors.empty() || !results.leaks.empty();
   for (const auto& [name, family] : results.families) {
     found = found || family.reference_beaten > 0;
     for (const auto& [method, tally] : family.methods) found = found || (!tally.published && tally.failures() > 0);
   }
-  return found ? 1 : 0;
+  return found;
+}
+
+int exit_code(const Results& results) {
+  if (results.interrupted || results.shards_missing) return 130;
+  return has_finding(results) ? 1 : 0;
 }
 
 std::vector<std::string> family_order(const Results& results) {

@@ -61,8 +61,10 @@ struct Results {
   [[nodiscard]] bool incomplete() const { return interrupted || shards_missing || !given_up.empty(); }
 };
 
-/// 130 when interrupted or without some of the shards; 1 when a method that is no published baseline, the reference or the
-/// harness has a finding, or a foreign solver leaks; else 0.
+/// A method that is no published baseline, the reference or the harness has a finding, or a foreign solver leaks.
+[[nodiscard]] bool has_finding(const Results& results);
+
+/// 130 when interrupted or without some of the shards; 1 when there is a finding; else 0.
 [[nodiscard]] int exit_code(const Results& results);
 
 /// real, spheroid, ellipsoid, superquadric, hard; methods in the order of `plumb methods`, foreign ones last.

@@ -10,7 +10,7 @@
 #include "corpus/progress.hpp"
 #include "fuzz/explain.hpp"
 #include "fuzz/ranked.hpp"
-#include "solver/method/methods.hpp"
+#include "properties/judged_answer.hpp"
 
 namespace plumb {
 namespace {
@@ -23,14 +23,10 @@ std::string degrees(double angle) {
   return angle >= 10 ? fmt::format("{:.0f}", angle) : fmt::format("{:.2g}", angle);
 }
 
-bool solves_another_problem(const std::string& name) {
-  const Method* method = find_method(name);
-  return method != nullptr && method->problem != Problem::common_normal;
-}
-
 std::string in_words(const std::string& method, const Tally& tally) {
+  const bool is_another = problem_of(method) != Problem::common_normal;
   std::string text = fmt::format("{}: right in {} of {} pairs{}", method, grouped(tally.of(FindingKind::none)),
-                                 grouped(tally.judged()), solves_another_problem(method) ? " by its own problem" : "");
+                                 grouped(tally.judged()), is_another ? " by its own problem" : "");
   text += fmt::format("; converged in {}", grouped(tally.converged()));
   const Histogram& angles = tally.angle_error_deg;
   if (angles.count() > 0)
@@ -101,9 +97,10 @@ std::string in_words(const std::vector<ShownFailure>& failures, const std::files
   return text;
 }
 
-std::string bottom_line(const Results& results) {
-  if (exit_code(results) == 1)
-    return "FOUND: a failure of auto, of a foreign solver, of the reference or of the harness: exit code 1\n";
+std::string bottom_line(const Results& results, bool stopped) {
+  if (stopped || has_finding(results))
+    return "FOUND: a failure of auto, of a foreign solver, of the reference or of the harness\n";
+  if (results.incomplete()) return "INCOMPLETE: nothing found in plumb itself so far\n";
   return "plumb itself: nothing found. What published methods and peers fail is a result, and no finding.\n";
 }
 

@@ -30,7 +30,7 @@ struct ShownFailure {
 /// A sentence each, and the command that replays it.
 [[nodiscard]] std::string in_words(const std::vector<ShownFailure>& failures, const std::filesystem::path& folder);
 
-/// Whether anything of plumb itself failed, in a line.
-[[nodiscard]] std::string bottom_line(const Results& results);
+/// Whether anything of plumb itself failed, in a line; `stopped`: a fuzz target did.
+[[nodiscard]] std::string bottom_line(const Results& results, bool stopped);
 
 }  // namespace plumb

@@ -62,7 +62,17 @@ TEST(Verdict, OfNoFailureThereIsNothingToShow) {
   const std::vector<Solver> solvers = find_solvers("auto");
   const Results results = judged(solvers);
   EXPECT_TRUE(worth_a_look(results, solvers).empty());
-  EXPECT_TRUE(bottom_line(results).starts_with("plumb itself: nothing found"));
+  EXPECT_TRUE(bottom_line(results, false).starts_with("plumb itself: nothing found"));
+}
+
+/// An interrupt hides no finding, and neither does a fuzz target that stopped.
+TEST(Verdict, TheLastLineCallsNothingGoodThatIsNot) {
+  Results results = judged(find_solvers("auto"));
+  EXPECT_TRUE(bottom_line(results, true).starts_with("FOUND"));
+  results.interrupted = true;
+  EXPECT_TRUE(bottom_line(results, false).starts_with("INCOMPLETE"));
+  results.harness_errors["spheroid 1: thrown"] = 1;
+  EXPECT_TRUE(bottom_line(results, false).starts_with("FOUND"));
 }
 
 }  // namespace
