@@ -77,13 +77,34 @@ Contact<double> ask_in_process(const InProcess& solver, const Pair& pair, const 
   return contact_of(refused != 0, answer, solver.name);
 }
 
-std::string foreign_name(const std::string& path) {
-  return "solver:" + std::filesystem::path(path).filename().string();
+/// The words of the door are in the order of ours.
+Abilities abilities_of(const wire::Hello& hello, const std::string& path) {
+  const plumb_abilities& said = hello.abilities;
+  Abilities out{hello.name.text(), hello.version.text(), hello.licence.text()};
+  if (const std::string wrong = refuse_solver_name(out.name); !out.name.empty() && !wrong.empty())
+    throw InputFailure(path, 0, "plumb_solver_abilities: name", wrong);
+  out.shapes = static_cast<Shapes>(said.shapes);
+  out.exponents = {said.exponents[0], said.exponents[1]};
+  out.apart = static_cast<Apart>(said.apart);
+  out.points = static_cast<Points>(said.points);
+  out.normal = said.normal != 0;
+  out.warm = hello.warm;
+  out.problem = static_cast<Problem>(said.problem);
+  out.tolerance = said.tolerance;
+  return out;
 }
 
-Solver solver_over(const std::shared_ptr<SolverPool>& pool, std::string summary) {
+std::string foreign_name(const std::string& path, const Abilities& abilities) {
+  return "solver:" + (abilities.name.empty() ? std::filesystem::path(path).filename().string() : abilities.name);
+}
+
+/// `name`: empty for what it calls itself.
+Solver solver_over(const std::string& name, const std::string& path, const SolverLimits& limits, std::string summary) {
+  const auto pool = std::make_shared<SolverPool>(path, limits);
+  const Abilities abilities = abilities_of(pool->start(), path);
+  pool->call(name.empty() ? foreign_name(path, abilities) : name);
   return {pool->name(),
-          Problem::common_normal,
+          abilities,
           std::move(summary),
           false,
           false,
@@ -94,9 +115,13 @@ Solver solver_over(const std::shared_ptr<SolverPool>& pool, std::string summary)
 }
 
 Solver load_here(const std::string& path, const std::string& name, const std::string& summary) try {
-  const auto solver = std::make_shared<const InProcess>(InProcess{name, open_solver_library(path)});
-  return {name,
-          Problem::common_normal,
+  const auto solver = std::make_shared<InProcess>(InProcess{name, open_solver_library(path)});
+  wire::Hello hello;
+  introduce(hello, solver->library);
+  const Abilities abilities = abilities_of(hello, path);
+  if (name.empty()) solver->name = foreign_name(path, abilities);
+  return {solver->name,
+          abilities,
           summary,
           false,
           false,
@@ -123,13 +148,11 @@ std::string peer_path(std::string_view name) {
 }  // namespace
 
 Solver load_solver(const std::string& path, const SolverLimits& limits) {
-  const auto pool = std::make_shared<SolverPool>(foreign_name(path), path, limits);
-  pool->start();
-  return solver_over(pool, "foreign solver " + path);
+  return solver_over("", path, limits, "foreign solver " + path);
 }
 
 Solver load_solver_in_process(const std::string& path) {
-  return load_here(path, foreign_name(path), "foreign solver " + path);
+  return load_here(path, "", "foreign solver " + path);
 }
 
 Solver in_process(const Solver& solver) {
@@ -149,8 +172,7 @@ std::vector<std::string> peer_names() {
 Solver load_peer(const std::string& name) {
   const auto peer = std::find_if(kPeers.begin(), kPeers.end(), [&](const Peer& p) { return p.name == name; });
   if (peer == kPeers.end()) throw InputFailure("--method", 0, name, "no such peer");
-  Solver solver =
-      solver_over(std::make_shared<SolverPool>(name, peer_path(name), SolverLimits{}), std::string(peer->summary));
+  Solver solver = solver_over(name, peer_path(name), SolverLimits{}, std::string(peer->summary));
   solver.published = true;
   return solver;
 }

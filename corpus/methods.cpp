@@ -8,7 +8,8 @@ namespace {
 
 int list_methods() {
   for (const plumb::Solver& solver : plumb::all_solvers())
-    plumb::print_line(fmt::format("{:<27} {:<15} {}", solver.name, plumb::name(solver.problem), solver.summary));
+    plumb::print_line(
+        fmt::format("{:<27} {:<15} {}", solver.name, plumb::name(solver.abilities.problem), solver.summary));
   return plumb::exit_done;
 }
 

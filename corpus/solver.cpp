@@ -21,7 +21,7 @@ bool is_baseline(std::string_view method) {
 
 Solver solver_of(const Method& method) {
   return {std::string(method.name),
-          method.problem,
+          {.problem = method.problem},
           std::string(method.summary),
           is_baseline(method.name),
           true,

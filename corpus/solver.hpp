@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "corpus/solvers/abilities.hpp"
 #include "solver/contact.hpp"
 
 namespace plumb {
@@ -17,8 +18,8 @@ namespace plumb {
 class SolverPool;
 
 struct Solver {
-  std::string name;
-  Problem problem = Problem::common_normal;
+  std::string name;  ///< of a foreign one "solver:" and what it calls itself, or else its file
+  Abilities abilities;
   std::string summary;
   bool published =
       false;  ///< a baseline from the literature or a peer: its findings are results, not failures of plumb
@@ -62,7 +63,7 @@ struct SolverLimits {
 /// The peers that this build has, other people's solvers (fuzz/peers/): those whose library is in peers/ beside the program.
 [[nodiscard]] std::vector<std::string> peer_names();
 
-/// One of them, in processes of its own that start with its first answer; throws InputFailure when there is no such peer.
+/// One of them, in processes of its own; throws InputFailure when there is no such peer.
 [[nodiscard]] Solver load_peer(const std::string& name);
 
 struct TimedContact {

@@ -100,7 +100,7 @@ std::optional<SolverLibrary> load(const char* path, int socket) {
   std::optional<SolverLibrary> library;
   try {
     library = open_solver_library(path);
-    hello.loaded = true;
+    introduce(hello, *library);
   } catch (const UnusableLibrary& e) {
     hello.field.set(e.field);
     hello.reason.set(e.what());

@@ -5,13 +5,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "solver/plumb_solver.h"
+#include "corpus/solver_wire.hpp"
 
 namespace plumb {
 
 struct SolverLibrary {
   decltype(&plumb_solver_solve) solve = nullptr;
   decltype(&plumb_solver_solve_warm) solve_warm = nullptr;  ///< null: the library has none
+  plumb_abilities abilities{};                              ///< what it claims
 };
 
 /// what() says why; `field`: the symbol that it is about, or nothing.
@@ -25,6 +26,9 @@ class UnusableLibrary : public std::runtime_error {
 /// The library stays loaded until the process ends: what it registered with the system may outlive any owner of ours.
 /// Throws UnusableLibrary.
 [[nodiscard]] SolverLibrary open_solver_library(const std::string& path);
+
+/// What it says of itself, loaded.
+void introduce(wire::Hello& hello, const SolverLibrary& library);
 
 /// What a library gets to fill: NaN and `stalled`, so that nothing is vouched for that it does not say.
 [[nodiscard]] plumb_contact silent_contact();

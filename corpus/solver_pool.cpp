@@ -77,11 +77,14 @@ std::optional<Leak> leak_of(const Growth& growth, std::size_t calls) {
 
 }  // namespace
 
-SolverPool::SolverPool(std::string name, std::string library, const SolverLimits& limits)
-    : name_(std::move(name)), library_(std::move(library)), limits_(limits) {}
+SolverPool::SolverPool(std::string library, const SolverLimits& limits)
+    : library_(std::move(library)), limits_(limits) {}
 
-void SolverPool::start() {
-  give_back(std::make_unique<SolverProcess>(library_, limits_));
+wire::Hello SolverPool::start() {
+  auto process = std::make_unique<SolverProcess>(library_, limits_);
+  const wire::Hello hello = process->hello();
+  give_back(std::move(process));
+  return hello;
 }
 
 SolverPool::Process SolverPool::take() {

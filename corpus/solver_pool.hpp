@@ -15,16 +15,19 @@ namespace plumb {
 
 class SolverPool {
  public:
-  /// `name`: of the solver, for its answers to point to. Nothing is started yet.
-  SolverPool(std::string name, std::string library, const SolverLimits& limits);
+  /// Nothing is started yet.
+  SolverPool(std::string library, const SolverLimits& limits);
 
-  /// Starts one process, for those after it to be asked at once; throws InputFailure when the library cannot be loaded.
-  void start();
+  /// Starts one process, for those after it to be asked at once, and returns what it says of itself. Throws InputFailure when the
+  /// library cannot be loaded.
+  wire::Hello start();
   /// What the library threw is a NoAnswer, too. Throws InputFailure when the library, once loaded, can not be loaded again.
   [[nodiscard]] wire::Reply ask(const wire::Request& request);
   [[nodiscard]] std::optional<Leak> find_leak(std::vector<plumb_pair> pairs) const;
   [[nodiscard]] std::uint64_t hangs() const { return hangs_; }
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// By which its answers go: before the first is asked for.
+  void call(std::string name) { name_ = std::move(name); }
   [[nodiscard]] const std::string& library() const { return library_; }
 
  private:

@@ -131,9 +131,8 @@ std::string last_lines(const std::string& text) {
 SolverProcess::SolverProcess(const std::string& library, const SolverLimits& limits) : SolverProcess(limits) {
   start(library);
   try {
-    const auto hello = receive<wire::Hello>();
-    if (!hello.loaded) throw InputFailure(library, 0, hello.field.text(), hello.reason.text());
-    peak_at_start_ = hello.peak_bytes;
+    hello_ = receive<wire::Hello>();
+    if (!hello_.loaded) throw InputFailure(library, 0, hello_.field.text(), hello_.reason.text());
   } catch (const NoAnswer& e) {
     throw InputFailure(library, 0, "", std::string("cannot be loaded: ") + e.what());
   }
@@ -165,7 +164,7 @@ wire::Reply SolverProcess::ask(wire::Request request) {
   const auto reply = receive<wire::Reply>();
   if (reply.number != request.number)
     throw NoAnswer(NoAnswer::How::crashed, "sent an answer that is none to this pair");
-  if (reply.peak_bytes > peak_at_start_) require_memory(reply.peak_bytes);
+  if (reply.peak_bytes > hello_.peak_bytes) require_memory(reply.peak_bytes);
   require_memory(reply.resident_bytes);  // the peak may be plumb's own, which exec handed on
   return reply;
 }

@@ -42,6 +42,9 @@ class SolverProcess {
   SolverProcess(const SolverProcess&) = delete;
   SolverProcess& operator=(const SolverProcess&) = delete;
 
+  /// What it said of itself.
+  [[nodiscard]] const wire::Hello& hello() const { return hello_; }
+
   /// Throws NoAnswer; nothing more can be asked of this process then.
   [[nodiscard]] wire::Reply ask(wire::Request request);
 
@@ -57,7 +60,8 @@ class SolverProcess {
   [[nodiscard]] std::string said();
 
   SolverLimits limits_;
-  std::uint64_t asked_ = 0, peak_at_start_ = 0;
+  wire::Hello hello_;
+  std::uint64_t asked_ = 0;
   pid_t child_ = -1;
   Descriptor ended_;     ///< readable once the process has ended
   Descriptor socket_;    ///< requests and replies

@@ -32,6 +32,9 @@ struct Hello {
   std::uint64_t peak_bytes = 0;  ///< before the library was loaded: what exec handed on of plumb's own is among it
   Text<64> field;
   Text<1024> reason;
+  plumb_abilities abilities{};  ///< without its strings, which are of the host's memory
+  Text<128> name, version, licence;
+  bool warm = false;
 };
 
 struct Request {

@@ -37,8 +37,9 @@ void keep_motion(const std::vector<Case>& steps, const PathFinding& found, const
 }
 
 Outcome judged(const std::vector<Case>& steps, PathJudge& judge, const Solver& solver) {
-  const PathEvidence evidence = judge.follow(
-      solver.problem, [&](const Pair& pair, const Contact<double>* last) { return solver.solve(pair, Want{}, last); });
+  const PathEvidence evidence =
+      judge.follow(solver.abilities.problem,
+                   [&](const Pair& pair, const Contact<double>* last) { return solver.solve(pair, Want{}, last); });
   const std::vector<PathFinding> findings = judge_path(evidence);
   const PathFinding* worst = worst_of(findings);
   for (const PathStep& step : evidence.steps) light(step.warm);

@@ -28,7 +28,7 @@ std::optional<Contact<double>> answer_of(const Solver& solver, const Pair& pair)
 Judgement judge_by_status(const Solver& solver, const Pair& pair, const Contact<double>& answer) {
   Reference nothing;
   nothing.effort = Effort::digits;  // no more is to come
-  return judge({pair, solver.problem, answer, nothing, nothing.common_normal, {}});
+  return judge({pair, solver.abilities.problem, answer, nothing, nothing.common_normal, {}});
 }
 
 /// To within what no law can object to.
@@ -59,7 +59,7 @@ bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
     case FindingKind::missed_contact: return answer.verdict != Verdict::overlapping;
     default: break;
   }
-  if (!hasty_ || solver_.problem != Problem::common_normal || !is_about_one_answer(kind_)) return true;
+  if (!hasty_ || solver_.abilities.problem != Problem::common_normal || !is_about_one_answer(kind_)) return true;
   const auto second = answer_of(second_, pair);
   return !second || second->status != Status::converged || !agree(pair, answer, *second);
 }

@@ -3,6 +3,8 @@
 #include <exception>
 #include <limits>
 
+#include "solver/method/methods.hpp"
+
 namespace plumb {
 namespace {
 
@@ -26,7 +28,7 @@ void judge_answer(JudgedAnswer& out, Judge& judge, const Pair& pair, const Solve
   const auto again = [&](const Pair& related) {
     return answer_of([&] { return solver.solve(related, want, nullptr); });
   };
-  out.judgement = judge.judge(solver.problem, out.answer, again, solver.is_own);
+  out.judgement = judge.judge(solver.abilities.problem, out.answer, again, solver.is_own);
 }
 
 }  // namespace
@@ -46,9 +48,8 @@ JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solve
 }
 
 Problem problem_of(const std::string& method) {
-  for (const Solver& solver : all_solvers())
-    if (solver.name == method) return solver.problem;
-  return Problem::common_normal;
+  const Method* const known = find_method(method);
+  return known == nullptr ? Problem::common_normal : known->problem;
 }
 
 JudgedAnswer judge_recorded(Judge& judge, const RecordedAnswer& recorded) {

@@ -104,8 +104,9 @@ struct Judged {
 };
 
 Judged judge_track(const Track& track, const Solver& solver, PathJudge& judge) {
-  const PathEvidence evidence = judge.follow(
-      solver.problem, [&](const Pair& pair, const Contact<double>* last) { return solver.solve(pair, Want{}, last); });
+  const PathEvidence evidence =
+      judge.follow(solver.abilities.problem,
+                   [&](const Pair& pair, const Contact<double>* last) { return solver.solve(pair, Want{}, last); });
   Judged out{track, solver, judge_path(evidence)};
   for (const PathStep& step : evidence.steps) {
     out.cold_evaluations += step.cold.evaluations;

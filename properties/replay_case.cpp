@@ -107,7 +107,9 @@ std::string why_unsolved(const Solution& solution) {
 /// What a case with an answer of its own expects is about that one.
 Reply reply_of(Judge& judge, const Case& c, const Solver& solver) {
   const bool is_cases_own = own_method(c) == solver.name && !c.extra.contains("x_answer");
-  return {solver.name, solver.problem, is_cases_own, !solver.published, false, solve_and_judge(judge, c.pair, solver)};
+  return {solver.name,  solver.abilities.problem,
+          is_cases_own, !solver.published,
+          false,        solve_and_judge(judge, c.pair, solver)};
 }
 
 Reply reply_of(Judge& judge, const RecordedAnswer& recorded) {

@@ -41,7 +41,7 @@ template <class S>
 void append_path(const Solver& solver, const std::vector<Case>& cases, const Truths& truths, std::vector<Path>& out) {
   const SolveFunction<S> solve = find_iteration<S>(solver.name);
   if (solve == nullptr) return;
-  Walk<S> walk{solve, cases, truths.at(solver.problem)};
+  Walk<S> walk{solve, cases, truths.at(solver.abilities.problem)};
   Path path{solver.name, std::string(name_of_scalar<S>), {}};
   for (int k = 0; k <= most_steps(solver.name) && !walk.is_over && !interrupted(); ++k)
     path.steps.push_back(walk.step(k));

@@ -25,15 +25,19 @@ Variant in_scalar(const Solver& solver, SolveFunction<S> solve, double tolerance
     return status_of(answer.status, answer.iterations);
   };
   const auto judged = [solve, want](const Pair& pair) { return widened(solve(pair, want, nullptr)); };
-  return {solver.name, std::string(name_of_scalar<S>), "", tolerance, solver.problem, timed, judged};
+  return {solver.name, std::string(name_of_scalar<S>), "", tolerance, solver.abilities.problem, timed, judged};
 }
 
 /// The C door asks for no tolerance.
 Variant of_peer(const Solver& solver) {
   const auto answer = [solver](const Pair& pair) { return solver.solve(pair, {}, nullptr); };
-  return {solver.name, std::string(name_of_scalar<double>), "", 0, solver.problem, answer, [answer](const Pair& pair) {
-            return widened(answer(pair));
-          }};
+  return {solver.name,
+          std::string(name_of_scalar<double>),
+          "",
+          0,
+          solver.abilities.problem,
+          answer,
+          [answer](const Pair& pair) { return widened(answer(pair)); }};
 }
 
 /// Whether a check of the answer in double holds.
@@ -76,7 +80,8 @@ void append_tolerances(const Solver& solver, const Method& method, std::vector<V
 }
 
 void append_certificates(const Solver& solver, std::vector<Variant>& out) {
-  if (solver.problem == Problem::common_normal) out.push_back(checked(solver, "residual", has_small_residual));
+  if (solver.abilities.problem == Problem::common_normal)
+    out.push_back(checked(solver, "residual", has_small_residual));
   if (solver.name != "auto") return;
   for (const Effort effort : efforts)
     out.push_back(checked(solver, name(effort), [effort](const Pair& pair, const Contact<double>&) {

@@ -3,9 +3,8 @@
  * Build a shared library that exports plumb_solver_version and plumb_solver_solve; then
  *     plumb solve CASE --solver ./libmine.so
  *     plumb campaign --family all --cases 1000 --seed 1 --solver ./libmine.so --out DIR
- * (without --method the library alone is judged; fuzz/example/ has one of a page). It is judged as a common-normal solver;
- * the answers of one that solves another problem go through `plumb check` with "method": "geometric_potential_midway" or
- * "geometric_potential".
+ * (without --method the library alone is judged; fuzz/example/ has one of a page). It is judged by what it says that it
+ * answers (plumb_solver_abilities); one that does not say is taken for a common-normal solver that answers everything.
  *
  * The library runs in processes of its own, one for each thread of plumb's, and is called from one thread there. What ends
  * the process is the finding `crash`, no answer after --solver-limit seconds of its processor time is `slow`, memory that
@@ -22,8 +21,8 @@
 extern "C" {
 #endif
 
-/* Of this header: what plumb_solver_version returns. */
-#define PLUMB_SOLVER_VERSION 1
+/* Of this header: what plumb_solver_version returns. A library of version 1 is taken as well: it says nothing of its abilities. */
+#define PLUMB_SOLVER_VERSION 2
 
 /* (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 */
 typedef struct plumb_body {
@@ -62,6 +61,37 @@ typedef struct plumb_contact {
   int iterations;
   int evaluations;
 } plumb_contact;
+
+/* What a solver answers. plumb does not ask for what is not claimed, and does not count it. */
+enum plumb_shapes { PLUMB_SUPERELLIPSOIDS = 0, PLUMB_ELLIPSOIDS = 1, PLUMB_SPHERES = 2 };
+/* Of bodies apart: their distance; that they are apart, and nothing else; nothing. */
+enum plumb_apart { PLUMB_APART_DISTANCE = 0, PLUMB_APART_VERDICT = 1, PLUMB_APART_NONE = 2 };
+/* One on each body; one between them, in contact_point; none. */
+enum plumb_points { PLUMB_POINTS_TWO = 0, PLUMB_POINTS_MIDWAY = 1, PLUMB_POINTS_NONE = 2 };
+enum plumb_problem {
+  PLUMB_COMMON_NORMAL = 0, /* normals opposite, the line through the points along them, lowest overlap */
+  PLUMB_DEEPEST_POINTS =
+      1,           /* geometric potential: the point of each surface that lies deepest in the other's potential */
+  PLUMB_MIDWAY = 2 /* geometric potential: both potentials equal, their gradients opposite */
+};
+
+/* Comes filled with the claims of a solver that answers everything; overwrite what is otherwise. */
+typedef struct plumb_abilities {
+  unsigned size;       /* of the struct as plumb has it: a later one grows at its end */
+  int shapes;          /* enum plumb_shapes */
+  double exponents[2]; /* of superellipsoids: the least and the greatest that it takes */
+  int apart;           /* enum plumb_apart */
+  int points;          /* enum plumb_points */
+  int normal;          /* 0: it has none */
+  int problem;         /* enum plumb_problem */
+  double tolerance;    /* its own, relative to the larger body's size; 0: as far as rounding lets it */
+  const char* name;    /* letters, digits and . _ + -; null: that of the file. All strings stay where they are. */
+  const char* version; /* null: not said, as the next */
+  const char* licence;
+} plumb_abilities;
+
+/* Optional: says what the solver answers. */
+void plumb_solver_abilities(plumb_abilities* abilities);
 
 /* Returns PLUMB_SOLVER_VERSION of the header that the library was built with. */
 int plumb_solver_version(void);

@@ -44,7 +44,7 @@ void declare(CommandLine& app, Options& options) {
 std::vector<std::string> methods_of(const Options& options) {
   std::vector<std::string> out;
   for (const Solver& solver : find_solvers(options.method)) {
-    const bool is_one = solver.problem == Problem::common_normal && !solver.name.starts_with("peer");
+    const bool is_one = solver.abilities.problem == Problem::common_normal && !solver.name.starts_with("peer");
     if (!is_one && options.method != "all")
       throw InputFailure("--method", 0, solver.name, "is no common-normal method of plumb's");
     if (is_one) out.push_back(solver.name);

@@ -21,6 +21,12 @@ static_assert(sizeof(plumb_contact) == 120 && offsetof(plumb_contact, verdict) =
               offsetof(plumb_contact, overlap) == 8 && offsetof(plumb_contact, normal) == 16 &&
               offsetof(plumb_contact, points) == 40 && offsetof(plumb_contact, contact_point) == 88 &&
               offsetof(plumb_contact, iterations) == 112 && offsetof(plumb_contact, evaluations) == 116);
+static_assert(sizeof(plumb_abilities) >= 72 && offsetof(plumb_abilities, shapes) == 4 &&
+              offsetof(plumb_abilities, exponents) == 8 && offsetof(plumb_abilities, apart) == 24 &&
+              offsetof(plumb_abilities, points) == 28 && offsetof(plumb_abilities, normal) == 32 &&
+              offsetof(plumb_abilities, problem) == 36 && offsetof(plumb_abilities, tolerance) == 40 &&
+              offsetof(plumb_abilities, name) == 48 && offsetof(plumb_abilities, version) == 56 &&
+              offsetof(plumb_abilities, licence) == 64);
 static_assert(sizeof(plumb_context) == 128);
 static_assert(sizeof(plumb_body_arrays) == 96 && offsetof(plumb_body_arrays, exponents) == 24 &&
               offsetof(plumb_body_arrays, position) == 40 && offsetof(plumb_body_arrays, quaternion_wxyz) == 64);
@@ -59,6 +65,7 @@ static_assert(is<decltype(plumb_solve),
               is<decltype(plumb_certify), int(const plumb_pair*, plumb_certificate*)>);
 static_assert(is<decltype(plumb_solver_version), int(void)> &&
               is<decltype(plumb_solver_solve), int(const plumb_pair*, plumb_contact*)> &&
+              is<decltype(plumb_solver_abilities), void(plumb_abilities*)> &&
               is<decltype(plumb_solver_solve_warm), int(const plumb_pair*, const plumb_contact*, plumb_contact*)>);
 
 static_assert(PLUMB_OK == 0 && PLUMB_ERROR_ARGUMENT == 1 && PLUMB_ERROR_METHOD == 2 && PLUMB_ERROR_MEMORY == 3 &&
@@ -68,6 +75,10 @@ static_assert(PLUMB_WANT_OVERLAP == 1 && PLUMB_WANT_NORMAL == 2 && PLUMB_WANT_PO
 static_assert(PLUMB_OPEN == 0 && PLUMB_PROVED == 1 && PLUMB_DISPROVED == 2);
 static_assert(PLUMB_CONVERGED == 0 && PLUMB_ITERATION_LIMIT == 1 && PLUMB_STALLED == 2 && PLUMB_SINGULAR == 3 &&
               PLUMB_NOT_FINITE == 4 && PLUMB_INVALID_INPUT == 5);
+static_assert(PLUMB_SUPERELLIPSOIDS == 0 && PLUMB_ELLIPSOIDS == 1 && PLUMB_SPHERES == 2);
+static_assert(PLUMB_APART_DISTANCE == 0 && PLUMB_APART_VERDICT == 1 && PLUMB_APART_NONE == 2);
+static_assert(PLUMB_POINTS_TWO == 0 && PLUMB_POINTS_MIDWAY == 1 && PLUMB_POINTS_NONE == 2);
+static_assert(PLUMB_COMMON_NORMAL == 0 && PLUMB_DEEPEST_POINTS == 1 && PLUMB_MIDWAY == 2);
 static_assert(PLUMB_UNDECIDED == 0 && PLUMB_OVERLAPPING == 1 && PLUMB_SEPARATED == 2);
 
 /// The names that a library shows.

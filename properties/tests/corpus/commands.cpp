@@ -182,7 +182,7 @@ TEST_F(Commands, LibrariesThatAreNoSolversAreRefused) {
   const std::string folder = std::string(PLUMB_BINARY_DIR) + "/tests/";
   (void)file("a.json", sample_case());
   expect_refusal("solve a.json --solver " + folder + "foreign_future.so",
-                 folder + "foreign_future.so: plumb_solver_version: is 2, must be 1");
+                 folder + "foreign_future.so: plumb_solver_version: is 3, must be 1 or 2");
   expect_refusal("solve a.json --solver " + folder + "foreign_mute.so",
                  folder +
                      "foreign_mute.so: plumb_solver_solve: not exported by the library (see solver/plumb_solver.h)");

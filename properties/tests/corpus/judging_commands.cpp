@@ -116,9 +116,9 @@ TEST_F(Judging, CheckJudgesByTheProblemThatTheMethodNames) {
     return lines_of(ran.out).at(0).at("finding").get<std::string>();
   };
   for (const Solver& solver : all_solvers()) {
-    if (solver.problem == Problem::common_normal) continue;
+    if (solver.abilities.problem == Problem::common_normal) continue;
     EXPECT_EQ(finding(solver.name, solver.name), "none");
-    EXPECT_EQ(finding(solver.name, std::string(name(solver.problem))), "none");
+    EXPECT_EQ(finding(solver.name, std::string(name(solver.abilities.problem))), "none");
     EXPECT_EQ(finding(solver.name, "auto"), "misaligned");
     EXPECT_EQ(finding(solver.name, "solver:mine.so"), "misaligned");
   }

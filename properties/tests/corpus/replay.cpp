@@ -55,7 +55,7 @@ Contact<double> overlapping(const Pair&, const Want&, const Contact<double>*) {
 TEST(Replay, TheReasonIsTheReferencesOwn) {
   // Where the centres coincide both potentials are lowest at one point, and no midway point is defined.
   const Case c = parse_case(sample_with("1.5", "0"), "a.json");
-  const Solver solver{"mine", Problem::midway, "", false, false, overlapping};
+  const Solver solver{"mine", {.problem = Problem::midway}, "", false, false, overlapping};
   const Replayed found = replay_case(c, "a.json", 0, solver);
   EXPECT_EQ(outcome(found), Outcome::not_judged) << replay_line(found);
   EXPECT_EQ(found.unjudged, "not judged: coincident centres");
