@@ -53,9 +53,9 @@ int run_command(CommandLine& app, int argc, char** argv, const std::function<int
 }
 
 CommandOption* declare_solver(CommandLine& app, ForeignOption& option, const std::string& help) {
-  auto* solver = app.add_option("--solver", option.library, help);
+  auto* solver = app.add_option("--solver", option.libraries, help)->one_each();
   app.add_option("--solver-limit", option.limits.seconds,
-                 "seconds of processor time for an answer of that library; sleeping, six times that")
+                 "seconds of processor time for an answer of a foreign solver; sleeping, six times that")
       ->needs(solver)
       ->check(refuse_seconds)
       ->capture_default_str();
@@ -66,13 +66,24 @@ CommandOption* declare_solver(CommandLine& app, ForeignOption& option, const std
   return solver;
 }
 
+std::vector<Solver> load_solvers(const ForeignOption& foreign) {
+  std::vector<Solver> out;
+  for (const std::string& library : foreign.libraries) {
+    Solver solver = load_solver(library, foreign.limits);
+    const auto same = std::find_if(out.begin(), out.end(), [&](const Solver& s) { return s.name == solver.name; });
+    if (same != out.end()) throw InputFailure("--solver", 0, library, "is called " + solver.name + ", as another is");
+    out.push_back(std::move(solver));
+  }
+  return out;
+}
+
 std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::string& method,
                                      const std::string& command) {
-  if (!foreign.library.empty()) return load_solver(foreign.library, foreign.limits);
-  if (method.empty()) return std::nullopt;
-  const std::vector<Solver> solvers = find_solvers(method);
-  if (solvers.size() != 1) throw InputFailure("--method", 0, method, command + " takes one method");
-  return solvers.front();
+  if (foreign.empty() && method.empty()) return std::nullopt;
+  const std::vector<Solver> solvers = foreign.empty() ? find_solvers(method) : load_solvers(foreign);
+  if (solvers.size() == 1) return solvers.front();
+  if (!foreign.empty()) throw InputFailure("--solver", 0, foreign.libraries[1], command + " takes one solver");
+  throw InputFailure("--method", 0, method, command + " takes one method");
 }
 
 void flush_output() {

@@ -13,15 +13,19 @@ namespace plumb {
 
 struct Case;
 
-/// --solver, --solver-limit and --solver-memory.
+/// --solver, any number of times, --solver-limit and --solver-memory.
 struct ForeignOption {
-  std::string library;  ///< empty: none was named
+  std::vector<std::string> libraries;
   SolverLimits limits;
+
+  [[nodiscard]] bool empty() const { return libraries.empty(); }
 };
 /// The option --solver, for what excludes it.
 CommandOption* declare_solver(CommandLine& app, ForeignOption& option, const std::string& help);
+/// All that were named. Throws InputFailure: also where two of them have one name.
+[[nodiscard]] std::vector<Solver> load_solvers(const ForeignOption& foreign);
 /// The one solver that takes the place of a case's own: the library, else the method of that name; none where neither was named.
-/// `command` is for the refusal of several methods. Throws InputFailure.
+/// `command` is for the refusal of several. Throws InputFailure.
 [[nodiscard]] std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::string& method,
                                                    const std::string& command);
 

@@ -43,6 +43,11 @@ CommandOption* CommandOption::delimiter(char separator) {
   return this;
 }
 
+CommandOption* CommandOption::one_each() {
+  option_->allow_extra_args(false);
+  return this;
+}
+
 CommandOption* CommandOption::needs(const CommandOption* other) {
   option_->needs(other->option_);
   return this;

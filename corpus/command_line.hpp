@@ -32,6 +32,8 @@ class CommandOption {
   CommandOption* is_one_of(const std::vector<std::string>& words);
   /// Splits each text there.
   CommandOption* delimiter(char separator);
+  /// Of a list: one text each time that the option is given.
+  CommandOption* one_each();
   CommandOption* needs(const CommandOption* other);
   CommandOption* excludes(const CommandOption* other);
 

@@ -9,6 +9,7 @@
 #include "corpus/solver.hpp"
 #include "corpus/solver_library.hpp"
 #include "corpus/solver_pool.hpp"
+#include "corpus/solvers/shell_word.hpp"
 #include "solver/c/door.hpp"
 
 namespace plumb {
@@ -98,6 +99,10 @@ std::string foreign_name(const std::string& path, const Abilities& abilities) {
   return "solver:" + (abilities.name.empty() ? std::filesystem::path(path).filename().string() : abilities.name);
 }
 
+std::string option_of(const std::string& path) {
+  return " --solver " + shell_word(std::filesystem::absolute(path).lexically_normal().string());
+}
+
 /// `name`: empty for what it calls itself.
 Solver solver_over(const std::string& name, const std::string& path, const SolverLimits& limits, std::string summary) {
   const auto pool = std::make_shared<SolverPool>(path, limits);
@@ -111,6 +116,7 @@ Solver solver_over(const std::string& name, const std::string& path, const Solve
           [pool](const Pair& pair, const Want&, const Contact<double>* last) {
             return ask_pool(*pool, pair, last).contact;
           },
+          option_of(path),
           pool};
 }
 
@@ -127,7 +133,8 @@ Solver load_here(const std::string& path, const std::string& name, const std::st
           false,
           [solver](const Pair& pair, const Want&, const Contact<double>* last) {
             return ask_in_process(*solver, pair, last);
-          }};
+          },
+          option_of(path)};
 } catch (const UnusableLibrary& e) {
   throw InputFailure(path, 0, e.field, e.what());
 }
@@ -159,6 +166,7 @@ Solver in_process(const Solver& solver) {
   if (!solver.pool) return solver;
   Solver here = load_here(solver.pool->library(), solver.name, solver.summary);
   here.published = solver.published;
+  here.option = solver.option;
   return here;
 }
 
@@ -174,6 +182,7 @@ Solver load_peer(const std::string& name) {
   if (peer == kPeers.end()) throw InputFailure("--method", 0, name, "no such peer");
   Solver solver = solver_over(name, peer_path(name), SolverLimits{}, std::string(peer->summary));
   solver.published = true;
+  solver.option.clear();  // its name is enough
   return solver;
 }
 

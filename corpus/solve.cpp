@@ -17,7 +17,7 @@ namespace {
 struct Options {
   std::string cases;
   std::string methods;
-  ForeignOption library;
+  ForeignOption foreign;
   std::string want = "overlap,normal,points";
   int repeat = 1;
   bool warm = false;
@@ -27,7 +27,7 @@ struct Options {
 void declare(CommandLine& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
   app.add_option("--method", options.methods, "NAME,.. or all; default auto (plumb methods lists them)");
-  declare_solver(app, options.library, "a shared library that implements solver/plumb_solver.h");
+  declare_solver(app, options.foreign, "a shared library that implements solver/plumb_solver.h");
   app.add_option("--want", options.want,
                  "what to compute: overlap,normal,points,curvature,derivatives; or verdict alone")
       ->capture_default_str();
@@ -58,10 +58,9 @@ Want parse_want(const std::string& names) {
 
 std::vector<Solver> chosen_solvers(const Options& options) {
   std::vector<Solver> solvers;
-  const auto& [library, limits] = options.library;
-  if (!options.methods.empty() || library.empty())
+  if (!options.methods.empty() || options.foreign.empty())
     solvers = find_solvers(options.methods.empty() ? "auto" : options.methods);
-  if (!library.empty()) solvers.push_back(load_solver(library, limits));
+  std::ranges::move(load_solvers(options.foreign), std::back_inserter(solvers));
   return solvers;
 }
 

@@ -26,6 +26,7 @@ struct Solver {
   bool is_own =
       false;  ///< plumb's: answers every legal pair, and with the same bits in any unit that is a power of two
   std::function<Contact<double>(const Pair&, const Want&, const Contact<double>* last)> solve;
+  std::string option = {};  ///< of a foreign one: " --solver PATH", as one would type it to load it again
   std::shared_ptr<SolverPool> pool = nullptr;  ///< the processes of a foreign solver, whose solve() may throw NoAnswer
 };
 

@@ -5,7 +5,8 @@
 namespace plumb {
 
 Json Asked::to_json() const {
-  return {{"seed", seed}, {"cases", cases}, {"methods", methods}, {"shards", shards}, {"done", done}};
+  return {{"seed", seed},         {"cases", cases},   {"methods", methods},
+          {"accuracy", accuracy}, {"shards", shards}, {"done", done}};
 }
 
 Asked Asked::read(const Field& field) {
@@ -13,6 +14,7 @@ Asked Asked::read(const Field& field) {
   asked.seed = field.member("seed").natural();
   for (const auto& [family, cases] : field.member("cases").members()) asked.cases[family] = cases.natural();
   for (const Field& method : field.member("methods").elements()) asked.methods.insert(method.text());
+  asked.accuracy = field.member("accuracy").text();
   asked.shards = field.member("shards").natural();
   const Field done = field.member("done");
   for (const Field& shard : done.elements()) asked.done.insert(shard.natural());

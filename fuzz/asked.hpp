@@ -19,8 +19,9 @@ struct Asked {
   std::uint64_t seed = 0;
   std::map<std::string, std::uint64_t> cases;  ///< of each family, in all shards together
   std::set<std::string> methods;
-  std::uint64_t shards = 1;      ///< into how many parts the cases were divided
-  std::set<std::uint64_t> done;  ///< which of them are here, counted from 1
+  std::string accuracy = "rounding";  ///< as parse_accuracy() reads it (properties/accuracy.hpp)
+  std::uint64_t shards = 1;           ///< into how many parts the cases were divided
+  std::set<std::uint64_t> done;       ///< which of them are here, counted from 1
 
   [[nodiscard]] Json to_json() const;
   /// Throws FieldError.

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <utility>
 
+#include "corpus/answer.hpp"
 #include "corpus/build_info.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/progress.hpp"
@@ -26,7 +27,26 @@ struct Round {
   Case c;
   Judge judge;
   Place place;
+  std::uint64_t index;
+  Json answers = Json::array();  ///< where they are kept
 };
+
+Json answer_line(const Round& round, const std::string& method, const JudgedAnswer& judged) {
+  const Finding& finding = judged.judgement.finding;
+  Answer answer{round.c.name, round.c.pair, Want{}, judged.answer, {}};
+  if (answer.contact.method.empty()) {
+    answer.contact.method = method;
+    answer.none = {std::string(name(finding.kind)), finding.detail};
+  }
+  Json out = answer_json(answer);
+  out["finding"] = name(finding.kind);
+  out["severity"] = severity_json(finding.severity);
+  if (!finding.law.empty()) out["law"] = finding.law;
+  if (!finding.detail.empty()) out["detail"] = finding.detail;
+  out["judged"] = is_judged(judged.judgement);
+  out["x_verdict"] = name(round.judge.reference().verdict);
+  return out;
+}
 
 void keep(Round& round, const std::string& method, const Finding& finding) {
   const std::string words = bucket(name(finding.kind), method, round.c.pair, round.judge.reference());
@@ -61,13 +81,17 @@ void count_on_ladder(Round& round, const std::string& method, const JudgedAnswer
 
 /// True when the reference was beaten.
 bool judge_answer(Round& round, const Solver& solver) {
-  const JudgedAnswer judged = solve_and_judge(round.judge, round.c.pair, solver);
+  const JudgedAnswer judged = solve_and_judge(round.judge, round.c.pair, solver, round.options.accuracy);
   const std::string& method = solver.name;
   for (Tally* tally : tallies_of(round, method)) {
     tally->published = solver.published;
+    tally->not_asked += judged.asked ? 0 : 1;
+    if (!judged.asked) continue;
     add_answer(*tally, round.place, judged.answer, judged.judgement, judged.nanoseconds);
     tally->habits.add(round.judge.reference().verdict, judged.answer);
   }
+  if (!judged.asked) return false;
+  if (round.options.keeps_answers) round.answers.push_back(answer_line(round, method, judged));
   count_on_ladder(round, method, judged);
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
   const double by = beats_reference(round.c.pair, judged.answer, round.judge.reference());
@@ -78,6 +102,10 @@ bool judge_answer(Round& round, const Solver& solver) {
 void judge_answers(Round& round) {
   bool beaten = false;
   for (const Solver& solver : round.options.solvers) beaten = judge_answer(round, solver) || beaten;
+  if (round.options.keeps_answers) {
+    const Json line{{"case", Json::parse(format_case(round.c))}, {"answers", std::move(round.answers)}};
+    round.results.answers[{round.source.family, round.index}] = write_json(line) + "\n";
+  }
   FamilyResults& family = round.results.families[round.source.family];
   ++family.cases;
   family.digest += digest(round.c.pair);
@@ -104,6 +132,13 @@ std::set<std::string> given_up(const CampaignOptions& options) {
   for (const Solver& solver : options.solvers)
     if (is_given_up(solver)) names.insert(solver.name);
   return names;
+}
+
+std::map<std::string, ForeignSolver> foreign_of(const CampaignOptions& options) {
+  std::map<std::string, ForeignSolver> out;
+  for (const Solver& solver : options.solvers)
+    if (!solver.option.empty()) out[solver.name] = {solver.option, solver.abilities};
+  return out;
 }
 
 /// The same in every shard, whatever its cases are: a solver leaks in all of them or in none.
@@ -145,7 +180,7 @@ void judge_case(Results& results, const Source& source, std::uint64_t index, con
     Case c = source.at(index);
     Judge judge(c.pair, options.references);
     const Place place = place_in_atlas(c.pair, judge.reference());
-    Round round{results, source, options, std::move(c), std::move(judge), place};
+    Round round{results, source, options, std::move(c), std::move(judge), place, index};
     judge_answers(round);
   } catch (const std::exception& e) {
     ++results.harness_errors[fmt::format("{} {}: {}", source.family, index, e.what())];
@@ -161,6 +196,7 @@ Asked asked_of(const std::vector<Source>& sources, const CampaignOptions& option
   asked.seed = options.seed;
   for (const Source& source : sources) asked.cases[source.family] = source.cases;
   for (const Solver& solver : options.solvers) asked.methods.insert(solver.name);
+  asked.accuracy = accuracy_text(options.accuracy);
   asked.shards = options.shard.count;
   asked.done = {options.shard.number};
   return asked;
@@ -179,7 +215,7 @@ Results judge_chunk(const std::vector<Source>& sources, const CampaignOptions& o
   results.asked = asked_of(sources, options);
   results.asked.shards = chunk.count;
   results.asked.done = {chunk.number};
-  results.libraries = options.libraries;
+  results.foreign = foreign_of(options);
   results.hosts = {host_json().dump()};
   results.threads = 1;
   for (const Source& source : sources)
@@ -196,7 +232,7 @@ Results judge_chunk(const std::vector<Source>& sources, const CampaignOptions& o
 Results whole_campaign(Results parts, const std::vector<Source>& sources, const CampaignOptions& options,
                        bool is_whole) {
   parts.asked = asked_of(sources, options);
-  parts.libraries = options.libraries;
+  parts.foreign = foreign_of(options);
   if (parts.hosts.empty()) parts.hosts = {host_json().dump()};
   parts.given_up = given_up(options);
   parts.interrupted = !is_whole && parts.given_up.empty();

@@ -28,7 +28,8 @@ struct CampaignOptions {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   Shard shard;
-  std::map<std::string, std::string> libraries = {};  ///< foreign solver -> absolute path, for the commands that replay
+  Accuracy accuracy = {};
+  bool keeps_answers = false;
   ReferenceSource references = {};
   std::uint64_t chunks = kChunks;
 };

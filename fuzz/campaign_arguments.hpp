@@ -13,8 +13,8 @@
 namespace plumb {
 
 struct CampaignArguments {
-  std::string family, method, shard = "1/1", out, cache;
-  ForeignOption solver;
+  std::string family, method, shard = "1/1", out, answers, cache, accuracy = "rounding";
+  ForeignOption foreign;
   std::int64_t cases = 0;
   std::uint64_t seed = 1, chunks = kChunks;
   unsigned threads = 1;

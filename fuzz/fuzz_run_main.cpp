@@ -9,11 +9,11 @@
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/progress.hpp"
+#include "corpus/solvers/shell_word.hpp"
 #include "fuzz/arguments.hpp"
 #include "fuzz/engine_run.hpp"
 #include "fuzz/out_folder.hpp"
 #include "fuzz/ranked.hpp"
-#include "fuzz/shell_word.hpp"
 #include "fuzz/table.hpp"
 #include "fuzz/verdict.hpp"
 

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "corpus/program_folder.hpp"
-#include "fuzz/shell_word.hpp"
+#include "corpus/solvers/shell_word.hpp"
+#include "properties/accuracy_option.hpp"
 
 namespace plumb {
 namespace {
@@ -14,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A case names a foreign solver but never its library: replay takes that from whoever runs it.
-std::string library_of(const Results& results, const std::string& method) {
-  const auto library = results.libraries.find(method);
-  return library == results.libraries.end() ? "" : library->second;
+std::string options_for(const Results& results, const std::string& method) {
+  const auto solver = results.foreign.find(method);
+  return (solver == results.foreign.end() ? "" : solver->second.option) + accuracy_option(results.asked.accuracy);
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ std::vector<RankedBucket> ranked_buckets(const Results& results) {
     const auto count = results.buckets.find(bucket);
     lines.push_back({method == methods.end() || !method->second.published,
                      count == results.buckets.end() ? 1 : count->second, bucket,
-                     expect.finding.value_or(bucket.substr(0, bucket.find('-'))), name, library_of(results, name)});
+                     expect.finding.value_or(bucket.substr(0, bucket.find('-'))), name, options_for(results, name)});
   }
   std::stable_sort(lines.begin(), lines.end(), [](const RankedBucket& a, const RankedBucket& b) {
     return std::pair(a.own, a.count) > std::pair(b.own, b.count);
@@ -45,9 +46,8 @@ std::string plumb_command() {
   return shell_word(here.starts_with("..") ? plumb.string() : here);
 }
 
-std::string replay_command(const fs::path& cases, const std::string& library) {
-  return fmt::format("{} replay {}{}", plumb_command(), shell_word(cases.string()),
-                     library.empty() ? "" : " --solver " + shell_word(library));
+std::string replay_command(const fs::path& cases, const std::string& options) {
+  return fmt::format("{} replay {}{}", plumb_command(), shell_word(cases.string()), options);
 }
 
 }  // namespace plumb

@@ -15,7 +15,7 @@ struct RankedBucket {
   std::uint64_t count = 0;
   std::string name, finding;
   std::string method;   ///< "reference" where that was beaten
-  std::string library;  ///< of the foreign solver that failed; else empty
+  std::string options;  ///< with which replay asks the same solver for the same accuracy
 };
 
 /// Those with kept cases: plumb's own first, then the most frequent.
@@ -25,6 +25,6 @@ struct RankedBucket {
 [[nodiscard]] std::string plumb_command();
 
 /// The same of a replay.
-[[nodiscard]] std::string replay_command(const std::filesystem::path& cases, const std::string& library);
+[[nodiscard]] std::string replay_command(const std::filesystem::path& cases, const std::string& options);
 
 }  // namespace plumb

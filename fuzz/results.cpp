@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "plumb/bins-7";
+constexpr const char* kFormat = "plumb/bins-8";
 
 void merge_tallies(Tallies& to, const Tallies& from) {
   for (const auto& [method, tally] : from) to[method].merge(tally);
@@ -86,6 +86,13 @@ FamilyResults read_family(const Field& field) {
   return family;
 }
 
+Json foreign_json(const Results& results) {
+  Json json = Json::object();
+  for (const auto& [method, solver] : results.foreign)
+    json[method] = {{"option", solver.option}, {"abilities", abilities_json(solver.abilities)}};
+  return json;
+}
+
 Json leaks_json(const Results& results) {
   Json json = Json::object();
   for (const auto& [method, leak] : results.leaks) json[method] = leak_json(leak);
@@ -101,7 +108,7 @@ Json bins_json(const Results& results) {
           {"families", families},
           {"buckets", results.buckets},
           {"harness_errors", results.harness_errors},
-          {"libraries", results.libraries},
+          {"foreign", foreign_json(results)},
           {"leaks", leaks_json(results)},
           {"given_up", results.given_up},
           {"hosts", results.hosts},
@@ -128,7 +135,8 @@ std::map<std::string, std::uint64_t> read_named_counts(const Field& field) {
 }
 
 void read_solvers(Results& results, const Field& root) {
-  for (const auto& [method, library] : root.member("libraries").members()) results.libraries[method] = library.text();
+  for (const auto& [method, solver] : root.member("foreign").members())
+    results.foreign[method] = {solver.member("option").text(), read_abilities(solver.member("abilities"))};
   for (const auto& [method, leak] : root.member("leaks").members())
     results.leaks[method] = {leak.member("bytes_a_call").number(), count_at(leak, "calls")};
   for (const Field& method : root.member("given_up").elements()) results.given_up.insert(method.text());
@@ -169,21 +177,37 @@ void FamilyResults::merge(const FamilyResults& other) {
   not_proved_lowest += other.not_proved_lowest;
   for (std::size_t i = 0; i < needed.size(); ++i) needed[i] += other.needed[i];
   reference_beaten += other.reference_beaten;
+  join(other);
+}
+
+void FamilyResults::join(const FamilyResults& other) {
   merge_tallies(methods, other.methods);
   for (const auto& [name, tallies] : other.generators) merge_tallies(generators[name], tallies);
   for (const auto& [name, ladder] : other.ladders) ladders[name].merge(ladder);
 }
 
 void Results::merge(Results&& other) {
-  interrupted = interrupted || other.interrupted;
   for (const auto& [name, family] : other.families) families[name].merge(family);
+  add_the_rest(std::move(other));
+}
+
+void Results::join(Results&& other) {
+  asked.methods.merge(other.asked.methods);
+  shards_missing = shards_missing || other.shards_missing;
+  for (const auto& [name, family] : other.families) families[name].join(family);
+  add_the_rest(std::move(other));
+}
+
+void Results::add_the_rest(Results&& other) {
+  interrupted = interrupted || other.interrupted;
   for (const auto& [bucket, n] : other.buckets) buckets[bucket] += n;
   for (const auto& [message, n] : other.harness_errors) harness_errors[message] += n;
-  libraries.insert(other.libraries.begin(), other.libraries.end());
+  foreign.insert(other.foreign.begin(), other.foreign.end());
   for (const auto& [method, leak] : other.leaks)  // each shard asked for the same pairs
     if (leak.bytes_a_call > leaks[method].bytes_a_call) leaks[method] = leak;
   given_up.insert(other.given_up.begin(), other.given_up.end());
   kept.merge(std::move(other.kept));
+  answers.merge(other.answers);
   hosts.merge(other.hosts);
   seconds += other.seconds;
   threads = std::max(threads, other.threads);

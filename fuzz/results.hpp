@@ -22,6 +22,12 @@
 
 namespace plumb {
 
+/// What is known of a foreign solver without asking it again.
+struct ForeignSolver {
+  std::string option;  ///< by which it is loaded (Solver::option)
+  Abilities abilities;
+};
+
 using Tallies = std::map<std::string, Tally>;  ///< by the method that answered
 
 struct FamilyResults {
@@ -36,6 +42,8 @@ struct FamilyResults {
   Ladders ladders;                            ///< the same, by step
 
   void merge(const FamilyResults& other);
+  /// Other methods on the same cases, which are counted once.
+  void join(const FamilyResults& other);
 };
 
 struct Results {
@@ -45,20 +53,27 @@ struct Results {
   std::map<std::string, FamilyResults> families;
   std::map<std::string, std::uint64_t> buckets;         ///< failures in each
   std::map<std::string, std::uint64_t> harness_errors;  ///< message -> cases
-  std::map<std::string, std::string> libraries;         ///< foreign solver -> absolute path of its library
+  std::map<std::string, ForeignSolver> foreign;         ///< by their names
   std::map<std::string, Leak> leaks;                    ///< of foreign solvers
   std::set<std::string> given_up;                       ///< foreign solvers that did not come back too often
   KeptFailures kept;
+  /// What CampaignOptions::keeps_answers asks for: by family and index, a line of JSON; in no file of a campaign's own.
+  std::map<std::pair<std::string, std::uint64_t>, std::string> answers;
   std::set<std::string> hosts;  ///< machine and build of each part, as JSON (corpus/build_info.hpp)
   double seconds = 0;           ///< wall clock, added up over merged runs
   unsigned threads = 0;
 
   void merge(Results&& other);
+  /// Of other methods on the same cases.
+  void join(Results&& other);
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] Tallies methods() const;  ///< over all families
   /// The one host, or a list where parts of several were merged.
   [[nodiscard]] Json hosts_json() const;
   [[nodiscard]] bool incomplete() const { return interrupted || shards_missing || !given_up.empty(); }
+
+ private:
+  void add_the_rest(Results&& other);
 };
 
 /// A method that is no published baseline, the reference or the harness has a finding, or a foreign solver leaks.

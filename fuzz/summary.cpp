@@ -30,12 +30,15 @@ Json shares_json(const Tally& tally) {
 Json method_json(const Tally& tally) {
   Json json;
   json["findings"] = counts_json<FindingKind>(tally.findings);
+  json["judged"] = tally.judged();
+  json["right"] = right_json(tally);
   json["angle_error_deg"] = tally.angle_error_deg.summary();
   json["overlap_error"] = tally.overlap_error.summary();
   json["iterations"] = tally.iterations.summary();
   json["x_evaluations"] = tally.evaluations.summary();
   json["x_answers"] = tally.cases;
-  json["x_judged"] = tally.judged();
+  if (tally.not_asked > 0) json["x_not_asked"] = tally.not_asked;
+  if (tally.wrong_aside > 0) json["x_wrong_verdicts_without_an_answer"] = tally.wrong_aside;
   json["x_unjudged"] = share_json(tally.unjudged, tally.cases);
   json["x_published"] = tally.published;
   json["x_statuses"] = counts_json<Status>(tally.statuses);
@@ -143,6 +146,7 @@ Json summary_json(const Results& results) {
   Json json;
   json["cases"] = results.cases();
   json["seed"] = results.asked.seed;
+  json["x_accuracy"] = results.asked.accuracy;
   json["families"] = family_order(results);
   if (results.incomplete()) json["incomplete"] = true;
   json["methods"] = methods_json(results.methods());

@@ -66,6 +66,23 @@ std::vector<std::pair<std::string, std::string>> finding_lines(const Tally& tall
   return lines;
 }
 
+/// "right in 12.0 % to 1e-6rad, 99.8 % to 0.01deg, 100 % to 1deg", where it is not all to rounding; what it was not asked.
+std::vector<std::string> accuracy_in_words(const Tally& tally) {
+  std::vector<std::string> out;
+  if (tally.judged() > 0 && tally.right.front() < tally.judged()) {
+    std::string text = "right in";
+    for (std::size_t i = 1; i < accuracy_levels.size(); ++i)
+      text += fmt::format("{} {} % to {}", i > 1 ? "," : "", percent(share_of(tally.right[i], tally.judged()).share),
+                          accuracy_levels[i].name);
+    out.push_back(text);
+  }
+  if (tally.not_asked > 0)
+    out.push_back(fmt::format("not asked {} pairs: it claims no answer to them", grouped(tally.not_asked)));
+  if (tally.wrong_aside > 0)
+    out.push_back(fmt::format("{} wrong verdicts where it did not converge", grouped(tally.wrong_aside)));
+  return out;
+}
+
 constexpr std::string_view kRow = " {:<26}{:>6}  {:<15}{:<22}{:>8}{:>8}{:>8}{:>7}{:>8}{:>9}\n";
 
 std::string header() {
@@ -84,6 +101,7 @@ std::string method_rows(const std::string& method, const Tally& tally) {
                   iterations(tally.iterations), duration(tally.nanoseconds.percentile(0.5)));
   for (std::size_t i = 1; i < lines.size(); ++i)
     text += fmt::format(" {:<26}{:>6}  {:<15}{}\n", "", "", lines[i].first, lines[i].second);
+  for (const std::string& words : accuracy_in_words(tally)) text += fmt::format(" {:<26}{:>6}  {}\n", "", "", words);
   for (const std::string& words : tally.habits.in_words()) text += fmt::format(" {:<26}{:>6}  {}\n", "", "", words);
   return text;
 }
@@ -120,13 +138,13 @@ std::string notes(const Results& results) {
   return text;
 }
 
-/// One command replays the whole folder only when one library, or none, answers for all of it.
+/// One command replays the whole folder only when the same solver, or none, is to be named for all of it.
 std::string rest_of(const std::vector<RankedBucket>& lines, std::size_t shown, const fs::path& failures) {
-  const std::string& library = lines.front().library;
+  const std::string& options = lines.front().options;
   const bool alike =
-      std::all_of(lines.begin(), lines.end(), [&](const RankedBucket& l) { return l.library == library; });
+      std::all_of(lines.begin(), lines.end(), [&](const RankedBucket& l) { return l.options == options; });
   return fmt::format("           and {} more; all of them: {}\n", lines.size() - shown,
-                     alike ? replay_command(failures, library) : failures.string());
+                     alike ? replay_command(failures, options) : failures.string());
 }
 
 }  // namespace
@@ -161,7 +179,7 @@ std::string kept_text(const Results& results, const fs::path& folder) {
       "\nkept failures: {} buckets, the simplest and the worst case of each; count, then the command:\n", lines.size());
   for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i)
     text += fmt::format("{:>9}  {}\n", grouped(lines[i].count),
-                        replay_command(failures / (lines[i].name + std::string(kWorst)), lines[i].library));
+                        replay_command(failures / (lines[i].name + std::string(kWorst)), lines[i].options));
   return lines.size() > shown ? text + rest_of(lines, shown, failures) : text;
 }
 

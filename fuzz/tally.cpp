@@ -104,6 +104,9 @@ void Tally::merge(const Tally& other) {
   add_all(findings, other.findings);
   add_all(converged_findings, other.converged_findings);
   add_all(statuses, other.statuses);
+  add_all(right, other.right);
+  not_asked += other.not_asked;
+  wrong_aside += other.wrong_aside;
   angles_wrong += other.angles_wrong;
   angle_error_deg.merge(other.angle_error_deg);
   overlap_error.merge(other.overlap_error);
@@ -121,6 +124,9 @@ Json Tally::to_json() const {
           {"findings", findings},
           {"converged_findings", converged_findings},
           {"statuses", statuses},
+          {"right", right},
+          {"not_asked", not_asked},
+          {"wrong_aside", wrong_aside},
           {"angles_wrong", angles_wrong},
           {"angle_error_deg", angle_error_deg.to_json()},
           {"overlap_error", overlap_error.to_json()},
@@ -139,6 +145,9 @@ void require_sums(const Tally& t, const Field& field) {
   if (t.unjudged > t.cases || sum(t.findings) != t.judged())
     field.member("findings").fail("are not those of the judged answers");
   if (sum(t.statuses) != t.cases) field.member("statuses").fail("are not those of the answers");
+  if (!std::is_sorted(t.right.begin(), t.right.end()) || t.right.back() > t.judged())
+    field.member("right").fail("do not grow from level to level, or are more than the judged answers");
+  if (t.wrong_aside > t.cases - t.converged()) field.member("wrong_aside").fail("are more than did not converge");
   if (t.angles_wrong > t.angle_error_deg.count()) field.member("angles_wrong").fail("are more than there are angles");
 }
 
@@ -152,6 +161,9 @@ Tally Tally::read(const Field& field) {
   read_counts(t.findings, field, "findings");
   read_counts(t.converged_findings, field, "converged_findings");
   read_counts(t.statuses, field, "statuses");
+  read_counts(t.right, field, "right");
+  t.not_asked = count_at(field, "not_asked");
+  t.wrong_aside = count_at(field, "wrong_aside");
   t.angles_wrong = count_at(field, "angles_wrong");
   t.angle_error_deg.read(field.member("angle_error_deg"));
   t.overlap_error.read(field.member("overlap_error"));
@@ -178,7 +190,9 @@ void add_answer(Tally& tally, const Place& place, const Contact<double>& answer,
   } else {
     ++tally.findings[kind];
     tally.converged_findings[kind] += converged ? 1 : 0;
+    for (std::size_t i = judgement.right_from; i < tally.right.size(); ++i) ++tally.right[i];
   }
+  tally.wrong_aside += judgement.wrong_aside ? 1 : 0;
   tally.iterations.add(answer.iterations);
   tally.evaluations.add(answer.evaluations);
   tally.nanoseconds.add(nanoseconds);
@@ -186,6 +200,13 @@ void add_answer(Tally& tally, const Place& place, const Contact<double>& answer,
   tally.angles_wrong += judgement.angle_error_deg > kWrongAngleDeg ? 1 : 0;
   tally.angle_error_deg.add(judgement.angle_error_deg);
   tally.overlap_error.add(judgement.overlap_error);
+}
+
+Json right_json(const Tally& tally) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < accuracy_levels.size(); ++i) json[std::string(accuracy_levels[i].name)] = tally.right[i];
+  json["asked"] = tally.of(FindingKind::none);
+  return json;
 }
 
 Share share_of(std::uint64_t k, std::uint64_t n) {

@@ -55,6 +55,9 @@ struct Tally {
   std::array<std::uint64_t, kFindingKinds> findings{};  ///< of the judged
   std::array<std::uint64_t, kFindingKinds> converged_findings{};  ///< of the judged with status converged
   std::array<std::uint64_t, kStatuses> statuses{};
+  std::array<std::uint64_t, accuracy_levels.size()> right{};  ///< of the judged, at each of accuracy_levels
+  std::uint64_t not_asked = 0;     ///< pairs that the method claims no answer to: they are not among `cases`
+  std::uint64_t wrong_aside = 0;   ///< answers that did not converge, with a verdict that is wrong
   std::uint64_t angles_wrong = 0;  ///< converged answers with an angle error above kWrongAngleDeg
   Histogram angle_error_deg;       ///< of the converged answers
   Histogram overlap_error;         ///< of the converged answers, relative to the size
@@ -77,6 +80,9 @@ struct Tally {
 [[nodiscard]] inline bool is_judged(const Judgement& judgement) {
   return judgement.judged || judgement.finding.kind != FindingKind::none;
 }
+
+/// { "rounding", "1e-6rad", .., "asked" }: how many of the judged answers are right at each level of accuracy.
+[[nodiscard]] Json right_json(const Tally& tally);
 
 /// `place`: of the pair, in the atlas.
 void add_answer(Tally& tally, const Place& place, const Contact<double>& answer, const Judgement& judgement,

@@ -57,7 +57,7 @@ std::vector<RankedBucket> most_telling(const Results& results) {
 
 /// The simplest case of a bucket, made simpler; as it is where nobody here solves it.
 ShownFailure show(const RankedBucket& bucket, const Results& results, std::span<const Solver> solvers) {
-  ShownFailure out{bucket.name, bucket.name + std::string(kSimplest), bucket.library};
+  ShownFailure out{bucket.name, bucket.name + std::string(kSimplest), bucket.options};
   const auto by = std::ranges::find(solvers, bucket.method, &Solver::name);
   const auto kept = results.kept.buckets().find(bucket.name);
   if (by == solvers.end() || kept == results.kept.buckets().end()) return out;
@@ -93,7 +93,7 @@ std::string in_words(const std::vector<ShownFailure>& failures, const std::files
   std::string text;
   for (const ShownFailure& failure : failures)
     text += fmt::format("{}\n  {}\n", failure.sentence,
-                        replay_command(folder / "failures" / failure.file, failure.library));
+                        replay_command(folder / "failures" / failure.file, failure.options));
   return text;
 }
 

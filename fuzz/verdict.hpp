@@ -20,7 +20,7 @@ namespace plumb {
 struct ShownFailure {
   std::string sentence;
   std::string file;                 ///< of the folder failures/
-  std::string library;              ///< of a foreign solver
+  std::string options;              ///< of its replay
   std::optional<Case> shrunk = {};  ///< to be written there; nothing: the file is there, as it was found
 };
 

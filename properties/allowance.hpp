@@ -5,6 +5,12 @@
 // spheroids and on exponents 2..8 (plumb campaign, bins of severity).
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "properties/laws.hpp"
 
 namespace plumb::law {
@@ -32,6 +38,19 @@ inline constexpr double wrong_altogether = 1e16;
 }
 
 using reference::largest_overlap_condition;
+
+/// What the accuracy that is asked for adds to an overlap's allowance, a length.
+[[nodiscard]] inline double overlap_slack(const Evidence& e) {
+  return e.accuracy.overlap * size_of(e.pair);
+}
+
+/// The same of a point, where it is not asked for by itself: as far as pairs whose normal is off by that much have theirs off.
+[[nodiscard]] inline double points_slack(const Evidence& e, const Condition& condition) {
+  if (e.accuracy.points) return *e.accuracy.points * size_of(e.pair);
+  if (e.accuracy.normal == 0) return overlap_slack(e);
+  const double by_normal = std::max(1.0, condition.points / std::max(1.0, condition.normal));
+  return overlap_slack(e) + e.accuracy.normal * by_normal * size_of(e.pair);
+}
 
 /// Whether a solution's overlap is the lowest to within rounding.
 [[nodiscard]] inline bool ties(const Evidence& e, const Solution& other) {
@@ -76,6 +95,17 @@ inline constexpr double undetermined = 0.1;
   const double sine = static_cast<double>((a / a.norm() - b / b.norm()).norm()),
                cosine = static_cast<double>((a / a.norm() + b / b.norm()).norm());
   return 2 * std::atan2(sine, cosine);
+}
+
+/// "expected 0.42, got 2.38", in as many digits as tell the two apart.
+[[nodiscard]] inline std::string expected_and_got(double expected, double got) {
+  const double apart = std::abs(expected - got) / std::max(std::abs(expected), std::abs(got));
+  const int digits = apart > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(apart))) + 2, 3, 17) : 17;
+  return fmt::format("expected {:.{}g}, got {:.{}g}", expected, digits, got, digits);
+}
+
+[[nodiscard]] inline std::string in_degrees(double radians) {
+  return fmt::format("{:.3g} degrees", radians / kRadiansPerDegree);
 }
 
 [[nodiscard]] inline const Finding& worse(const Finding& a, const Finding& b) {

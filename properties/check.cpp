@@ -11,6 +11,7 @@
 #include "corpus/interrupt.hpp"
 #include "corpus/reference_store.hpp"
 #include "corpus/solver.hpp"
+#include "properties/accuracy_option.hpp"
 #include "properties/judged_answer.hpp"
 #include "solver/reference/stationary.hpp"
 
@@ -21,6 +22,7 @@ struct Options {
   std::string cases;
   std::string answers;
   std::string cache;
+  std::string accuracy = "rounding";
 };
 
 void declare(CommandLine& app, Options& options) {
@@ -28,6 +30,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("--answer", options.answers,
                  "the fields of plumb solve: one object, or one a line; - for standard input")
       ->required();
+  declare_accuracy(app, options.accuracy);
   app.add_option("--cache", options.cache, cache_help);
 }
 
@@ -97,6 +100,7 @@ Json judgement_json(const Case& c, const GivenAnswer& answer, const Judgement& j
   if (!angles.is_null()) out["angles_deg"] = angles;
   put(out, "overlap_error", judgement.overlap_error);
   put(out, "point_error", judgement.point_error);
+  if (judgement.right_from < right_at_no_level) out["x_right_from"] = accuracy_levels[judgement.right_from].name;
   if (!judgement.judged) out["detail"] = "not judged: the reference has no proved answer to this method's problem";
   if (!judgement.finding.detail.empty()) out["detail"] = judgement.finding.detail;
   return out;
@@ -116,9 +120,10 @@ Json hit_json(const Pair& pair, const Contact<double>& answer) {
           {"complete", all.complete}};
 }
 
-FindingKind check_answer(const Case& c, const GivenAnswer& answer, const ReferenceSource& source) {
+FindingKind check_answer(const Case& c, const GivenAnswer& answer, const ReferenceSource& source,
+                         const Accuracy& accuracy) {
   Judge judge(c.pair, source);
-  const Judgement judgement = judge.judge(answer.problem, answer.contact);
+  const Judgement judgement = judge.judge({.problem = answer.problem, .accuracy = accuracy}, answer.contact);
   const Json angles = angles_json(c.pair, answer.contact, certified_sign(judge.reference()));
   Json out = judgement_json(c, answer, judgement, angles);
   out["reference"] = name(judge.reference().effort);
@@ -133,6 +138,7 @@ FindingKind check_answer(const Case& c, const GivenAnswer& answer, const Referen
 int check(const Options& options) {
   const Cases cases = read_cases(options.cases);
   const ReferenceSource source = references_of(open_store(options.cache));
+  const Accuracy accuracy = parse_accuracy(options.accuracy);
   AnswerReader answers(options.answers);
   int code = exit_done;
   bool any = false;
@@ -141,7 +147,7 @@ int check(const Options& options) {
     if (!answer) break;
     any = true;
     const Case& c = case_of(answer->name, cases, {answers.file(), answers.line(), options.cases});
-    if (check_answer(c, *answer, source) != FindingKind::none) code = exit_finding;
+    if (check_answer(c, *answer, source, accuracy) != FindingKind::none) code = exit_finding;
   }
   if (cases.failure) throw *cases.failure;
   if (!any && !interrupted()) throw InputFailure(options.answers, 0, "", "holds no answer");

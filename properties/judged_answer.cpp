@@ -20,23 +20,34 @@ auto answer_of(const Ask& ask) {
   }
 }
 
-void judge_answer(JudgedAnswer& out, Judge& judge, const Pair& pair, const Solver& solver) {
-  const Want want;
-  const TimedContact timed = answer_of([&] { return solve_timed(solver, pair, want, nullptr); });
-  out.answer = timed.contact;
+/// Of another pair than the one given: what is not claimed is refused in the solver's place.
+Contact<double> solve_related(const Solver& solver, const Pair& pair) {
+  if (solver.abilities.takes(pair))
+    return solver.abilities.claimed(answer_of([&] { return solver.solve(pair, Want{}, nullptr); }));
+  Contact<double> refused;
+  refused.status = Status::invalid_input;
+  return refused;
+}
+
+void judge_answer(JudgedAnswer& out, Judge& judge, const Pair& pair, const Solver& solver, const Accuracy& accuracy) {
+  const TimedContact timed = answer_of([&] { return solve_timed(solver, pair, Want{}, nullptr); });
+  out.answer = solver.abilities.claimed(timed.contact);
   out.nanoseconds = timed.nanoseconds;
-  const auto again = [&](const Pair& related) {
-    return answer_of([&] { return solver.solve(related, want, nullptr); });
-  };
-  out.judgement = judge.judge(solver.abilities.problem, out.answer, again, solver.is_own);
+  const auto related = [&](const Pair& asked) { return solve_related(solver, asked); };
+  out.judgement =
+      judge.judge({solver.abilities.problem, related, solver.is_own, accuracy, &solver.abilities}, out.answer);
 }
 
 }  // namespace
 
-JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver) {
+JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver, const Accuracy& accuracy) {
   JudgedAnswer out;
+  if (!solver.abilities.claims(pair, judge.reference().verdict)) {
+    out.asked = false;
+    return out;
+  }
   try {
-    judge_answer(out, judge, pair, solver);
+    judge_answer(out, judge, pair, solver, accuracy);
   } catch (const NoAnswer& e) {
     const bool has_answered = !out.answer.method.empty();
     out.judgement = {};

@@ -12,37 +12,33 @@ namespace plumb {
 namespace {
 
 constexpr std::array all_laws{
-    Law{"finite", "no number of a converged answer is NaN or infinite", law::answers_are_finite},
-    Law{"converges", "the method vouches for its residual", law::converges},
-    Law{"verdict", "overlapping when the certified overlap is positive, not when it is negative",
-        law::verdict_is_right},
+    Law{"finite", "no number of a converged answer is NaN or infinite", law::answers_are_finite, Needs::nothing},
+    Law{"converges", "the method vouches for its residual", law::converges, Needs::nothing},
+    Law{"verdict", "overlapping when the certified overlap is positive, not when it is negative", law::verdict_is_right,
+        Needs::nothing},
     Law{"lowest", "of all common normals it is the one of lowest overlap", law::has_the_lowest_overlap},
-    Law{"opposite", "n1 + n2 = 0", law::normals_are_opposite},
-    Law{"collinear", "p2 - p1 = -overlap n1", law::points_lie_on_the_normal},
+    Law{"opposite", "n1 + n2 = 0", law::normals_are_opposite, Needs::rounding},
+    Law{"collinear", "p2 - p1 = -overlap n1", law::points_lie_on_the_normal, Needs::rounding},
     Law{"normal", "the unit normal is the certified one", law::normal_agrees},
     Law{"itself", "p1 - p2 = overlap times normal (first touch: along the normal)", law::agrees_with_itself},
     Law{"deepest", "no point of a surface lies deeper in the other's potential than its own point",
-        law::points_are_deepest},
+        law::points_are_deepest, Needs::rounding},
     Law{"balance", "midway: equal potentials and opposite gradients at the contact point",
-        law::potentials_balance_midway},
-    Law{"undone", "first touch: p1 - p2 lies along the motion that is undone", law::motion_is_undone},
+        law::potentials_balance_midway, Needs::rounding},
+    Law{"undone", "first touch: p1 - p2 lies along the motion that is undone", law::motion_is_undone, Needs::rounding},
     Law{"surface", "each point is on its body's surface", law::points_are_on_surfaces},
-    Law{"overlap", "the overlap is the certified one", law::overlap_agrees},
+    Law{"overlap", "the overlap is the certified one", law::overlap_agrees, Needs::nothing},
     Law{"points", "the points are the certified ones", law::points_agree},
     Law{"between", "a common normal's contact point lies between its points", law::contact_point_is_between},
-    Law{"swap", "(B, A) gives the answer of (A, B) seen from the other side", law::swap_changes_nothing},
-    Law{"motion", "a rigid motion moves the answer along", law::rigid_motion_changes_nothing},
+    Law{"swap", "(B, A) gives the answer of (A, B) seen from the other side", law::swap_changes_nothing,
+        Needs::rounding},
+    Law{"motion", "a rigid motion moves the answer along", law::rigid_motion_changes_nothing, Needs::rounding},
     Law{"limit", "spheres have their closed form; exponents one step above 2 give the ellipsoid's answer",
-        law::limits_are_reached},
-    Law{"unit", "a change of the unit of length changes nothing else", law::unit_changes_nothing},
-    Law{"repeat", "the same pair gives the same bits", law::repeats_bit_for_bit},
+        law::limits_are_reached, Needs::rounding},
+    Law{"unit", "a change of the unit of length changes nothing else", law::unit_changes_nothing, Needs::rounding},
+    Law{"repeat", "the same pair gives the same bits", law::repeats_bit_for_bit, Needs::rounding},
     Law{"evaluations", "at most 2000 evaluations", law::evaluations_are_few},
 };
-
-/// Laws that need no certified answer to the method's own problem: bounds and verdict will do.
-bool stands_alone(const Law& law) {
-  return law.name == "finite" || law.name == "converges" || law.name == "verdict" || law.name == "overlap";
-}
 
 /// Whether the method's own problem has an answer that is known to be the one: where a geometric potential's is not proved
 /// there may be another, and as good.
@@ -50,10 +46,15 @@ bool is_judgeable(const Evidence& e) {
   return e.own.solved && (e.problem == Problem::common_normal || e.own.proved);
 }
 
+bool is_asked(const Law& law, const Evidence& e) {
+  if (law.needs == Needs::nothing) return true;
+  return is_judgeable(e) && (law.needs == Needs::solution || e.accuracy.is_rounding());
+}
+
 /// The first law that is broken for sure, or, with a doubt, the first that may be.
 Finding first_broken(const Evidence& e) {
   for (const Law& law : all_laws) {
-    if (!is_judgeable(e) && !stands_alone(law)) continue;
+    if (!is_asked(law, e)) continue;
     Finding finding = law.check(e);
     if (e.reference.effort == Effort::digits) finding.doubt = 0;
     if (!(finding.severity + finding.doubt > 1)) continue;
@@ -124,6 +125,7 @@ Judgement judge(const Evidence& e) {
   if (out.decided && !(out.finding.severity > 1)) out.finding = {};
   // Where it is not proved what is lowest a right answer breaks no law, but not every wrong one does.
   out.judged = is_judgeable(e) && (e.problem != Problem::common_normal || e.reference.global == Claim::proved);
+  out.wrong_aside = e.answer.status != Status::converged && law::verdict_is_right(e).severity > 1;
   const Evidence cn{e.pair, Problem::common_normal, e.answer, e.reference, e.reference.common_normal, {}, false};
   const Solution& common_normal = law::nearest(cn);
   const bool is_known = names_all_lowest(e.reference);
@@ -168,16 +170,39 @@ const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
   return *nearby_;
 }
 
-Judgement Judge::judge(Problem problem, const Contact<double>& answer,
-                       const std::function<Contact<double>(const Pair&)>& solve_again, bool is_own) {
+Judgement Judge::judge(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, Effort effort) {
+  const Reference& against = reference(effort);
+  return plumb::judge({pair_, by.problem, answer, against, solution(by.problem, against), by.solve_again, by.is_own,
+                       [&]() -> const reference::SolutionSet& { return all_solutions(against); },
+                       [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims});
+}
+
+bool Judge::is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy) {
   Judgement out;
   for (const Effort effort : efforts) {
-    const Reference& against = reference(effort);
-    out = plumb::judge({pair_, problem, answer, against, solution(problem, against), solve_again, is_own,
-                        [&]() -> const reference::SolutionSet& { return all_solutions(against); },
-                        [&]() -> const reference::NearbyAnswers& { return nearby(against); }});
+    out = judge(by, answer, accuracy, effort);
+    // A finer level than the one that was asked for is worth no proof: right is what is known to be.
+    if (out.decided || (effort >= reference().effort && by.accuracy.is_coarser_than(accuracy))) break;
+  }
+  return out.decided && out.finding.kind == FindingKind::none;
+}
+
+/// Coarser levels hold what is right by the finer ones.
+std::size_t Judge::right_from(const JudgedBy& by, const Contact<double>& answer, const Finding& as_asked) {
+  if (by.accuracy.is_rounding() && as_asked.kind == FindingKind::none) return 0;
+  if (answer.status != Status::converged) return right_at_no_level;
+  std::size_t level = by.accuracy.is_rounding() ? 1 : 0;
+  while (level < right_at_no_level && !is_right(by, answer, accuracy_levels[level].accuracy)) ++level;
+  return level;
+}
+
+Judgement Judge::judge(const JudgedBy& by, const Contact<double>& answer) {
+  Judgement out;
+  for (const Effort effort : efforts) {
+    out = judge(by, answer, by.accuracy, effort);
     if (out.decided) break;
   }
+  out.right_from = right_from(by, answer, out.finding);
   return out;
 }
 

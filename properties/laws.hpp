@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "corpus/solvers/abilities.hpp"
+#include "properties/accuracy.hpp"
 #include "solver/contact.hpp"
 #include "solver/reference/nearby.hpp"
 #include "solver/reference/reference.hpp"
@@ -63,12 +65,24 @@ struct Evidence {
   std::function<const reference::SolutionSet&()> all_solutions = {};
   /// How far the answers to inputs within rounding are, for where a condition number bounds too little; may be empty.
   std::function<const reference::NearbyAnswers&()> nearby = {};
+  /// What is allowed beside rounding.
+  Accuracy accuracy = {};
+  /// What the method claims to answer; null: everything.
+  const Abilities* claims = nullptr;
+};
+
+/// What a law needs to be asked.
+enum class Needs {
+  nothing,   ///< but bounds and verdict
+  solution,  ///< a certified answer to the method's own problem
+  rounding   ///< that, and an answer that is held to rounding: a coarser one is held to the certified answer, and alone
 };
 
 struct Law {
   std::string_view name;
   std::string_view statement;
   Finding (*check)(const Evidence&);
+  Needs needs = Needs::solution;
   int line = __builtin_LINE();  ///< in its row of law_file; std::source_location is not in AFL++'s clang 14
 };
 inline constexpr std::string_view law_file = "properties/laws.cpp";
@@ -87,8 +101,20 @@ struct Judgement {
       std::numeric_limits<double>::quiet_NaN();  ///< |overlap - own problem's| / size; NaN when unknown
   double point_error = std::numeric_limits<
       double>::quiet_NaN();  ///< the larger point's distance from its own problem's / size; NaN when unknown
+  std::size_t right_from = right_at_no_level;  ///< the finest of accuracy_levels at which no law is broken
+  bool wrong_aside = false;  ///< it did not converge, and the verdict that it gives all the same is wrong
 };
 [[nodiscard]] Judgement judge(const Evidence& evidence);
+
+/// Who is judged, and how: the rest of what Judge::judge is asked.
+struct JudgedBy {
+  Problem problem = Problem::common_normal;
+  /// Solves a related pair; may be empty.
+  std::function<Contact<double>(const Pair&)> solve_again = {};
+  bool is_own = false;
+  Accuracy accuracy = {};
+  const Abilities* claims = nullptr;
+};
 
 /// The evidence gathered and judged: what campaign, fuzzers, replay and check call. Bounds first, then a proof, then digits:
 /// each is computed when the one before leaves an answer's severity open, once for a case, and shared by all methods.
@@ -98,11 +124,18 @@ class Judge {
   /// The dearest that was needed so far.
   [[nodiscard]] const Reference& reference() const { return references_.back(); }
   [[nodiscard]] const Solution& solution(Problem problem) { return solution(problem, reference()); }
+  [[nodiscard]] Judgement judge(const JudgedBy& by, const Contact<double>& answer);
   [[nodiscard]] Judgement judge(Problem problem, const Contact<double>& answer,
                                 const std::function<Contact<double>(const Pair&)>& solve_again = {},
-                                bool is_own = false);
+                                bool is_own = false) {
+    return judge({problem, solve_again, is_own}, answer);
+  }
 
  private:
+  [[nodiscard]] Judgement judge(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy,
+                                Effort effort);
+  [[nodiscard]] std::size_t right_from(const JudgedBy& by, const Contact<double>& answer, const Finding& as_asked);
+  [[nodiscard]] bool is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy);
   [[nodiscard]] const Reference& reference(Effort effort);
   [[nodiscard]] const Solution& solution(Problem problem, const Reference& reference);
   [[nodiscard]] const reference::SolutionSet& all_solutions(const Reference& found);

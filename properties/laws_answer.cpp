@@ -68,8 +68,9 @@ double normal_severity_in_set(const Evidence& e) {
   const reference::SolutionSet& all = e.all_solutions();
   if (reference::may_be_lowest(e.pair, all, e.answer.normal)) return 0;
   const double angle = angle_between(e.answer.normal.cast<Real50>(), all.normal.cast<Real50>());
+  const double severity = severity_of(angle, all.normal_radius + few + e.accuracy.normal);
   const double beyond_the_set = 2;
-  return std::max(beyond_the_set, severity_of(angle, all.normal_radius + few));
+  return e.accuracy.normal > 0 ? severity : std::max(beyond_the_set, severity);
 }
 
 /// Of points: in the balls, and no further apart than an overlap in the set says: the ball of a ring holds much else.
@@ -79,8 +80,10 @@ double points_severity_in_set(const Evidence& e) {
   const double off = std::max((e.answer.point1 - all.point1).stableNorm(), (e.answer.point2 - all.point2).stableNorm());
   const double apart = (e.answer.point1 - e.answer.point2).stableNorm();
   const double uneven = std::abs(apart - std::abs(static_cast<double>(e.own.overlap)));
-  return std::max(severity_of(off, all.points_radius + point_rounding(e.pair)),
-                  severity_of(uneven, 2 * all.delta + width_of(e.reference.overlap) + 2 * point_rounding(e.pair)));
+  const double slack = points_slack(e, e.own.condition);
+  return std::max(
+      severity_of(off, all.points_radius + point_rounding(e.pair) + slack),
+      severity_of(uneven, 2 * all.delta + width_of(e.reference.overlap) + 2 * point_rounding(e.pair) + slack));
 }
 
 /// How far an overlap is from the lowest, as far as that is known.
@@ -129,7 +132,8 @@ Finding answers_are_finite(const Evidence& e) {
   const Contact<double>& a = e.answer;
   const bool infinite = std::isinf(a.overlap) || has_infinity(a.normal) || has_infinity(a.point1) ||
                         has_infinity(a.point2) || has_infinity(a.contact_point);
-  const bool missing = a.status == Status::converged && e.own.solved && e.solve && !is_whole(a);
+  const bool is_all_there = e.claims == nullptr ? is_whole(a) : e.claims->is_whole(a);
+  const bool missing = a.status == Status::converged && e.own.solved && e.solve && !is_all_there;
   if (a.status == Status::not_finite) return {FindingKind::not_finite, wrong_altogether, {}, "status not_finite"};
   if (infinite || missing) return {FindingKind::not_finite, wrong_altogether, {}, "a NaN or an infinity in the answer"};
   return {};
@@ -148,7 +152,7 @@ Finding verdict_is_right(const Evidence& e) {
   const bool is_lowest = found.solved && (names_all_lowest(e.reference) || e.reference.verdict != Verdict::undecided);
   const auto truth = static_cast<double>(is_lowest ? found.overlap : nearest_to_zero);
   // A verdict may be left open within the floor that every method documents (undecided_floor epsilon of the size).
-  const double allowed = 2 * few_of(size_of(e.pair) + std::abs(truth));
+  const double allowed = 2 * few_of(size_of(e.pair) + std::abs(truth)) + overlap_slack(e);
   const Verdict said = e.answer.verdict;
   if (said == Verdict::undecided && std::isnan(e.answer.overlap)) return {};
   const double doubt = is_lowest ? severity_of(width_of(found.bounds), allowed) : 0;
@@ -163,7 +167,7 @@ Finding verdict_is_right(const Evidence& e) {
 Finding has_the_lowest_overlap(const Evidence& e) {
   if (e.problem != Problem::common_normal || !shows_surfaces(e) || std::isnan(e.answer.overlap)) return {};
   const double excess = static_cast<double>(Real50(e.answer.overlap) - e.own.overlap);
-  const double allowed = few_of(e.own.condition.overlap * scale_of(e, e.own));
+  const double allowed = few_of(e.own.condition.overlap * scale_of(e, e.own)) + overlap_slack(e);
   const double severity = severity_of(excess, allowed), doubt = doubt_of(e, width_of(e.own.bounds), allowed);
   if (!(severity + doubt > 1)) return {};
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
@@ -174,13 +178,34 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
   const Solution& truth = nearest(e);
   const double turned = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
-  if (has_definite_normal(truth) && turned <= few * (1 + truth.condition.normal)) return {};
+  if (has_definite_normal(truth) && turned <= few * (1 + truth.condition.normal) + e.accuracy.normal) return {};
   return {FindingKind::wrong_branch,
           severity,
           {},
-          fmt::format("overlap {:.17g}, the lowest is {:.17g}", e.answer.overlap, static_cast<double>(e.own.overlap)),
+          "another common normal's overlap: " + expected_and_got(static_cast<double>(e.own.overlap), e.answer.overlap),
           doubt};
 }
+
+namespace {
+
+std::string opposition_text(const SeenPoint& at1, const SeenPoint& at2) {
+  const auto angle = static_cast<double>(std::atan2(at1.normal.cross(at2.normal).norm(), -at1.normal.dot(at2.normal)));
+  return "n1 + n2 is not 0: the normals at the points are " + in_degrees(angle) + " from opposite";
+}
+
+/// How far a point is from the line between two others.
+double off_segment(const Vec3<Wide>& point, const Vec3<Wide>& from, const Vec3<Wide>& to) {
+  const Vec3<Wide> d = to - from, reached = point - from;
+  const Wide square = d.squaredNorm(), share = square > 0 ? std::clamp<Wide>(reached.dot(d) / square, 0, 1) : 0;
+  return static_cast<double>((reached - share * d).stableNorm());
+}
+
+/// A point that slides along its surface stays on it: what takes it off is no more than an overlap may be off.
+double surface_slack(const Evidence& e) {
+  return std::max(overlap_slack(e), e.accuracy.points.value_or(0) * size_of(e.pair));
+}
+
+}  // namespace
 
 PointFindings points_show(const Evidence& e) {
   if (!shows_surfaces(e)) return {};
@@ -188,11 +213,11 @@ PointFindings points_show(const Evidence& e) {
   const double gap = std::max(s.at1.gap, s.at2.gap);
   PointFindings out;
   out.surface = {FindingKind::off_surface,
-                 severity_of(gap, point_rounding(e.pair)),
+                 severity_of(gap, point_rounding(e.pair) + surface_slack(e)),
                  {},
                  fmt::format("off the surface by {:.3g}", gap)};
   if (e.problem != Problem::common_normal && e.problem != Problem::first_touch) return out;
-  out.opposite = {FindingKind::misaligned, opposition_severity(s.at1, s.at2), {}, "n1 + n2 is not 0"};
+  out.opposite = {FindingKind::misaligned, opposition_severity(s.at1, s.at2), {}, opposition_text(s.at1, s.at2)};
   if (e.problem == Problem::first_touch) return out;
   out.collinear = {
       FindingKind::misaligned, collinearity_severity(e, s), {}, "p2 - p1 is not along n1 with the overlap's sign"};
@@ -218,8 +243,9 @@ Finding agrees_with_itself(const Evidence& e) {
   if (!has_points(e) || std::isnan(a.overlap) || (is_along_motion && !has_normal)) return {};
   const Vec3<Wide> n = a.normal.cast<Wide>(), d = a.point1.cast<Wide>() - a.point2.cast<Wide>();
   const auto distance = static_cast<double>(d.stableNorm());
-  const double allowed =
-      2 * (point_rounding(e.pair) + few_of(std::abs(a.overlap))) + (is_along_motion ? few_of(distance) : 0);
+  const double allowed = 2 * (point_rounding(e.pair) + few_of(std::abs(a.overlap))) +
+                         (is_along_motion ? few_of(distance) : 0) + 2 * points_slack(e, e.own.condition) +
+                         e.accuracy.normal * std::abs(a.overlap);
   const double length = is_along_motion ? std::abs(static_cast<double>(n.dot(d) - Wide(a.overlap)))
                                         : std::abs(distance - std::abs(a.overlap));
   const double across =
@@ -233,20 +259,21 @@ Finding agrees_with_itself(const Evidence& e) {
 Finding normal_agrees(const Evidence& e) {
   if (!e.answer.normal.allFinite()) return {};
   const Solution& truth = nearest(e);
-  const double of_length = severity_of(std::abs(e.answer.normal.stableNorm() - 1), few);
+  const double of_length = severity_of(std::abs(e.answer.normal.stableNorm() - 1), few + e.accuracy.normal);
   if (of_length > 1) return {FindingKind::misaligned, of_length, {}, "the normal is no unit vector"};
   if (asks_for_all_solutions(e, truth.condition.normal))
     return {FindingKind::misaligned, normal_severity_in_set(e), {}, "the normal of no input within rounding"};
   const double angle = angle_between(e.answer.normal.cast<Real50>(), truth.normal);
-  const double allowed = few * (1 + truth.condition.normal);
+  const double allowed = few * (1 + truth.condition.normal) + e.accuracy.normal;
   double severity = severity_of(angle, allowed);
-  if (severity > 1) severity = std::min(severity, severity_of(angle, few + nearby_of(e, truth).normal));
+  if (severity > 1)
+    severity = std::min(severity, severity_of(angle, few + nearby_of(e, truth).normal + e.accuracy.normal));
   if (severity > 1 && may_be_in_the_set(e, truth.condition.normal))
     severity = std::min(severity, normal_severity_in_set(e));
   return {FindingKind::misaligned,
           severity,
           {},
-          fmt::format("normal off by {:.3g} rad", angle),
+          "normal " + in_degrees(angle) + " off",
           doubt_of(e, truth.normal_radius, allowed)};
 }
 
@@ -255,13 +282,14 @@ Finding overlap_agrees(const Evidence& e) {
   if (e.problem != Problem::common_normal && !e.own.proved) return {};
   const Solution& truth = nearest(e);
   const double error = overlap_error(e, e.answer.overlap);
-  const double allowed = e.own.solved
-                             ? few_of(truth.condition.overlap * scale_of(e, truth))
-                             : few_of(largest_overlap_condition * (size_of(e.pair) + std::abs(e.answer.overlap)));
+  const double rounding = e.own.solved
+                              ? few_of(truth.condition.overlap * scale_of(e, truth))
+                              : few_of(largest_overlap_condition * (size_of(e.pair) + std::abs(e.answer.overlap)));
+  const double allowed = rounding + overlap_slack(e);
   return {FindingKind::overlap_error,
           severity_of(error, allowed),
           {},
-          fmt::format("overlap off by {:.3g}", error),
+          "overlap: " + expected_and_got(static_cast<double>(truth.overlap), e.answer.overlap),
           e.own.solved ? doubt_of(e, width_of(truth.bounds), allowed) : 0};
 }
 
@@ -270,12 +298,13 @@ Finding points_agree(const Evidence& e) {
   const Solution& truth = nearest(e);
   if (asks_for_all_solutions(e, truth.condition.points))
     return {FindingKind::point_error, points_severity_in_set(e), {}, "the points of no input within rounding"};
-  const double allowed = few_of(truth.condition.points * scale_of(e, truth)) + point_rounding(e.pair);
+  const double slack = points_slack(e, truth.condition);
+  const double allowed = few_of(truth.condition.points * scale_of(e, truth)) + point_rounding(e.pair) + slack;
   const double error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
                                 static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm()));
   double severity = severity_of(error, allowed);
   if (severity > 1)
-    severity = std::min(severity, severity_of(error, point_rounding(e.pair) + nearby_of(e, truth).points));
+    severity = std::min(severity, severity_of(error, point_rounding(e.pair) + nearby_of(e, truth).points + slack));
   if (severity > 1 && may_be_in_the_set(e, truth.condition.points))
     severity = std::min(severity, points_severity_in_set(e));
   return {FindingKind::point_error,
@@ -285,16 +314,19 @@ Finding points_agree(const Evidence& e) {
           doubt_of(e, truth.points_radius, allowed)};
 }
 
-/// Where a force would act, wherever between the points a method has it. Who leaves it out says nothing wrong.
+/// Where a force would act, wherever between the points a method has it; between the certified ones where it has no others. Who leaves
+/// it out says nothing wrong.
 Finding contact_point_is_between(const Evidence& e) {
   const Contact<double>& a = e.answer;
-  if (e.problem != Problem::common_normal || !has_points(e) || !a.contact_point.allFinite()) return {};
-  const Vec3<Wide> d = a.point2.cast<Wide>() - a.point1.cast<Wide>();
-  const Vec3<Wide> to_point = a.contact_point.cast<Wide>() - a.point1.cast<Wide>();
-  const Wide square = d.squaredNorm(), share = square > 0 ? std::clamp<Wide>(to_point.dot(d) / square, 0, 1) : 0;
-  const auto off = static_cast<double>((to_point - share * d).stableNorm());
+  const bool is_alone = e.claims != nullptr && e.claims->points == Points::midway;
+  if (e.problem != Problem::common_normal || !(has_points(e) || is_alone) || !a.contact_point.allFinite()) return {};
+  const Solution& truth = nearest(e);
+  const Vec3<Wide> middle = a.contact_point.cast<Wide>();
+  const double off = is_alone ? off_segment(middle, truth.point1.cast<Wide>(), truth.point2.cast<Wide>())
+                              : off_segment(middle, a.point1.cast<Wide>(), a.point2.cast<Wide>());
+  const double of_points = is_alone ? few_of(truth.condition.points * scale_of(e, truth)) : 0;
   return {FindingKind::point_error,
-          severity_of(off, 2 * point_rounding(e.pair)),
+          severity_of(off, 2 * point_rounding(e.pair) + of_points + points_slack(e, truth.condition)),
           {},
           fmt::format("the contact point is {:.3g} off", off)};
 }

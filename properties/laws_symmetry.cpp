@@ -35,6 +35,11 @@ std::optional<Contact<double>> answer_to(const Evidence& e, const Pair& related)
   return got;
 }
 
+/// What the answer itself has not, because it is not claimed, is not asked of another either.
+double severity_where_claimed(double own, double error, double allowed) {
+  return std::isnan(own) ? 0 : severity_of(error, allowed);
+}
+
 Finding compare(const Evidence& e, const Pair& asked, const Expected& want, const char* what) {
   const std::optional<Contact<double>> answer = answer_to(e, asked);
   if (!answer) return {};
@@ -44,14 +49,18 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
   };
   if (got.status != Status::converged) return found(wrong_altogether, fmt::format("status {}", name(got.status)));
   const Condition& condition = e.own.condition;
-  const double times = 2 + want.input_error, size = size_of(asked) + std::abs(want.overlap);
-  const double overlap = severity_of(std::abs(got.overlap - want.overlap), times * few_of(condition.overlap * size));
-  const double normal = severity_of((got.normal - want.normal).norm(), times * few * (1 + condition.normal));
+  const double times = 2 + want.input_error,
+               size = size_of(asked) + (std::isnan(want.overlap) ? 0 : std::abs(want.overlap));
+  const double overlap = severity_where_claimed(want.overlap, std::abs(got.overlap - want.overlap),
+                                                times * few_of(condition.overlap * size));
+  const double normal =
+      severity_where_claimed(want.normal[0], (got.normal - want.normal).norm(), times * few * (1 + condition.normal));
   const double of_contact_point =
       want.contact_point.allFinite() ? (got.contact_point - want.contact_point).stableNorm() : 0;
-  const double moved =
-      std::max({(got.point1 - want.point1).stableNorm(), (got.point2 - want.point2).stableNorm(), of_contact_point});
-  const double points = severity_of(moved, times * few_of(condition.points * size) + want.rounding);
+  const double of_points = std::max((got.point1 - want.point1).stableNorm(), (got.point2 - want.point2).stableNorm());
+  const double allowed = times * few_of(condition.points * size) + want.rounding;
+  const double points =
+      std::max(severity_where_claimed(want.point1[0], of_points, allowed), severity_of(of_contact_point, allowed));
   const double worst = std::max({overlap, normal, points});
   return found(
       worst, fmt::format("overlap {:.3g}, normal {:.3g}, points {:.3g} times the allowance", overlap, normal, points));
@@ -159,7 +168,7 @@ Finding limits_are_reached(const Evidence& e) {
     const Wide overlap = Wide(e.pair.body1.shape.semi_axes[0]) + e.pair.body2.shape.semi_axes[0] - d.norm();
     const double error = static_cast<double>(std::abs(overlap - a.overlap));
     return {FindingKind::overlap_error,
-            severity_of(error, 2 * few_of(scale_of(e, e.own))),
+            severity_where_claimed(a.overlap, error, 2 * few_of(scale_of(e, e.own))),
             {},
             "not the spheres' closed form"};
   }
@@ -183,10 +192,11 @@ Finding unit_changes_nothing(const Evidence& e) {
   if (!got || same_contact(e.answer, *got, unit)) return {};
   if (e.is_own) return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};
   const double error = std::abs(got->overlap - e.answer.overlap * unit);
-  return {FindingKind::asymmetric,
-          severity_of(error, 2 * few_of(e.own.condition.overlap * scale_of(e, e.own)) * unit),
-          {},
-          "another overlap in a unit 1024 times smaller"};
+  return {
+      FindingKind::asymmetric,
+      severity_where_claimed(e.answer.overlap, error, 2 * few_of(e.own.condition.overlap * scale_of(e, e.own)) * unit),
+      {},
+      "another overlap in a unit 1024 times smaller"};
 }
 
 Finding repeats_bit_for_bit(const Evidence& e) {

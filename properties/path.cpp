@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string methods = "auto";
-  ForeignOption library;
+  ForeignOption foreign;
   std::string cache;
   std::string folder;
   bool list = false;
@@ -26,7 +26,7 @@ struct Options {
 void declare(CommandLine& app, Options& options) {
   app.add_option("FILE", options.files, "case files whose lines are the steps of a motion, and folders of them");
   auto* methods = app.add_option("--method", options.methods, "NAME,.. or all; default auto");
-  declare_solver(app, options.library, "instead, a shared library (solver/plumb_solver.h)")->excludes(methods);
+  declare_solver(app, options.foreign, "instead, a shared library (solver/plumb_solver.h)")->excludes(methods);
   app.add_option("--cache", options.cache, cache_help);
   app.add_option("--write", options.folder, "write plumb's own motions to this folder, NAME.jsonl each");
   app.add_flag("--list", options.list, "list plumb's own motions");
@@ -166,9 +166,8 @@ bool follow_track(const Track& track, const std::vector<Solver>& solvers, const 
 }
 
 int follow(const Options& options) {
-  const auto& [library, limits] = options.library;
   const std::vector<Solver> solvers =
-      library.empty() ? find_solvers(options.methods) : std::vector{load_solver(library, limits)};
+      options.foreign.empty() ? find_solvers(options.methods) : load_solvers(options.foreign);
   const ReferenceSource source = references_of(open_store(options.cache));
   const Tracks tracks = read_tracks(options.files);
   bool any = false;

@@ -10,6 +10,7 @@
 #include "corpus/command.hpp"
 #include "corpus/in_parallel.hpp"
 #include "corpus/reference_store.hpp"
+#include "properties/accuracy_option.hpp"
 #include "properties/replay_case.hpp"
 #include "properties/replay_reports.hpp"
 
@@ -19,10 +20,11 @@ namespace {
 struct Options {
   std::vector<std::string> paths;
   std::string method;
-  ForeignOption library;
+  ForeignOption foreign;
   std::string junit;
   std::string sarif;
   std::string cache;
+  std::string accuracy = "rounding";
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool quiet = false;
 };
@@ -30,7 +32,8 @@ struct Options {
 void declare(CommandLine& app, Options& options) {
   app.add_option("PATH", options.paths, "case files, and folders of them")->required();
   auto* method = app.add_option("--method", options.method, "instead of the method that each case names");
-  declare_solver(app, options.library, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
+  declare_solver(app, options.foreign, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
+  declare_accuracy(app, options.accuracy);
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");
   app.add_option("--cache", options.cache, cache_help);
@@ -42,6 +45,7 @@ void declare(CommandLine& app, Options& options) {
 struct By {
   std::optional<Solver> instead;
   ReferenceSource source;
+  Accuracy accuracy;
 };
 
 struct Kept {
@@ -88,7 +92,7 @@ class InOrder {
     if (has_failed_) return;
     Ended ended;
     try {
-      ended.done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source);
+      ended.done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source, by_.accuracy);
     } catch (...) {
       ended.failure = std::current_exception();
     }
@@ -134,7 +138,8 @@ void write_reports(const Options& options, const std::vector<Replayed>& done) {
 
 int replay(const Options& options) {
   const auto store = open_store(options.cache);
-  const By by{solver_instead(options.library, options.method, "replay"), references_of(store)};
+  const By by{solver_instead(options.foreign, options.method, "replay"), references_of(store),
+              parse_accuracy(options.accuracy)};
   const Reading reading = read_all(options.paths);
   InOrder in_order(reading.cases, by, options.quiet);
   const std::vector<Replayed> done = in_order.run(options.threads);

@@ -105,11 +105,11 @@ std::string why_unsolved(const Solution& solution) {
 }
 
 /// What a case with an answer of its own expects is about that one.
-Reply reply_of(Judge& judge, const Case& c, const Solver& solver) {
+Reply reply_of(Judge& judge, const Case& c, const Solver& solver, const Accuracy& accuracy) {
   const bool is_cases_own = own_method(c) == solver.name && !c.extra.contains("x_answer");
   return {solver.name,  solver.abilities.problem,
           is_cases_own, !solver.published,
-          false,        solve_and_judge(judge, c.pair, solver)};
+          false,        solve_and_judge(judge, c.pair, solver, accuracy)};
 }
 
 Reply reply_of(Judge& judge, const RecordedAnswer& recorded) {
@@ -125,17 +125,22 @@ void compare_life(std::vector<std::string>& differences, const Replayed& replaye
 }  // namespace
 
 Replayed replay_case(const Case& c, const std::string& file, int line, const std::optional<Solver>& instead,
-                     const ReferenceSource& source) {
+                     const ReferenceSource& source, const Accuracy& accuracy) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const auto recorded = instead ? std::nullopt : recorded_answer(c, file, line);
   Judge judge(c.pair, source);
-  const Reply reply = recorded ? reply_of(judge, *recorded)
-                               : reply_of(judge, c, instead ? *instead : solver_named(own_method(c), file, line));
-  const auto& [contact, judgement, nanoseconds] = reply.judged;
+  const Reply reply = recorded
+                          ? reply_of(judge, *recorded)
+                          : reply_of(judge, c, instead ? *instead : solver_named(own_method(c), file, line), accuracy);
+  const auto& [contact, judgement, nanoseconds, asked] = reply.judged;
   Replayed out{file, line, c.name, reply.method, judgement.finding, {}, {}, 0};
   out.status = name(contact.status);
   out.is_own = reply.is_plumbs;
+  if (!asked) {
+    out.unjudged = "not asked: the solver claims no answer to such a pair";
+    return out;
+  }
   if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge.solution(reply.problem));
   const Answered answered{c, contact, out.finding};
   const std::optional<Life> life = reply.is_cases_own ? life_of(file) : std::nullopt;

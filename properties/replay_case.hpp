@@ -33,10 +33,12 @@ enum class Outcome { as_expected, differs, not_judged };
 /// names none); or by the one that is asked for instead. A recorded finding is met by one that comes before it as well. A case without
 /// an expected finding expects none; what the folder asks of it (life.hpp) counts as expected, and in open/, where the answer
 /// is known to fail, the case's numbers do not. Another method than the case's own is not held to the case's status and finding, and
-/// to its numbers only when it answers the same problem. The references come from `source`. Throws InputFailure when there is
+/// to its numbers only when it answers the same problem. What it does not claim to answer is not judged. Findings
+/// are those at `accuracy`; the references come from `source`. Throws InputFailure when there is
 /// no such method.
 [[nodiscard]] Replayed replay_case(const Case& c, const std::string& file, int line,
-                                   const std::optional<Solver>& instead, const ReferenceSource& source = {});
+                                   const std::optional<Solver>& instead, const ReferenceSource& source = {},
+                                   const Accuracy& accuracy = {});
 
 /// "FILE" or "FILE:LINE".
 [[nodiscard]] std::string place_of(const Replayed& replayed);

@@ -118,7 +118,7 @@ Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& fai
           {"law", from.value("law", "")},
           {"detail", from.value("detail", "")},
           {"file", file.string()},
-          {"replay", replay_command(file, bucket.library)},
+          {"replay", replay_command(file, bucket.options)},
           {"case", Json::parse(format_case(c))}};
 }
 

@@ -18,14 +18,26 @@ std::string counts_text(const Tally& t) {
   return out;
 }
 
+/// "right of 100 judged: rounding 12, 1e-6rad 90, ..".
+std::string right_text(const Tally& t) {
+  std::string out = fmt::format("right of {} judged:", t.judged());
+  for (std::size_t i = 0; i < accuracy_levels.size(); ++i)
+    out += fmt::format("{} {} {}", i > 0 ? "," : "", accuracy_levels[i].name, t.right[i]);
+  return out;
+}
+
 JunitTest method_test(const std::string& family, const std::string& method, const Tally& t) {
   JunitTest test{family, method, TestOutcome::passed, "", "", 0};
   if (t.judged() == 0) {
     test.outcome = TestOutcome::skipped;
     test.message = "no answer could be judged";
-  } else if (!t.published && t.failures() > 0) {
+    return test;
+  }
+  test.text = right_text(t);
+  if (!t.published && t.failures() > 0) {
     test.outcome = TestOutcome::failed;
-    test.message = test.text = counts_text(t);
+    test.message = counts_text(t);
+    test.text = test.message + "; " + test.text;
   }
   return test;
 }
@@ -63,7 +75,7 @@ SarifResult bucket_result(const Run& run, const RankedBucket& bucket) {
   return {finding_kind(bucket.finding).value_or(FindingKind::wrong_branch),
           bucket.own,
           fmt::format("{} ({} cases; law {}): {}; {}", bucket.name, bucket.count, law, from.value("detail", ""),
-                      replay_command(file, bucket.library)),
+                      replay_command(file, bucket.options)),
           {std::string(law_file), line_of(law)},
           {{file.string(), 1}}};
 }

@@ -8,8 +8,8 @@
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/program_folder.hpp"
+#include "corpus/solvers/shell_word.hpp"
 #include "corpus/text_input.hpp"
-#include "fuzz/shell_word.hpp"
 #include "reports/campaign/compare.hpp"
 #include "reports/campaign/formats.hpp"
 

@@ -7,7 +7,8 @@
 #include <set>
 
 #include "corpus/solver.hpp"
-#include "fuzz/shell_word.hpp"
+#include "corpus/solvers/shell_word.hpp"
+#include "properties/accuracy_option.hpp"
 #include "reports/campaign/document.hpp"
 
 namespace plumb::reports {
@@ -28,6 +29,14 @@ Json findings_of(const Tally& t) {
   return out;
 }
 
+/// At each level of accuracy, the finest first.
+Json right_shares(const Tally& t) {
+  Json out = Json::object();
+  for (std::size_t i = 0; i < accuracy_levels.size(); ++i)
+    out[std::string(accuracy_levels[i].name)] = share_json(t.right[i], t.judged());
+  return out;
+}
+
 /// Who never counts his steps (a peer) says nothing of them.
 Json counts_json(const Histogram& h) {
   return h.max() > 0 ? h.summary() : Json();
@@ -42,6 +51,8 @@ Json method_json(const std::string& method, const Tally& t) {
           {"converged", share_json(t.converged(), t.cases)},
           {"findings", findings_of(t)},
           {"failures", share_json(t.failures(), t.judged())},
+          {"right", right_shares(t)},
+          {"not_asked", t.not_asked},
           {"angle_above", share_json(t.angles_wrong, t.angle_error_deg.count())},
           {"angle_error_deg", t.angle_error_deg.summary()},
           {"overlap_error", t.overlap_error.summary()},
@@ -52,15 +63,16 @@ Json method_json(const std::string& method, const Tally& t) {
 
 /// " --method A,B --solver L" as it was asked.
 std::string options_of(const Results& results) {
-  std::string methods, libraries;
+  std::string methods, foreign;
   bool all = true;
   for (const Solver& solver : all_solvers()) {
     const bool asked = results.asked.methods.contains(solver.name);
     if (asked) methods += (methods.empty() ? "" : ",") + solver.name;
     all = all && asked;
   }
-  for (const auto& [method, library] : results.libraries) libraries += " --solver " + shell_word(library);
-  return (methods.empty() ? "" : " --method " + (all ? "all" : methods)) + libraries;
+  for (const auto& [method, solver] : results.foreign) foreign += solver.option;
+  return (methods.empty() ? "" : " --method " + (all ? "all" : methods)) + foreign +
+         accuracy_option(results.asked.accuracy);
 }
 
 /// The pairs of corpus/cases/real come with ./fuzz/run alone.

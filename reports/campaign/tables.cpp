@@ -48,6 +48,11 @@ std::string heading() {
                            "failures",
                            "failures_low",
                            "failures_high",
+                           "right_rounding",
+                           "right_1e-6rad",
+                           "right_0.01deg",
+                           "right_1deg",
+                           "not_asked",
                            "off_by_0.01_deg",
                            "off_low",
                            "off_high",
@@ -72,6 +77,8 @@ std::string method_line(const Run& run, const std::string& family, const std::st
   row.add(run.folder.string()).add(host["commit"].get<std::string>()).add(run.results.asked.seed);
   row.add(family).add(method).add(std::string(t.published ? "yes" : "no")).add(t.cases).add(t.judged());
   row.add(share_of(t.converged(), t.cases)).add(share_of(t.failures(), t.judged()));
+  for (const std::uint64_t right : t.right) row.add(right);
+  row.add(t.not_asked);
   row.add(share_of(t.angles_wrong, t.angle_error_deg.count()));
   for (const Histogram* h : {&t.angle_error_deg, &t.overlap_error})
     row.add(h->percentile(0.5)).add(h->percentile(0.99)).add(h->count() > 0 ? h->max() : std::nan(""));
@@ -130,17 +137,28 @@ std::string findings_text(const Tally& t) {
   return out.empty() ? "none" : out;
 }
 
+/// " 12 | 99.8 | 100 |": per cent at the levels coarser than rounding.
+std::string right_cells(const Tally& t) {
+  std::string out;
+  for (std::size_t i = 1; i < accuracy_levels.size(); ++i) {
+    const double share = share_of(t.right[i], t.judged()).share;
+    out += std::isnan(share) ? " - |" : fmt::format(" {:.4g} |", 100 * share);
+  }
+  return out;
+}
+
 std::string family_table(const std::string& name, const FamilyResults& family) {
   std::string out = fmt::format("\n### {}: {} cases\n\n", markdown_text(name), family.cases);
-  out += "| method | right, % [95 %] | findings | angle p50, deg | p99 | max | iterations p50 "
-         "|\n|---|---|---|---|---|---|---|\n";
+  out += "| method | right, % [95 %] | to 1e-6 rad | to 0.01 deg | to 1 deg | findings | angle p50, deg | p99 | max | "
+         "iterations p50 |\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const std::string& method : method_order(family.methods)) {
     const Tally& t = family.methods.at(method);
     const Histogram& a = t.angle_error_deg;
-    out +=
-        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", markdown_text(method), t.published ? "" : " (plumb)",
-                    percent(share_of(t.of(FindingKind::none), t.judged())), findings_text(t), figure(a.percentile(0.5)),
-                    figure(a.percentile(0.99)), figure(a.count() > 0 ? a.max() : std::nan("")), figure(steps(t, 0.5)));
+    out += fmt::format("| {}{} | {} |{} {} | {} | {} | {} | {} |\n", markdown_text(method),
+                       t.published || method.starts_with("solver:") ? "" : " (plumb)",
+                       percent(share_of(t.of(FindingKind::none), t.judged())), right_cells(t), findings_text(t),
+                       figure(a.percentile(0.5)), figure(a.percentile(0.99)),
+                       figure(a.count() > 0 ? a.max() : std::nan("")), figure(steps(t, 0.5)));
   }
   return out;
 }

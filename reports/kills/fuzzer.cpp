@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "corpus/in_parallel.hpp"
+#include "corpus/solvers/shell_word.hpp"
 #include "fuzz/engine_run.hpp"
-#include "fuzz/shell_word.hpp"
 #include "reports/kills/engines.hpp"
 
 namespace plumb::reports {

@@ -239,7 +239,7 @@ TEST_F(Foreign, ACrashOnTheWayIsAFindingOfItsStep) {
 TEST_F(Foreign, WhatCannotBeLoadedIsRefused) {
   const std::string campaign = "campaign --family spheroid --cases 2 --solver ";
   expect_refusal(campaign + kTests + "foreign_future.so",
-                 kTests + "foreign_future.so: plumb_solver_version: is 2, must be 1");
+                 kTests + "foreign_future.so: plumb_solver_version: is 3, must be 1 or 2");
   expect_refusal(campaign + kTests + "foreign_mute.so",
                  kTests +
                      "foreign_mute.so: plumb_solver_solve: not exported by the library (see solver/plumb_solver.h)");

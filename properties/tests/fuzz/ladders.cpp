@@ -96,7 +96,7 @@ class LaddersOfShards : public testing::Test {
   /// The folder of shard `number` of two.
   static std::string shard(std::uint64_t number, const FamilyResults& family) {
     Results results;
-    results.asked = {7, {{"hard", 6}}, {"auto", "new_cn"}, 2, {number}};
+    results.asked = {7, {{"hard", 6}}, {"auto", "new_cn"}, "rounding", 2, {number}};
     results.families["hard"] = family;
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     const fs::path folder =

@@ -23,7 +23,7 @@ class Merge : public testing::Test {
   /// The folder of shard `number` of three, after `change`.
   std::string shard(std::uint64_t number, const std::function<void(Results&)>& change = {}) {
     Results results;
-    results.asked = {7, {{"spheroid", 30}}, {"new_cn", "original_cn"}, 3, {number}};
+    results.asked = {7, {{"spheroid", 30}}, {"new_cn", "original_cn"}, "rounding", 3, {number}};
     results.families["spheroid"].cases = 10;
     results.families["spheroid"].not_proved_lowest = 1;
     results.families["spheroid"].needed = {1, 2, 7};

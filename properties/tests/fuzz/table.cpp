@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fuzz/shell_word.hpp"
+#include "corpus/solvers/shell_word.hpp"
 
 namespace plumb {
 namespace {

@@ -73,6 +73,10 @@ export interface MethodRow {
   findings: Record<string, Share>;
   /** Answers that break a law, of the judged. */
   failures: Share;
+  /** Of the judged, right at each level of accuracy, the finest first: rounding, 1e-6rad, 0.01deg, 1deg. */
+  right: Record<string, Share>;
+  /** Pairs that the method claims no answer to; not among the answers. */
+  not_asked: number;
   /** Converged answers more than 0.01 degrees from the common normal. */
   angle_above: Share;
   angle_error_deg: Spread;

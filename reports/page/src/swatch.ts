@@ -33,11 +33,17 @@ export function methodSwatch(method: string): SVGElement {
   return picture;
 }
 
+const FOREIGN = "solver:";
+
+/** A foreign solver goes by the name that it gives itself. */
 export function methodName(method: string): HTMLElement {
-  const mark = isOwn(method)
-    ? h("span", { class: "own", title: "Plumb's own: its findings are defects" }, "own")
-    : null;
-  return h("span", { class: "method" }, methodSwatch(method), breakable(method), mark);
+  const isForeign = method.startsWith(FOREIGN);
+  const mark = isForeign
+    ? h("span", { class: "own", title: "A solver that was brought along (--solver): its findings are its defects" }, "judged")
+    : isOwn(method)
+      ? h("span", { class: "own", title: "Plumb's own: its findings are defects" }, "own")
+      : null;
+  return h("span", { class: "method" }, methodSwatch(method), breakable(method.slice(isForeign ? FOREIGN.length : 0)), mark);
 }
 
 const DASH_ARRAYS: Record<string, string> = { solid: "", dash: "6 3", dot: "2 3", dashdot: "6 3 2 3" };

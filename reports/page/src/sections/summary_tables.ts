@@ -12,8 +12,23 @@ function shareCell(share: Share | undefined): Child[] {
 
 function answersCell(row: MethodRow): Child[] {
   const unjudged = row.unjudged > 0 && h("small", { class: "interval" }, `${count(row.unjudged)} unjudged`);
-  return [count(row.answers), unjudged];
+  const passed = row.not_asked > 0 && h("small", { class: "interval" }, `${count(row.not_asked)} not asked`);
+  return [count(row.answers), unjudged, passed];
 }
+
+/** The shares at the levels coarser than rounding: a solver with a tolerance of its own is right at one of them. */
+const LEVELS: [string, string][] = [
+  ["1e-6rad", "to 1e-6 rad, %"],
+  ["0.01deg", "to 0.01°, %"],
+  ["1deg", "to 1°, %"],
+];
+
+const levels: Column<MethodRow>[] = LEVELS.map(([level, title]) => ({
+  title,
+  hint: `Of the judged answers, those that are right ${title.replace(", %", "")}`,
+  figure: true,
+  cell: (row) => percent(row.right[level]?.share),
+}));
 
 const method: Column<MethodRow> = { title: "Method", head: true, cell: (row) => methodName(row.method) };
 
@@ -28,10 +43,11 @@ const COLUMNS: Column<MethodRow>[] = [
   },
   {
     title: "Right, %",
-    hint: "Of the judged answers, those that break no law, with the exact 95 % interval",
+    hint: "Of the judged answers, those that break no law at the accuracy that was asked for, with the exact 95 % interval",
     figure: true,
     cell: (row) => shareCell(row.findings.none),
   },
+  ...levels,
   {
     title: "> 0.01°, %",
     hint: "Of the converged answers, those more than 0.01 degrees from the common normal",

@@ -89,6 +89,13 @@ function methodRow(random, method, cases, worse) {
     converged: share(cases - (findings.nonconverged?.count ?? 0), cases),
     findings,
     failures: share(failures, judged),
+    right: Object.fromEntries(
+      ["rounding", "1e-6rad", "0.01deg", "1deg"].map((level, i) => [
+        level,
+        share(judged - Math.round(failures / (1 + i)), judged),
+      ]),
+    ),
+    not_asked: method.startsWith("peer") ? Math.floor(cases / 7) : 0,
     angle_above: share(Math.round(judged * base * 0.8), judged),
     angle_error_deg: { p50: accuracy, p99: Math.min(89, accuracy * 900), max: Math.min(179.3, accuracy * 9e4) },
     overlap_error: spread(accuracy * 0.1, 40),

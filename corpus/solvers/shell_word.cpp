@@ -1,4 +1,4 @@
-#include "fuzz/shell_word.hpp"
+#include "corpus/solvers/shell_word.hpp"
 
 #include <string_view>
 
