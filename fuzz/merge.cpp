@@ -74,24 +74,77 @@ void require_part_of(const Asked& whole, const Asked& part, const std::filesyste
     throw InputFailure(file.string(), 0, "asked.done", "is of another shard than this campaign" + way_out);
 }
 
-Results merge_folders(const std::vector<std::string>& folders, Gaps gaps) {
+namespace {
+
+/// The folders of one campaign: the same cases and the same methods.
+struct Group {
   Results all;
-  std::map<std::uint64_t, std::string> taken;
-  for (const std::string& folder : folders) {
-    Results next = read_results(folder);
-    if (taken.empty()) all.asked = next.asked;
-    require_same_campaign(all.asked, folders.front(), next.asked, bins_in(folder));
-    take_shards(taken, next.asked, folder);
-    if (gaps == Gaps::refused && next.interrupted)
-      throw InputFailure(bins_in(folder), 0, "interrupted", std::string("is true; ") + kWayOut);
-    all.asked.done.insert(next.asked.done.begin(), next.asked.done.end());
-    require_same_ladders(all, next, folder);
-    all.merge(std::move(next));
-  }
+  std::string first;                           ///< folder
+  std::map<std::uint64_t, std::string> taken;  ///< each shard, with its folder
+};
+
+bool shares_a_method(const Asked& a, const Asked& b) {
+  return std::ranges::any_of(a.methods, [&](const std::string& method) { return b.methods.contains(method); });
+}
+
+/// Other methods, none of which is among the group's: a campaign of its own on the same pairs.
+bool is_beside(const Asked& group, const Asked& next) {
+  return group.methods != next.methods && !shares_a_method(group, next);
+}
+
+Group& group_of(std::vector<Group>& groups, const Asked& next, const std::string& folder) {
+  const auto beside = [&](const Group& group) { return is_beside(group.all.asked, next); };
+  const auto own = std::ranges::find_if_not(groups, beside);
+  if (own != groups.end()) return *own;
+  groups.push_back({{}, folder, {}});
+  groups.back().all.asked = next;
+  return groups.back();
+}
+
+void add_folder(std::vector<Group>& groups, const std::string& folder, Gaps gaps) {
+  Results next = read_results(folder);
+  auto& [all, first, taken] = group_of(groups, next.asked, folder);
+  require_same_campaign(all.asked, first, next.asked, bins_in(folder));
+  take_shards(taken, next.asked, folder);
+  if (gaps == Gaps::refused && next.interrupted)
+    throw InputFailure(bins_in(folder), 0, "interrupted", std::string("is true; ") + kWayOut);
+  all.asked.done.insert(next.asked.done.begin(), next.asked.done.end());
+  require_same_ladders(all, next, folder);
+  all.merge(std::move(next));
+}
+
+void require_whole(Results& all, Gaps gaps) {
   all.shards_missing = all.asked.done.size() < all.asked.shards;
   if (gaps == Gaps::refused && all.shards_missing)
     throw InputFailure("plumb merge", 0, "shards", fmt::format("missing: {}; {}", missing_shards(all.asked), kWayOut));
-  return all;
+}
+
+/// Of two campaigns with other methods: the same cases, by their digests, not by their numbers alone.
+void require_same_pairs(const Group& first, const Group& next) {
+  Asked asked = next.all.asked;
+  asked.methods = first.all.asked.methods;
+  require_same_campaign(first.all.asked, first.first, asked, bins_in(next.first));
+  for (const auto& [family, results] : first.all.families) {
+    const auto same = next.all.families.find(family);
+    if (same == next.all.families.end() || same->second.digest != results.digest)
+      throw InputFailure(bins_in(next.first), 0, "families." + family, "has other pairs than in " + first.first);
+  }
+}
+
+}  // namespace
+
+Results merge_folders(const std::vector<std::string>& folders, Gaps gaps) {
+  std::vector<Group> groups;
+  for (const std::string& folder : folders) add_folder(groups, folder, gaps);
+  if (groups.empty()) return {};
+  for (Group& group : groups) require_whole(group.all, gaps);
+  Results& all = groups.front().all;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    require_same_pairs(groups.front(), groups[i]);
+    require_same_ladders(all, groups[i].all, groups[i].first);
+    all.join(std::move(groups[i].all));
+  }
+  return std::move(all);
 }
 
 }  // namespace plumb
