@@ -90,7 +90,27 @@ std::vector<std::filesystem::path> variants_built() {
   return out;
 }
 
+Answer answer_of(const Solver& solver, const Pair& pair) {
+  if (!solver.abilities.takes(pair)) return std::nullopt;
+  try {
+    return widened(solver.abilities.claimed(solver.solve(pair, {}, nullptr)));
+  } catch (const NoAnswer&) {
+    return Contact<Real50>{};
+  }
+}
+
 }  // namespace
+
+Arithmetic with_foreign(Arithmetic arithmetic, std::vector<Solver> foreign) {
+  const auto ours = arithmetic.solve;
+  arithmetic.solve = [ours, foreign = std::move(foreign)](std::string_view method, const Pair& pair,
+                                                          std::uint64_t sample) -> Answer {
+    for (const Solver& solver : foreign)
+      if (solver.name == method) return answer_of(solver, pair);
+    return ours(method, pair, sample);
+  };
+  return arithmetic;
+}
 
 std::vector<Arithmetic> arithmetics(std::uint64_t samples) {
   std::vector<Arithmetic> out{scalar<double>(false),

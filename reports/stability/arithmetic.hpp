@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "corpus/solver.hpp"
 #include "solver/contact.hpp"
 #include "solver/reference/real.hpp"
 
@@ -25,5 +26,9 @@ struct Arithmetic {
 
 /// In the order of the tables. `samples`: of stochastic rounding.
 [[nodiscard]] std::vector<Arithmetic> arithmetics(std::uint64_t samples);
+
+/// The same arithmetic, which answers for foreign solvers as well, by their names: theirs is not ours to choose. A pair that one does
+/// not claim is not asked, and no answer is a lost one.
+[[nodiscard]] Arithmetic with_foreign(Arithmetic arithmetic, std::vector<Solver> foreign);
 
 }  // namespace plumb::reports

@@ -12,6 +12,7 @@
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/solver.hpp"
+#include "corpus/solvers/shell_word.hpp"
 #include "reports/stability/rows.hpp"
 
 namespace plumb::reports {
@@ -19,7 +20,8 @@ namespace {
 
 struct Options {
   std::vector<std::string> paths, arithmetic;
-  std::string method = "auto", out;
+  std::string method, out;
+  ForeignOption foreign;
   std::uint64_t samples = 5, cases = 0;  // 0 cases: all
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool json = false, list = false;
@@ -29,7 +31,9 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("PATH", options.paths,
                  "frozen ladders (plumb ladder --write), and folders of them; motions are left out")
       ->required();
-  app.add_option("--method", options.method, "common-normal methods: NAME,.. or all")->capture_default_str();
+  app.add_option("--method", options.method, "common-normal methods: NAME,.. or all; default auto without --solver");
+  declare_solver(app, options.foreign,
+                 "a shared library behind solver/plumb_solver.h, in its own arithmetic; any number");
   app.add_option("--arithmetic", options.arithmetic, "NAME,..; default: all that this build has")->delimiter(';');
   app.add_option("--samples", options.samples, "solves of each case in stochastic rounding")
       ->capture_default_str()
@@ -41,9 +45,15 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("--out", options.out, "file for the JSON objects, one a line");
 }
 
-std::vector<std::string> methods_of(const Options& options) {
+std::string own_methods(const Options& options) {
+  return options.method.empty() && options.foreign.empty() ? "auto" : options.method;
+}
+
+std::vector<std::string> methods_of(const Options& options, const std::vector<Solver>& foreign) {
   std::vector<std::string> out;
-  for (const Solver& solver : find_solvers(options.method)) {
+  for (const Solver& solver : foreign) out.push_back(solver.name);
+  if (own_methods(options).empty()) return out;
+  for (const Solver& solver : find_solvers(own_methods(options))) {
     const bool is_one = solver.abilities.problem == Problem::common_normal && !solver.name.starts_with("peer");
     if (!is_one && options.method != "all")
       throw InputFailure("--method", 0, solver.name, "is no common-normal method of plumb's");
@@ -115,8 +125,10 @@ Json json_of(const StabilityRow& row) {
 
 std::string json_lines(const StabilityResults& results, const Options& options) {
   const std::string fewer = options.cases > 0 ? fmt::format(" --cases {}", options.cases) : "";
-  const std::string command = fmt::format("plumb report-stability {} --method {} --samples {}{}",
-                                          fmt::join(options.paths, " "), options.method, options.samples, fewer);
+  std::string who = own_methods(options).empty() ? "" : " --method " + own_methods(options);
+  for (const std::string& library : options.foreign.libraries) who += " --solver " + shell_word(library);
+  const std::string command = fmt::format("plumb report-stability {}{} --samples {}{}", fmt::join(options.paths, " "),
+                                          who, options.samples, fewer);
   std::string text = write_json({{"kind", "run"}, {"command", command}, {"host", host_json()}}) + "\n";
   for (const StabilityRow& row : results.rows) text += write_json(json_of(row)) + "\n";
   if (interrupted()) text += write_json({{"kind", "interrupted"}}) + "\n";
@@ -179,8 +191,11 @@ void print_ladders(const StabilityResults& results) {
 }
 
 int report(const Options& options) {
-  const std::vector<std::string> methods = methods_of(options);
-  const std::vector<Arithmetic> of = arithmetics_of(options);
+  const std::vector<Solver> foreign = load_solvers(options.foreign);
+  const std::vector<std::string> methods = methods_of(options, foreign);
+  std::vector<Arithmetic> of = arithmetics_of(options);
+  for (Arithmetic& arithmetic : of)
+    if (arithmetic.name == "double") arithmetic = with_foreign(arithmetic, foreign);
   const StabilityResults results = measure_stability(cases_of(options), methods, of, options.threads);
   const std::string lines = json_lines(results, options);
   if (!options.out.empty()) write_file(options.out, lines);
