@@ -129,20 +129,13 @@ Problem read_problem(const Field& method) {
 }
 
 GivenAnswer read_answer(const Field& answer) {
-  require_something_to_judge(answer);
+  GivenAnswer out{"", "answer", Problem::common_normal, read_contact(answer)};
   require_known_fields(answer);
-  GivenAnswer out{"", "answer", Problem::common_normal, {}};
   if (const auto name = given(answer, "name")) out.name = name->text();
   if (const auto method = given(answer, "method")) {
     out.method = method->text();
     out.problem = read_problem(*method);
   }
-  read_geometry(out.contact, answer);
-  const auto status = given(answer, "status"), verdict = given(answer, "verdict");
-  out.contact.status = status ? read_status(*status) : Status::converged;
-  out.contact.verdict = verdict ? read_verdict(*verdict) : verdict_of(out.contact.overlap);
-  if (const auto count = given(answer, "iterations")) out.contact.iterations = count->count();
-  if (const auto count = given(answer, "evaluations")) out.contact.evaluations = count->count();
   return out;
 }
 
@@ -172,6 +165,18 @@ std::optional<RecordedAnswer> recorded_answer(const Case& c, const std::string& 
   }
 }
 
+Contact<double> read_contact(const Field& answer) {
+  require_something_to_judge(answer);
+  Contact<double> out;
+  read_geometry(out, answer);
+  const auto status = given(answer, "status"), verdict = given(answer, "verdict");
+  out.status = status ? read_status(*status) : Status::converged;
+  out.verdict = verdict ? read_verdict(*verdict) : verdict_of(out.overlap);
+  if (const auto count = given(answer, "iterations")) out.iterations = count->count();
+  if (const auto count = given(answer, "evaluations")) out.evaluations = count->count();
+  return out;
+}
+
 int sign_of(double overlap) {
   return (overlap > 0) - (overlap < 0);
 }
@@ -187,6 +192,21 @@ Json angles_json(const Pair& pair, const Contact<double>& contact, int overlap_s
   return out;
 }
 
+Json contact_json(const Contact<double>& contact, const Want& want) {
+  Json out;
+  out["status"] = name(contact.status);
+  out["verdict"] = name(contact.verdict);
+  if (want.overlap) put(out, "overlap", contact.overlap);
+  if (want.normal) put(out, "normal", contact.normal);
+  if (want.points) {
+    put(out, "points", contact.point1, contact.point2);
+    put(out, "contact_point", contact.contact_point);
+  }
+  out["iterations"] = contact.iterations;
+  out["evaluations"] = contact.evaluations;
+  return out;
+}
+
 Json answer_json(const Answer& answer) {
   const Contact<double>& contact = answer.contact;
   Json out;
@@ -197,16 +217,7 @@ Json answer_json(const Answer& answer) {
     out["x_detail"] = answer.none->detail;
     return out;
   }
-  out["status"] = name(contact.status);
-  out["verdict"] = name(contact.verdict);
-  if (answer.want.overlap) put(out, "overlap", contact.overlap);
-  if (answer.want.normal) put(out, "normal", contact.normal);
-  if (answer.want.points) {
-    put(out, "points", contact.point1, contact.point2);
-    put(out, "contact_point", contact.contact_point);
-  }
-  out["iterations"] = contact.iterations;
-  out["evaluations"] = contact.evaluations;
+  out.update(contact_json(contact, answer.want));
   if (answer.want.points) {
     put_object(out, "angles_deg", angles_json(answer.pair, contact, sign_of(contact.overlap)));
     put_object(out, "residuals", residues_json(answer.pair, contact));

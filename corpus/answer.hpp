@@ -26,6 +26,13 @@ struct Answer {
 /// infinite (a flat) is the string "infinite". Without an answer "x_finding" and "x_detail" say why.
 [[nodiscard]] Json answer_json(const Answer& answer);
 
+/// Those of them that are the answer itself: status, verdict, overlap, normal, points, contact_point, iterations, evaluations.
+[[nodiscard]] Json contact_json(const Contact<double>& contact, const Want& want);
+
+/// Reads those; null is absent, absent is NaN; converged, and with the overlap's verdict, unless it says otherwise. Throws FieldError,
+/// also when there is nothing that could be judged.
+[[nodiscard]] Contact<double> read_contact(const Field& answer);
+
 /// The three angles of "angles_deg"; null when none is valid. Without a sign (0) d_n1 and d_n2 say nothing.
 [[nodiscard]] Json angles_json(const Pair& pair, const Contact<double>& contact, int overlap_sign);
 

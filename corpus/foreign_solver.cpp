@@ -1,4 +1,4 @@
-// Foreign solvers, which implement solver/plumb_solver.h: by the path of their library, the peers by their name.
+// Foreign solvers: by the path of their library, which implements solver/plumb_solver.h, by a command, the peers by their name.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,45 +10,15 @@
 #include "corpus/solver_library.hpp"
 #include "corpus/solver_pool.hpp"
 #include "corpus/solvers/shell_word.hpp"
+#include "corpus/solvers/shell_words.hpp"
 #include "solver/c/door.hpp"
 
 namespace plumb {
 namespace {
 
-// The library may write any integer; what is no status vouches for nothing.
-Status status_of(int status) {
-  switch (status) {
-    case PLUMB_CONVERGED: return Status::converged;
-    case PLUMB_ITERATION_LIMIT: return Status::iteration_limit;
-    case PLUMB_SINGULAR: return Status::singular;
-    case PLUMB_NOT_FINITE: return Status::not_finite;
-    case PLUMB_INVALID_INPUT: return Status::invalid_input;
-    default: return Status::stalled;
-  }
-}
-
-Verdict read_verdict(int verdict) {
-  if (verdict == PLUMB_OVERLAPPING) return Verdict::overlapping;
-  return verdict == PLUMB_SEPARATED ? Verdict::separated : Verdict::undecided;
-}
-
-Contact<double> read_contact(const plumb_contact& answer) {
-  Contact<double> out;
-  out.status = status_of(answer.status);
-  out.verdict = read_verdict(answer.verdict);
-  out.overlap = answer.overlap;
-  out.normal = Vec3<double>::Map(answer.normal);
-  out.point1 = Vec3<double>::Map(answer.points[0]);
-  out.point2 = Vec3<double>::Map(answer.points[1]);
-  out.contact_point = Vec3<double>::Map(answer.contact_point);
-  out.iterations = answer.iterations;
-  out.evaluations = answer.evaluations;
-  return out;
-}
-
 /// `refused`: it wrote nothing that counts. `name` outlives the answer.
 Contact<double> contact_of(bool refused, const plumb_contact& answer, const std::string& name) {
-  Contact<double> out = refused ? Contact<double>{} : read_contact(answer);
+  Contact<double> out = refused ? Contact<double>{} : door::contact_of(answer);
   if (refused) out.status = Status::invalid_input;
   out.method = name;
   return out;
@@ -95,19 +65,23 @@ Abilities abilities_of(const wire::Hello& hello, const std::string& path) {
   return out;
 }
 
-std::string foreign_name(const std::string& path, const Abilities& abilities) {
-  return "solver:" + (abilities.name.empty() ? std::filesystem::path(path).filename().string() : abilities.name);
+/// `file`: the library, or the program.
+std::string foreign_name(const std::string& file, const Abilities& abilities) {
+  return "solver:" + (abilities.name.empty() ? std::filesystem::path(file).filename().string() : abilities.name);
 }
 
-std::string option_of(const std::string& path) {
-  return " --solver " + shell_word(std::filesystem::absolute(path).lexically_normal().string());
+std::string option_of(const SolverSource& source) {
+  if (source.is_command()) return " --solver-command " + shell_word(source.text);
+  return " --solver " + shell_word(std::filesystem::absolute(source.text).lexically_normal().string());
 }
 
 /// `name`: empty for what it calls itself.
-Solver solver_over(const std::string& name, const std::string& path, const SolverLimits& limits, std::string summary) {
-  const auto pool = std::make_shared<SolverPool>(path, limits);
-  const Abilities abilities = abilities_of(pool->start(), path);
-  pool->call(name.empty() ? foreign_name(path, abilities) : name);
+Solver solver_over(const std::string& name, const SolverSource& source, const SolverLimits& limits,
+                   std::string summary) {
+  const auto pool = std::make_shared<SolverPool>(source, limits);
+  const Abilities abilities = abilities_of(pool->start(), source.text);
+  const std::string& file = source.is_command() ? source.words.front() : source.text;
+  pool->call(name.empty() ? foreign_name(file, abilities) : name);
   return {pool->name(),
           abilities,
           std::move(summary),
@@ -116,7 +90,7 @@ Solver solver_over(const std::string& name, const std::string& path, const Solve
           [pool](const Pair& pair, const Want&, const Contact<double>* last) {
             return ask_pool(*pool, pair, last).contact;
           },
-          option_of(path),
+          option_of(source),
           pool};
 }
 
@@ -134,7 +108,7 @@ Solver load_here(const std::string& path, const std::string& name, const std::st
           [solver](const Pair& pair, const Want&, const Contact<double>* last) {
             return ask_in_process(*solver, pair, last);
           },
-          option_of(path)};
+          option_of({path})};
 } catch (const UnusableLibrary& e) {
   throw InputFailure(path, 0, e.field, e.what());
 }
@@ -155,7 +129,11 @@ std::string peer_path(std::string_view name) {
 }  // namespace
 
 Solver load_solver(const std::string& path, const SolverLimits& limits) {
-  return solver_over("", path, limits, "foreign solver " + path);
+  return solver_over("", {path}, limits, "foreign solver " + path);
+}
+
+Solver load_solver_command(const std::string& command, const SolverLimits& limits) {
+  return solver_over("", {command, split_command(command)}, limits, "foreign solver " + command);
 }
 
 Solver load_solver_in_process(const std::string& path) {
@@ -163,8 +141,8 @@ Solver load_solver_in_process(const std::string& path) {
 }
 
 Solver in_process(const Solver& solver) {
-  if (!solver.pool) return solver;
-  Solver here = load_here(solver.pool->library(), solver.name, solver.summary);
+  if (!solver.pool || solver.pool->source().is_command()) return solver;
+  Solver here = load_here(solver.pool->source().text, solver.name, solver.summary);
   here.published = solver.published;
   here.option = solver.option;
   return here;
@@ -180,7 +158,7 @@ std::vector<std::string> peer_names() {
 Solver load_peer(const std::string& name) {
   const auto peer = std::find_if(kPeers.begin(), kPeers.end(), [&](const Peer& p) { return p.name == name; });
   if (peer == kPeers.end()) throw InputFailure("--method", 0, name, "no such peer");
-  Solver solver = solver_over(name, peer_path(name), SolverLimits{}, std::string(peer->summary));
+  Solver solver = solver_over(name, {peer_path(name)}, SolverLimits{}, std::string(peer->summary));
   solver.published = true;
   solver.option.clear();  // its name is enough
   return solver;

@@ -1,4 +1,4 @@
-// Anything that answers a pair: plumb's own methods by name, or a shared library behind solver/plumb_solver.h.
+// Anything that answers a pair: plumb's own methods by name, a shared library behind solver/plumb_solver.h, or a program.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ class NoAnswer : public std::runtime_error {
 };
 
 struct SolverLimits {
-  /// Of processor time for an answer, and six times that asleep. The one budget in plumb that is no count: nothing but the clock
+  /// Of processor time for an answer, its children's among it, and six times that asleep. The one budget in plumb that is no count: nothing but the clock
   /// tells of a library that does not come back.
   double seconds = 10;
   double gibibytes = 4;  ///< of memory in its process
@@ -55,10 +55,14 @@ struct SolverLimits {
 /// time. Throws InputFailure when it cannot be loaded.
 [[nodiscard]] Solver load_solver(const std::string& path, const SolverLimits& limits = {});
 
-/// The same in this process, which ends when the library ends it: for an engine that is to see its code, and for our own.
+/// The solver that a program is, in any language: started by the words of a command, without a shell, asked through its standard input
+/// and output, one JSON object a line (corpus/solvers/solve_line.hpp). Throws as above.
+[[nodiscard]] Solver load_solver_command(const std::string& command, const SolverLimits& limits = {});
+
+/// A library in this process, which ends when the library ends it: for an engine that is to see its code, and for our own.
 [[nodiscard]] Solver load_solver_in_process(const std::string& path);
 
-/// A foreign solver taken into this process, any other as it is: for a clock that is to see the solver alone.
+/// A foreign library taken into this process, any other solver as it is: for a clock that is to see the solver alone.
 [[nodiscard]] Solver in_process(const Solver& solver);
 
 /// The peers that this build has, other people's solvers (fuzz/peers/): those whose library is in peers/ beside the program.
@@ -69,7 +73,7 @@ struct SolverLimits {
 
 struct TimedContact {
   Contact<double> contact;
-  double nanoseconds = 0;  ///< of the solver alone, wherever it runs
+  double nanoseconds = 0;  ///< of the solver alone, wherever it runs; of a program what it says, or else there and back
 };
 [[nodiscard]] TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& want,
                                        const Contact<double>* last);

@@ -2,30 +2,23 @@
 // does ends this process and not plumb. Started by solver_process.cpp and by nobody else; all that it has of plumb's is the
 // two descriptors.
 #include <fcntl.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <malloc.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <optional>
-#include <vector>
 
 #include "corpus/one_processor.hpp"
 #include "corpus/resident.hpp"
 #include "corpus/solver_library.hpp"
 #include "corpus/solver_wire.hpp"
+#include "corpus/solvers/confinement.hpp"
 
 namespace plumb {
 namespace {
@@ -40,39 +33,6 @@ void end_with_plumb(int lifeline) {
   (void)fcntl(lifeline, F_SETOWN, getpid());
   (void)fcntl(lifeline, F_SETSIG, SIGKILL);
   (void)fcntl(lifeline, F_SETFL, O_ASYNC);
-}
-
-/// No core files by the thousand, and where memory runs out this process goes first.
-void be_expendable() {
-  const rlimit none{0, 0};
-  (void)setrlimit(RLIMIT_CORE, &none);
-  std::ofstream("/proc/self/oom_score_adj") << 1000;
-}
-
-/// A rule of the filter that goes on at one of two later places.
-sock_filter jump_if(std::uint32_t value, std::size_t then) {
-  return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, static_cast<std::uint8_t>(then), 0);
-}
-
-/// What a library sends to its parent, or to all processes, does not arrive: the call fails with EPERM (see seccomp(2)), where the
-/// kernel can do that. Its own process, its group and what it starts it may signal.
-void keep_signals_from_plumb() {
-  constexpr std::array<std::uint32_t, 6> calls{
-      SYS_kill, SYS_tkill, SYS_tgkill, SYS_rt_sigqueueinfo, SYS_rt_tgsigqueueinfo, SYS_pidfd_open};
-  const pid_t plumb = getppid();
-  const std::array<pid_t, 3> spared{plumb, -getpgid(plumb), -1};
-  const sock_filter allow = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-  std::vector<sock_filter> rules{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr))};
-  for (std::size_t i = 0; i < calls.size(); ++i) rules.push_back(jump_if(calls[i], calls.size() - i));
-  rules.push_back(allow);
-  rules.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args)));
-  for (std::size_t i = 0; i < spared.size(); ++i)
-    rules.push_back(jump_if(static_cast<std::uint32_t>(spared[i]), spared.size() - i));
-  rules.push_back(allow);
-  rules.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM));
-  const sock_fprog program{static_cast<unsigned short>(rules.size()), rules.data()};
-  (void)prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  (void)syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program);
 }
 
 std::uint64_t peak_bytes() {
@@ -173,7 +133,7 @@ int main(int argc, char** argv) {
   const int socket = std::atoi(argv[2]);
   plumb::end_with_plumb(std::atoi(argv[3]));
   plumb::be_expendable();
-  plumb::keep_signals_from_plumb();
+  plumb::keep_signals_from(plumb::parent_and_all());
   (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what it printed is there when it crashes
   if (const auto library = plumb::load(argv[1], socket)) plumb::serve(*library, socket);
   // Past the library's destructors: plumb has asked for the last time, and nobody would hear of what they do.

@@ -77,11 +77,10 @@ std::optional<Leak> leak_of(const Growth& growth, std::size_t calls) {
 
 }  // namespace
 
-SolverPool::SolverPool(std::string library, const SolverLimits& limits)
-    : library_(std::move(library)), limits_(limits) {}
+SolverPool::SolverPool(SolverSource source, const SolverLimits& limits) : source_(std::move(source)), limits_(limits) {}
 
 wire::Hello SolverPool::start() {
-  auto process = std::make_unique<SolverProcess>(library_, limits_);
+  auto process = std::make_unique<SolverProcess>(source_, limits_);
   const wire::Hello hello = process->hello();
   give_back(std::move(process));
   return hello;
@@ -96,7 +95,7 @@ SolverPool::Process SolverPool::take() {
       return process;
     }
   }
-  return std::make_unique<SolverProcess>(library_, limits_);
+  return std::make_unique<SolverProcess>(source_, limits_);
 }
 
 void SolverPool::give_back(Process process) {
@@ -122,7 +121,7 @@ wire::Reply SolverPool::ask(const wire::Request& request) {
 
 /// Whether a process that knows no other pair answers: whoever looks for the bug wants to know.
 bool SolverPool::answers_when_first(const wire::Request& request) {
-  auto process = std::make_unique<SolverProcess>(library_, limits_);
+  auto process = std::make_unique<SolverProcess>(source_, limits_);
   try {
     (void)process->ask(request);
   } catch (const NoAnswer&) {
@@ -136,7 +135,7 @@ std::optional<Leak> SolverPool::find_leak(std::vector<plumb_pair> pairs) const {
   constexpr int most_failures = 16;
   try {
     for (int failures = 0; failures < most_failures && !pairs.empty(); ++failures) {
-      SolverProcess process(library_, limits_);
+      SolverProcess process(source_, limits_);
       const std::size_t calls = std::max(kLeastCalls, pairs.size());
       const Measured measured = measure_growth(process, pairs, calls);
       if (!measured.failed_at) return leak_of(measured.growth, calls);

@@ -16,19 +16,19 @@ namespace plumb {
 class SolverPool {
  public:
   /// Nothing is started yet.
-  SolverPool(std::string library, const SolverLimits& limits);
+  SolverPool(SolverSource source, const SolverLimits& limits);
 
-  /// Starts one process, for those after it to be asked at once, and returns what it says of itself. Throws InputFailure when the
-  /// library cannot be loaded.
+  /// Starts one process, for those after it to be asked at once, and returns what it says of itself. Throws InputFailure when there
+  /// is no solver.
   wire::Hello start();
-  /// What the library threw is a NoAnswer, too. Throws InputFailure when the library, once loaded, can not be loaded again.
+  /// What the library threw is a NoAnswer, too. Throws InputFailure when what started once does not start again.
   [[nodiscard]] wire::Reply ask(const wire::Request& request);
   [[nodiscard]] std::optional<Leak> find_leak(std::vector<plumb_pair> pairs) const;
   [[nodiscard]] std::uint64_t hangs() const { return hangs_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   /// By which its answers go: before the first is asked for.
   void call(std::string name) { name_ = std::move(name); }
-  [[nodiscard]] const std::string& library() const { return library_; }
+  [[nodiscard]] const SolverSource& source() const { return source_; }
 
  private:
   using Process = std::unique_ptr<SolverProcess>;
@@ -36,7 +36,8 @@ class SolverPool {
   void give_back(Process process);
   [[nodiscard]] bool answers_when_first(const wire::Request& request);
 
-  std::string name_, library_;
+  std::string name_;
+  SolverSource source_;
   SolverLimits limits_;
   std::mutex mutex_;
   std::vector<Process> idle_;

@@ -5,31 +5,23 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <ctime>
 #include <regex>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "corpus/case.hpp"
 #include "corpus/one_processor.hpp"
 #include "corpus/program_folder.hpp"
-#include "corpus/resident.hpp"
 
 namespace plumb {
 namespace {
-
-// glibc 2.36 declares pidfd_open() for C alone, and older ones do not.
-Descriptor end_of(pid_t child) {
-  return Descriptor(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
-}
 
 /// Both ends are closed by an exec; what a child is to have is handed to it by its number.
 struct Ends {
@@ -60,7 +52,7 @@ Ends make_lifeline() {
 }
 
 /// A group of its own, so that Ctrl-C is plumb's to deal with. To copy a descriptor onto itself is how a spawn leaves it open.
-pid_t spawn_host(std::vector<std::string> arguments, const std::array<int, 2>& kept, int output) {
+pid_t spawn_host(std::vector<std::string> arguments, const std::vector<int>& kept, int output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -80,8 +72,14 @@ pid_t spawn_host(std::vector<std::string> arguments, const std::array<int, 2>& k
   return child;
 }
 
-double seconds_of(const timespec& time) {
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+std::vector<std::string> library_host(const std::string& path, int socket, int lifeline) {
+  return {program_folder() / "plumb-solver-host", path, std::to_string(socket), std::to_string(lifeline)};
+}
+
+std::vector<std::string> command_host(const std::vector<std::string>& words, int socket) {
+  std::vector<std::string> out{program_folder() / "plumb-command-host", std::to_string(socket)};
+  out.insert(out.end(), words.begin(), words.end());
+  return out;
 }
 
 /// Processor time while it runs, time on the wall while it sleeps.
@@ -92,8 +90,9 @@ class Patience {
   void use(double waited, double processor_seconds) {
     constexpr double asleep = 6;  // times the limit: a machine that is short of processors looks a little like it
     if (first_ < 0) first_ = last_ = processor_seconds;
-    asleep_ += std::max(0.0, waited - (processor_seconds - last_));
-    last_ = processor_seconds;
+    const double now = std::max(last_, processor_seconds);  // the time of a child that nobody waits for is lost with it
+    asleep_ += std::max(0.0, waited - (now - last_));
+    last_ = now;
     if (last_ - first_ >= limit_)
       throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer after {} s of processor time", limit_));
     if (asleep_ >= asleep * limit_)
@@ -103,12 +102,6 @@ class Patience {
  private:
   double limit_, first_ = -1, last_ = -1, asleep_ = 0;
 };
-
-std::string ending(int status) {
-  if (!WIFSIGNALED(status)) return fmt::format("ended the process with exit code {}", WEXITSTATUS(status));
-  const char* words = sigdescr_np(WTERMSIG(status));
-  return fmt::format("ended by signal {} ({})", WTERMSIG(status), words == nullptr ? "?" : words);
-}
 
 /// Without what is another one each time, so that two runs keep the same case with the same words.
 std::string without_numbers_of_a_run(const std::string& line) {
@@ -128,31 +121,37 @@ std::string last_lines(const std::string& text) {
 }  // namespace
 
 // By way of the other constructor, so that what throws here finds an object that is there to be destroyed.
-SolverProcess::SolverProcess(const std::string& library, const SolverLimits& limits) : SolverProcess(limits) {
-  start(library);
-  try {
-    hello_ = receive<wire::Hello>();
-    if (!hello_.loaded) throw InputFailure(library, 0, hello_.field.text(), hello_.reason.text());
-  } catch (const NoAnswer& e) {
-    throw InputFailure(library, 0, "", std::string("cannot be loaded: ") + e.what());
-  }
+SolverProcess::SolverProcess(SolverSource source, const SolverLimits& limits)
+    : SolverProcess(NotStarted(), std::move(source), limits) {
+  start();
+  greet();
 }
 
+/// A command's host ends once nobody is at the other end of its socket, after the program and all that this started.
 SolverProcess::~SolverProcess() {
   if (child_ < 0) return;
-  (void)kill(child_, SIGKILL);
-  while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) continue;
+  socket_ = Descriptor();
+  if (!source_.is_command() || !ends_soon(ended_)) (void)kill(child_, SIGKILL);
+  (void)reap(child_);
 }
 
-void SolverProcess::start(const std::string& library) {
+void SolverProcess::start() {
   Ends socket = make_socket(), lifeline = make_lifeline(), output = make_output();
-  child_ = spawn_host({(program_folder() / "plumb-solver-host").string(), library,
-                       std::to_string(socket.theirs.number()), std::to_string(lifeline.theirs.number())},
-                      {socket.theirs.number(), lifeline.theirs.number()}, output.theirs.number());
+  const int asked_by = socket.theirs.number(), lives_by = lifeline.theirs.number();
+  child_ = source_.is_command() ? spawn_host(command_host(source_.words, asked_by), {asked_by}, output.theirs.number())
+                                : spawn_host(library_host(source_.text, asked_by, lives_by), {asked_by, lives_by},
+                                             output.theirs.number());
   socket_ = std::move(socket.ours);
   lifeline_ = std::move(lifeline.ours);
   output_ = std::move(output.ours);
   ended_ = end_of(child_);
+}
+
+void SolverProcess::greet() try {
+  hello_ = receive<wire::Hello>();
+  if (!hello_.loaded) throw InputFailure(source_.text, 0, hello_.field.text(), with_last_words(hello_.reason.text()));
+} catch (const NoAnswer& e) {
+  throw InputFailure(source_.text, 0, "", std::string("cannot be loaded: ") + e.what());
 }
 
 wire::Reply SolverProcess::ask(wire::Request request) {
@@ -162,6 +161,8 @@ wire::Reply SolverProcess::ask(wire::Request request) {
   const OneProcessor here(request.processor);
   if (send(socket_.number(), &request, sizeof request, MSG_NOSIGNAL) != sizeof request) throw_death();
   const auto reply = receive<wire::Reply>();
+  if (reply.kind == wire::Reply::Kind::broken)
+    throw NoAnswer(NoAnswer::How::crashed, with_last_words(reply.what.text()));
   if (reply.number != request.number)
     throw NoAnswer(NoAnswer::How::crashed, "sent an answer that is none to this pair");
   if (reply.peak_bytes > hello_.peak_bytes) require_memory(reply.peak_bytes);
@@ -192,32 +193,24 @@ void SolverProcess::wait_for_message() {
     const int ready = poll(either.data(), either.size(), tick);
     if (ready > 0) return;
     if (ready != 0) continue;
-    require_memory(resident_bytes_of(std::to_string(child_)));
-    patience.use(1e-3 * tick, processor_seconds());
+    const Usage usage = usage_of(child_);
+    require_memory(usage.resident_bytes);
+    patience.use(1e-3 * tick, usage.processor_seconds);
   }
-}
-
-double SolverProcess::processor_seconds() const {
-  clockid_t clock{};
-  timespec time{};
-  if (clock_getcpuclockid(child_, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
-  return seconds_of(time);
 }
 
 /// One that closed the socket and lives on has the time that an ending one takes, and is killed.
 void SolverProcess::throw_death() {
-  constexpr int time_to_end = 1000;  // ms
-  pollfd ended{ended_.number(), POLLIN, 0};
-  while (poll(&ended, 1, time_to_end) < 0 && errno == EINTR) continue;
-  const bool has_ended = (ended.revents & POLLIN) != 0;
+  const bool has_ended = ends_soon(ended_);
   if (!has_ended) (void)kill(child_, SIGKILL);
-  int status = 0;
-  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) continue;
-  child_ = -1;
-  const std::string words = last_lines(said());
+  const int status = reap(std::exchange(child_, -1));
   throw NoAnswer(NoAnswer::How::crashed,
-                 (has_ended ? ending(status) : "closed the descriptor that plumb asks through") +
-                     (words.empty() ? "" : "; it said: " + words));
+                 with_last_words(has_ended ? ending(status) : "closed the descriptor that plumb asks through"));
+}
+
+std::string SolverProcess::with_last_words(const std::string& what) {
+  const std::string words = last_lines(said());
+  return what + (words.empty() ? "" : "; it said: " + words);
 }
 
 std::string SolverProcess::said() {

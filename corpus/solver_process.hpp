@@ -1,42 +1,29 @@
-// One process of plumb-solver-host with a foreign solver in it, seen from plumb.
+// One process with a foreign solver in it, or beside it, seen from plumb: plumb-solver-host, plumb-command-host.
 #pragma once
 
 #include <sys/types.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "corpus/solver.hpp"
 #include "corpus/solver_wire.hpp"
+#include "corpus/solvers/child.hpp"
 
 namespace plumb {
 
-/// Closed at its end, and by an exec.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
+/// Where a foreign solver comes from.
+struct SolverSource {
+  std::string text;                     ///< the path of a library, or a command as it was given
+  std::vector<std::string> words = {};  ///< of the command; none: it is a library
+  [[nodiscard]] bool is_command() const { return !words.empty(); }
 };
 
 class SolverProcess {
  public:
-  /// Starts it and loads the library; throws InputFailure, which names the library, where that fails.
-  SolverProcess(const std::string& library, const SolverLimits& limits);
+  /// Starts it and hears what the solver says of itself; throws InputFailure, which names the source, where that fails.
+  SolverProcess(SolverSource source, const SolverLimits& limits);
   /// Kills it: it keeps nothing that anybody would miss.
   ~SolverProcess();
   SolverProcess(const SolverProcess&) = delete;
@@ -49,16 +36,20 @@ class SolverProcess {
   [[nodiscard]] wire::Reply ask(wire::Request request);
 
  private:
-  explicit SolverProcess(const SolverLimits& limits) : limits_(limits) {}
-  void start(const std::string& library);
+  struct NotStarted {};
+  SolverProcess(NotStarted, SolverSource source, const SolverLimits& limits)
+      : source_(std::move(source)), limits_(limits) {}
+  void start();
+  void greet();
   template <class Message>
   [[nodiscard]] Message receive();
   void wait_for_message();
   void require_memory(std::uint64_t bytes) const;
-  [[nodiscard]] double processor_seconds() const;
   [[noreturn]] void throw_death();
   [[nodiscard]] std::string said();
+  [[nodiscard]] std::string with_last_words(const std::string& what);
 
+  SolverSource source_;
   SolverLimits limits_;
   wire::Hello hello_;
   std::uint64_t asked_ = 0;
@@ -66,7 +57,7 @@ class SolverProcess {
   Descriptor ended_;     ///< readable once the process has ended
   Descriptor socket_;    ///< requests and replies
   Descriptor lifeline_;  ///< the process ends when this is closed
-  Descriptor output_;    ///< what the library prints
+  Descriptor output_;    ///< what the solver prints
 };
 
 }  // namespace plumb

@@ -47,7 +47,7 @@ struct Request {
 };
 
 struct Reply {
-  enum class Kind : std::uint8_t { answered, refused, threw, measured };
+  enum class Kind : std::uint8_t { answered, refused, threw, measured, broken };
   Kind kind = Kind::answered;
   std::uint64_t number = 0;  ///< of the request that it answers
   plumb_contact contact{};
@@ -55,7 +55,7 @@ struct Reply {
   std::uint64_t heap_bytes = 0;  ///< in use, by glibc's allocator
   std::uint64_t resident_bytes = 0;
   std::uint64_t peak_bytes = 0;  ///< resident at most, so far
-  Text<256> what;                ///< of what it threw
+  Text<256> what;  ///< of what it threw, or what a program did in place of an answer, and can do no more (broken)
 };
 
 }  // namespace plumb::wire

@@ -62,4 +62,35 @@ static_assert(static_cast<int>(Verdict::separated) == PLUMB_SEPARATED);
   return out;
 }
 
+// The library may write any integer; what is no status vouches for nothing.
+[[nodiscard]] inline Status status_of(int status) {
+  switch (status) {
+    case PLUMB_CONVERGED: return Status::converged;
+    case PLUMB_ITERATION_LIMIT: return Status::iteration_limit;
+    case PLUMB_SINGULAR: return Status::singular;
+    case PLUMB_NOT_FINITE: return Status::not_finite;
+    case PLUMB_INVALID_INPUT: return Status::invalid_input;
+    default: return Status::stalled;
+  }
+}
+
+[[nodiscard]] inline Verdict verdict_of(int verdict) {
+  if (verdict == PLUMB_OVERLAPPING) return Verdict::overlapping;
+  return verdict == PLUMB_SEPARATED ? Verdict::separated : Verdict::undecided;
+}
+
+[[nodiscard]] inline Contact<double> contact_of(const plumb_contact& answer) {
+  Contact<double> out;
+  out.status = status_of(answer.status);
+  out.verdict = verdict_of(answer.verdict);
+  out.overlap = answer.overlap;
+  out.normal = Vec3<double>::Map(answer.normal);
+  out.point1 = Vec3<double>::Map(answer.points[0]);
+  out.point2 = Vec3<double>::Map(answer.points[1]);
+  out.contact_point = Vec3<double>::Map(answer.contact_point);
+  out.iterations = answer.iterations;
+  out.evaluations = answer.evaluations;
+  return out;
+}
+
 }  // namespace plumb::door
