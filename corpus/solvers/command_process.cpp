@@ -141,8 +141,6 @@ void CommandProcess::hear_the_end() {
 }
 
 void CommandProcess::send(const std::string& line) {
-  (void)plumb_calls(0);
-  if (!lines_.empty()) throw NoLine("wrote to standard output what nobody asked for: " + first_words(lines_));
   const std::string sent = line + "\n";
   const ssize_t taken = write(input_.number(), sent.data(), sent.size());
   if (taken == static_cast<ssize_t>(sent.size())) return;

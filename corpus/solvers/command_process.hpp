@@ -27,9 +27,9 @@ class CommandProcess {
 
   /// Listens to the program until plumb asks, or ends.
   void wait_for_plumb();
-  /// Sends a line; throws NoLine where it would have to wait, or where the program said something that it was not asked for.
+  /// Sends a line; throws NoLine where it would have to wait.
   void send(const std::string& line);
-  /// The next line that it sends; nullopt when plumb ends first. Throws NoLine.
+  /// The next line that it sends, or sent already; nullopt when plumb ends first. Throws NoLine.
   [[nodiscard]] std::optional<std::string> next_line();
 
   [[nodiscard]] pid_t number() const { return program_; }
