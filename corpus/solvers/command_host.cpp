@@ -86,8 +86,8 @@ std::string in_words(const NoLine& e) {
   return e.what();
 }
 
-/// False: it is no solver, and plumb knows why.
-bool greet(CommandProcess& program, int socket) {
+/// What it says of itself, told to plumb.
+Hello greet(CommandProcess& program, int socket) {
   Hello hello;
   std::string line;
   try {
@@ -99,12 +99,14 @@ bool greet(CommandProcess& program, int socket) {
     hello.reason.set("cannot be used: " + in_words(e));
   }
   say(socket, hello);
-  return hello.loaded;
+  return hello;
 }
 
 void serve(CommandProcess& program, int socket) {
-  for (bool is_sound = greet(program, socket); is_sound;) {
-    const Request request = next_request(program, socket);
+  const Hello hello = greet(program, socket);
+  for (bool is_sound = hello.loaded; is_sound;) {
+    Request request = next_request(program, socket);
+    if (request.kind == Request::Kind::solve_warm && !hello.warm) request.kind = Request::Kind::solve;
     Reply reply;
     try {
       reply = answer(program, request);
