@@ -71,9 +71,10 @@ Measured measure_growth(SolverProcess& process, const std::vector<plumb_pair>& p
 }
 
 /// Of a program only its resident memory is known, and one that collects its garbage grows for thousands of calls without a leak: what
-/// looks like one is looked at again, in passes of four times the calls.
+/// looks like one is looked at again, in passes of four times the calls, unless six passes grew by more than a collector leaves lying.
 constexpr int kProgramRounds = 4;
 constexpr std::size_t kMoreCalls = 4;
+constexpr double kNoGarbage = 16 << 20;  // bytes in each pass
 
 struct Looked {
   std::optional<std::size_t> failed_at;
@@ -86,7 +87,8 @@ Looked look_for_leak(SolverProcess& process, const std::vector<plumb_pair>& pair
     const Measured measured = measure_growth(process, pairs, calls);
     const double bytes = measured.growth.bytes();
     if (measured.failed_at || !(bytes > 0)) return {measured.failed_at, std::nullopt};
-    if (round == rounds) return {std::nullopt, Leak{bytes / static_cast<double>(calls), kPasses * calls}};
+    if (round == rounds || bytes >= kNoGarbage)
+      return {std::nullopt, Leak{bytes / static_cast<double>(calls), kPasses * calls}};
   }
 }
 

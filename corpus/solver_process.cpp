@@ -148,7 +148,8 @@ void SolverProcess::start() {
 }
 
 void SolverProcess::greet() try {
-  hello_ = receive<wire::Hello>();
+  constexpr double to_start = 20;  // times the limit: an interpreter, and what it imports, take longer than an answer
+  hello_ = receive<wire::Hello>(source_.is_command() ? to_start * limits_.seconds : limits_.seconds);
   if (!hello_.loaded) throw InputFailure(source_.text, 0, hello_.field.text(), with_last_words(hello_.reason.text()));
 } catch (const NoAnswer& e) {
   throw InputFailure(source_.text, 0, "", std::string("cannot be loaded: ") + e.what());
@@ -160,7 +161,7 @@ wire::Reply SolverProcess::ask(wire::Request request) {
   request.processor = sched_getcpu();
   const OneProcessor here(request.processor);
   if (send(socket_.number(), &request, sizeof request, MSG_NOSIGNAL) != sizeof request) throw_death();
-  const auto reply = receive<wire::Reply>();
+  const auto reply = receive<wire::Reply>(limits_.seconds);
   if (reply.kind == wire::Reply::Kind::broken)
     throw NoAnswer(NoAnswer::How::crashed, with_last_words(reply.what.text()));
   if (reply.number != request.number)
@@ -177,8 +178,8 @@ void SolverProcess::require_memory(std::uint64_t bytes) const {
 }
 
 template <class Message>
-Message SolverProcess::receive() {
-  wait_for_message();
+Message SolverProcess::receive(double seconds) {
+  wait_for_message(seconds);
   Message message;
   // A process that the library left behind may hold the socket open: there may be neither a message nor an end of them.
   if (recv(socket_.number(), &message, sizeof message, MSG_DONTWAIT) != sizeof message) throw_death();
@@ -186,10 +187,10 @@ Message SolverProcess::receive() {
 }
 
 /// Until there is something to receive, if only the end.
-void SolverProcess::wait_for_message() {
+void SolverProcess::wait_for_message(double seconds) {
   constexpr int tick = 20;  // ms; below it nothing is measured
   std::array<pollfd, 2> either{{{socket_.number(), POLLIN, 0}, {ended_.number(), POLLIN, 0}}};
-  for (Patience patience(limits_.seconds);;) {
+  for (Patience patience(seconds);;) {
     const int ready = poll(either.data(), either.size(), tick);
     if (ready > 0) return;
     if (ready != 0) continue;

@@ -42,8 +42,8 @@ class SolverProcess {
   void start();
   void greet();
   template <class Message>
-  [[nodiscard]] Message receive();
-  void wait_for_message();
+  [[nodiscard]] Message receive(double seconds);
+  void wait_for_message(double seconds);
   void require_memory(std::uint64_t bytes) const;
   [[noreturn]] void throw_death();
   [[nodiscard]] std::string said();
