@@ -129,8 +129,17 @@ bool CommandProcess::plumb_calls(int patience) {
   if (all[1].revents != 0 && read_some(output_, lines_) == 0) output_ = Descriptor();
   if (all[2].revents != 0 && read_some(words_, said_) == 0) words_ = Descriptor();
   if (all[3].revents != 0) hear_the_end();
+  reap_orphans();
   if (said_.size() > kWordsKept) said_.erase(0, said_.size() - kWordsKept);
   return all[0].revents != 0;
+}
+
+/// What the program started and did not wait for is this process's, and ends as a zombie.
+void CommandProcess::reap_orphans() const {
+  constexpr int ended = WEXITED | WNOHANG;
+  siginfo_t one{};
+  while (waitid(P_ALL, 0, &one, ended | WNOWAIT) == 0 && one.si_pid != 0 && one.si_pid != program_)
+    (void)waitid(P_PID, static_cast<id_t>(one.si_pid), &one, ended);
 }
 
 /// What it wrote before it ended is in the pipes.

@@ -37,6 +37,7 @@ class CommandProcess {
  private:
   /// Listens for so many ms at most, for ever if negative.
   [[nodiscard]] bool plumb_calls(int patience);
+  void reap_orphans() const;
   void hear_the_end();
   [[noreturn]] void throw_end(const std::string& otherwise);
 

@@ -123,7 +123,7 @@ export class Pair {
     const fields = {
       status: 'converged',
       overlap: overlap === undefined ? undefined : times2(overlap, this.#exponent),
-      normal,
+      normal: normal && [...normal],
       points: points?.map((point) => this.#outward(point)),
       contact_point: between && this.#outward(between),
       ...others,

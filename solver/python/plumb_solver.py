@@ -99,11 +99,10 @@ class Pair:
         normal: unit, from body 1 to body 2; others: iterations, evaluations. None, and what is not finite: not known."""
         if contact_point is None and points is not None:
             contact_point = [(p + q) / 2 for p, q in zip(*points)]
-        fields = dict(others, status=status, overlap=self._outward_length(overlap), normal=normal)
-        if verdict is not None:
-            fields["verdict"] = verdict
-        fields["points"] = points and [self._outward(point) for point in points]
-        fields["contact_point"] = contact_point and self._outward(contact_point)
+        fields = dict(others, status=status, verdict=verdict, overlap=self._outward_length(overlap))
+        fields["normal"] = None if normal is None else [float(v) for v in normal]
+        fields["points"] = None if points is None else [self._outward(point) for point in points]
+        fields["contact_point"] = None if contact_point is None else self._outward(contact_point)
         return {key: value for key, value in fields.items() if _is_finite(value)}
 
     def _scaled(self, lengths):

@@ -4,12 +4,14 @@
 #include <signal.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <thread>
 
 #include "corpus/case.hpp"
+#include "corpus/solvers/child.hpp"
 #include "corpus/solvers/shell_words.hpp"
 #include "properties/judged_answer.hpp"
 #include "properties/tests/corpus/programs.hpp"
@@ -171,6 +173,18 @@ TEST_F(Command, WhatItSaysOnStandardErrorDelaysNobody) {
   for (int i = 1; i <= 3; ++i) EXPECT_EQ(talks.solve(two_spheres(i), {}, nullptr).overlap, i);
 }
 
+TEST_F(Command, OneThatDoesNotListenHoldsNobodyUp) {
+  const Solver deaf = load_solver_command(command("deaf"));
+  try {
+    for (int i = 0; i < 1000; ++i) (void)deaf.solve(two_spheres(1), {}, nullptr);
+    FAIL();
+  } catch (const NoAnswer& e) {
+    EXPECT_EQ(e.how, NoAnswer::How::crashed);
+    EXPECT_EQ(e.what(), std::string("does not read its standard input; but answers where this is the first pair that "
+                                    "it is asked"));
+  }
+}
+
 TEST_F(Command, ItsSignalsReachNeitherPlumbNorItsHost) {
   EXPECT_EQ(ask("kill_host").overlap, 1);
 }
@@ -230,13 +244,24 @@ TEST_F(Command, NothingOfItOutlivesPlumb) {
 }
 
 TEST_F(Command, AnIdleOneEndsWithItsSolver) {
-  const auto children = [] { return run("cat /proc/" + std::to_string(getpid()) + "/task/*/children").out; };
+  std::vector<pid_t> all;
   {
     const Solver solver = load_solver_command(command("fork"));
     EXPECT_EQ(solver.solve(two_spheres(1), {}, nullptr).overlap, 1);
+    all = descendants_of(getpid());
+    EXPECT_GE(all.size(), 3U);  // the host, the program, and what that forked
   }
-  EXPECT_EQ(run("pgrep -f " + std::string("[m]isbehaving.py.fork")).out, "");
-  EXPECT_EQ(children().find("plumb-command"), std::string::npos);
+  for (const pid_t one : all) EXPECT_EQ(::kill(one, 0), -1);
+}
+
+TEST_F(Command, NoZombiesGather) {
+  const Solver solver = load_solver_command(command("orphans"));
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(solver.solve(two_spheres(1), {}, nullptr).overlap, 1);
+  EXPECT_TRUE(comes([&] {
+    (void)solver.solve(two_spheres(1), {}, nullptr);
+    const std::vector<pid_t> all = descendants_of(getpid());
+    return std::count_if(all.begin(), all.end(), is_gone) < 5;  // the last ones
+  }));
 }
 
 TEST(ShellWords, AreThoseOfAShell) {

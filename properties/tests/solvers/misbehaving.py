@@ -123,11 +123,17 @@ def misbehave():
         sys.stderr.write("a solver that talks, and talks\n" * 20000)
     elif HOW == "kill_host":
         kill_host()
+    elif HOW == "orphans":
+        subprocess.run(["sh", "-c", "true &"])
     elif HOW == "fork" and os.fork() == 0:
         time.sleep(1000)
 
 
 say(first_line())
+if HOW == "deaf":
+    for n in range(1, 1000):
+        say('{"number": %d, "overlap": 1}' % n)
+    time.sleep(1000)
 for line in sys.stdin:
     misbehave()
     say(reply(json.loads(line)))
