@@ -20,6 +20,7 @@ declare -A plumb_packages=(
   [check]="git clang-format-19 clang-tidy-19 python3-yaml"
   [fem]="gmsh python3-gmsh calculix-ccx python3-numpy python3-matplotlib"
   [record]="git"
+  [board]="libccd-dev libfcl-dev libbullet-dev libsimbody-dev libmujoco-dev libdart-dev libnlopt-dev libceres-dev coinor-libipopt-dev"
 )
 
 # Decimal points in what awk and bash print and read.

@@ -2,6 +2,7 @@
 //
 // fcl::distance() would run the copy of these templates in Debian's libfcl, which has its assertions on: one pair that fails
 // them ends the whole process. Called below it, they are compiled here and without (CMakeLists.txt).
+#include <fcl/config.h>
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 
 #include <cmath>
@@ -76,6 +77,14 @@ void write_distance(const SignedDistance& found, const PlacedPair<double>& place
 
 }  // namespace
 }  // namespace plumb::peers
+
+void plumb_solver_abilities(plumb_abilities* abilities) {
+  abilities->name = "fcl";
+  abilities->version = FCL_VERSION;
+  abilities->licence = "BSD-3-Clause";
+  abilities->shapes = PLUMB_ELLIPSOIDS;
+  abilities->tolerance = plumb::peers::kTolerance;
+}
 
 int plumb_solver_solve(const plumb_pair* input, plumb_contact* contact) {
   using namespace plumb;

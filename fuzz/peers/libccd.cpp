@@ -60,6 +60,15 @@ void write_missing(int code, plumb_contact& contact) {
 
 }  // namespace
 
+void claim_libccd(const char* name, plumb_abilities& abilities) {
+  abilities.name = name;
+  abilities.version = PLUMB_LIBCCD_VERSION;
+  abilities.licence = "BSD-3-Clause";
+  abilities.apart = PLUMB_APART_VERDICT;
+  abilities.points = PLUMB_POINTS_MIDWAY;
+  abilities.tolerance = kTolerance;
+}
+
 int solve_with_libccd(const plumb_pair& input, Penetration penetration, plumb_contact& contact) {
   const Pair pair = door::pair_of(input);
   const auto placed = place<double>(pair);

@@ -13,4 +13,6 @@ using Penetration = int (*)(const void* body1, const void* body2, const ccd_t* s
 
 [[nodiscard]] int solve_with_libccd(const plumb_pair& pair, Penetration penetration, plumb_contact& contact);
 
+void claim_libccd(const char* name, plumb_abilities& abilities);
+
 }  // namespace plumb::peers
