@@ -33,11 +33,16 @@ std::shared_ptr<dart::dynamics::SimpleFrame> placed(const adapter::Body& body) {
   return out;
 }
 
-void solve(const adapter::Frame& frame, plumb_contact& contact) {
+std::shared_ptr<dart::collision::FCLCollisionDetector> make_detector() {
   using dart::collision::FCLCollisionDetector;
-  const auto detector = FCLCollisionDetector::create();
-  detector->setPrimitiveShapeType(FCLCollisionDetector::PRIMITIVE);
-  detector->setContactPointComputationMethod(FCLCollisionDetector::DART);
+  auto out = FCLCollisionDetector::create();
+  out->setPrimitiveShapeType(FCLCollisionDetector::PRIMITIVE);
+  out->setContactPointComputationMethod(FCLCollisionDetector::DART);
+  return out;
+}
+
+void solve(const adapter::Frame& frame, plumb_contact& contact) {
+  static const auto detector = make_detector();
   const auto body1 = placed(frame.bodies[0]), body2 = placed(frame.bodies[1]);
   const auto group1 = detector->createCollisionGroup(body1.get()), group2 = detector->createCollisionGroup(body2.get());
   dart::collision::CollisionResult result;
