@@ -22,11 +22,12 @@ struct Command {
 };
 
 // Every command of the contract; those that this build does not have are not listed.
-constexpr std::array<Command, 20> commands{{
+constexpr std::array<Command, 21> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
     {"check", "judge anybody's answer to a case"},
+    {"doctor", "whether a foreign solver's adapter is sane, before all else"},
     {"campaign", "random cases by the thousand, every wrong answer kept"},
     {"campaign-mpi", "the same over the processes of mpirun"},
     {"families", "the families that random cases come from"},

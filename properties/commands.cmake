@@ -7,3 +7,11 @@ add_executable(plumb-replay replay.cpp life.cpp replay_case.cpp replay_reports.c
 foreach(program plumb-check plumb-ladder plumb-path plumb-promote plumb-replay)
   target_link_libraries(${program} PRIVATE plumb_properties plumb_command plumb_flags fmt::fmt)
 endforeach()
+
+# The self-check of a foreign solver's adapter: a library for its tests, and the command.
+file(GLOB plumb_doctor_sources CONFIGURE_DEPENDS doctor/*.cpp)
+list(FILTER plumb_doctor_sources EXCLUDE REGEX "/doctor\\.cpp$")
+add_library(plumb_doctor ${plumb_doctor_sources})
+target_link_libraries(plumb_doctor PUBLIC plumb_corpus plumb_reference plumb_solver PRIVATE plumb_flags fmt::fmt)
+add_executable(plumb-doctor doctor/doctor.cpp)
+target_link_libraries(plumb-doctor PRIVATE plumb_doctor plumb_command plumb_flags fmt::fmt)
