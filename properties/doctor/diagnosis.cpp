@@ -40,9 +40,8 @@ void find_evidence(Diagnosis& d, const Fits& fits) {
     if (fits(d.questions[i], d.replies[i])) d.evidence = i;
 }
 
-void name_mistake(Diagnosis& d, std::string_view mistake, std::string sentence) {
-  d.mistake = mistake;
-  d.sentence = std::move(sentence);
+void name_mistake(Diagnosis& d, std::string_view word, std::string sentence) {
+  d.said = {std::string(word), std::move(sentence)};
 }
 
 /// A step looks at all replies and says whether it found what is wrong; the first that does has the word.
@@ -54,22 +53,24 @@ bool has_no_question(Diagnosis& d, const Solver&) {
   return true;
 }
 
-/// Its numbers may be right, and it never says so.
+/// Its numbers may be right, and it never says so. To say of some that they are apart is no great answer.
 bool never_answers(Diagnosis& d, const Solver& solver) {
-  if (count(d, is_unanswered) < static_cast<int>(d.replies.size())) return false;
+  const auto overlaps = [](const Question& q) { return q.truth.verdict == Verdict::overlapping; };
+  const int asked = count(d, [&](const Question& q, const Reply&) { return overlaps(q); });
+  if (count(d, [&](const Question& q, const Reply& r) { return overlaps(q) && !r.answered; }) < asked) return false;
   d.evidence = 0;
-  const auto right_but_for_status = [&](const Question& question, const Reply& reply) {
-    return reply_of(solver.abilities, question, reply.raw, true).right;
+  const auto right_but_for_status = [&](const Question& q, const Reply& r) {
+    return overlaps(q) && reply_of(solver.abilities, q, r.raw, true).right;
   };
-  if (count(d, right_but_for_status) == static_cast<int>(d.replies.size()))
+  if (count(d, right_but_for_status) == asked)
     name_mistake(d, "status_missing",
                  "The numbers are right and the status never says so: set it to PLUMB_CONVERGED with each answer.");
   else
     name_mistake(
         d, "refuses_all",
-        fmt::format("It answers none of the {} pairs that it claims: it returns non-zero, or a status other than "
+        fmt::format("It answers none of the {} pairs that overlap: it returns non-zero, or a status other than "
                     "PLUMB_CONVERGED.",
-                    d.replies.size()));
+                    asked));
   return true;
 }
 
@@ -98,22 +99,24 @@ bool leaves_out(Diagnosis& d, const Solver& solver) {
   return true;
 }
 
-std::string words_of(const Explanation& explanation) {
-  std::string out;
-  for (const Mistake* mistake : explanation) out += (out.empty() ? "" : "+") + std::string(mistake->name);
+Named named(const Explanation& explanation, const Fit& fit) {
+  Named out;
+  for (const Mistake* mistake : explanation) {
+    out.word += (out.word.empty() ? "" : "+") + std::string(mistake->name);
+    out.sentence += (out.sentence.empty() ? "" : " And: ") + sentence_of(*mistake, fit);
+  }
   return out;
 }
 
 bool makes_a_usual_mistake(Diagnosis& d, const Solver& solver) {
+  if (count(d, is_wrong) == 0) return false;
   const Fit fit = fit_to(d.questions, d.replies);
-  const auto found = find_explanations({solver.abilities, d.questions, d.replies, fit});
-  if (found.empty()) return false;
+  for (const Explanation& each : find_explanations({solver.abilities, d.questions, d.replies, fit}))
+    d.others.push_back(named(each, fit));
+  if (d.others.empty()) return false;
+  d.said = d.others.front();
+  d.others.erase(d.others.begin());
   find_evidence(d, is_wrong);
-  std::string sentence;
-  for (const Mistake* mistake : found.front())
-    sentence += (sentence.empty() ? "" : " And: ") + sentence_of(*mistake, fit);
-  name_mistake(d, words_of(found.front()), sentence);
-  for (const Explanation& other : std::span(found).subspan(1)) d.others.push_back(words_of(other));
   return true;
 }
 
@@ -171,6 +174,11 @@ bool fails_in_one_place(Diagnosis& d, const Solver&) {
   return false;
 }
 
+/// More than a quarter.
+bool refuses_many(const Diagnosis& d) {
+  return 4 * count(d, is_unanswered) > static_cast<int>(d.replies.size());
+}
+
 /// No mistake of ten times the allowance.
 bool is_coarse(Diagnosis& d, const Solver& solver) {
   const double most = 10;
@@ -178,7 +186,7 @@ bool is_coarse(Diagnosis& d, const Solver& solver) {
   Miss all;
   for (const Reply& reply : d.replies)
     if (reply.answered) all = worse(all, reply.miss);
-  if (count(d, is_wrong) == 0 || severity_of(all, allowance) > most) return false;
+  if (count(d, is_wrong) == 0 || refuses_many(d) || severity_of(all, allowance) > most) return false;
   find_evidence(d, is_wrong);
   name_mistake(
       d, "coarse",
@@ -198,8 +206,19 @@ bool is_wrong_for_no_known_reason(Diagnosis& d, const Solver&) {
       shares += fmt::format("{}{} of {} pairs of {}", shares.empty() ? "" : ", ", right, given, name(kind));
   }
   find_evidence(d, is_wrong);
-  d.sentence = fmt::format("Right on {}, and no usual mistake explains the others; the simplest wrong one: {}.", shares,
-                           d.questions[*d.evidence].words);
+  d.said.sentence = fmt::format("Right on {}, and no usual mistake explains the others; the simplest wrong one: {}.",
+                                shares, d.questions[*d.evidence].words);
+  return true;
+}
+
+bool answers_too_little(Diagnosis& d, const Solver&) {
+  if (!refuses_many(d)) return false;
+  find_evidence(d, is_unanswered);
+  name_mistake(
+      d, "refuses_many",
+      fmt::format("It gives no answer to {} of {} pairs that it claims, and is right on the others: claim less, or "
+                  "answer them.",
+                  count(d, is_unanswered), d.replies.size()));
   return true;
 }
 
@@ -262,6 +281,7 @@ void find_what_is_wrong(Diagnosis& d, const Solver& solver) {
                         is_coarse,
                         fails_in_one_place,
                         is_wrong_for_no_known_reason,
+                        answers_too_little,
                         misplaces_the_contact_point,
                         changes_its_answers};
   d.sane = !std::any_of(std::begin(steps), std::end(steps), [&](const Step& step) { return step(d, solver); });
@@ -270,7 +290,7 @@ void find_what_is_wrong(Diagnosis& d, const Solver& solver) {
 void say_that_it_is_sane(Diagnosis& d) {
   for (const Reply& reply : d.replies)
     if (reply.right) d.worst = worse(d.worst, reply.miss);
-  d.sentence =
+  d.said.sentence =
       fmt::format("Sane: right on {} of {} pairs; the normal within {:.2g} degrees, the overlap within {:.2g} and "
                   "the points within {:.2g} of the size.",
                   count(d, is_right), d.replies.size(), d.worst.normal / kDegree, d.worst.overlap, d.worst.points);

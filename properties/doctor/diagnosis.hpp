@@ -9,11 +9,15 @@
 
 namespace plumb::doctor {
 
+/// A mistake in a word, two joined by '+', and in a sentence. Without a word: wrong, and no usual mistake explains it.
+struct Named {
+  std::string word, sentence;
+};
+
 struct Diagnosis {
   bool sane = false;
-  std::string mistake;              ///< its word, two joined by '+'; empty where none is known
-  std::vector<std::string> others;  ///< other words that explain the answers as well
-  std::string sentence;
+  Named said;
+  std::vector<Named> others;  ///< these explain the answers as well
   std::vector<Question> questions;
   std::vector<Reply> replies;           ///< to the first questions; fewer than these where it ended or hung
   std::optional<std::size_t> evidence;  ///< the simplest question that shows the mistake

@@ -62,8 +62,8 @@ std::string evidence_text(const Diagnosis& d, const Abilities& abilities, std::s
 }
 
 std::string diagnosis_text(const Diagnosis& d, const Solver& solver) {
-  std::string out = solver.name + ": " + d.sentence;
-  for (const std::string& other : d.others) out += "\n  or        " + other;
+  std::string out = solver.name + ": " + d.said.sentence;
+  for (const doctor::Named& other : d.others) out += "\n  or        " + other.sentence;
   if (d.evidence) out += "\n" + evidence_text(d, solver.abilities, *d.evidence);
   return out;
 }
@@ -113,9 +113,9 @@ Json diagnosis_json(const Diagnosis& d, const Solver& solver) {
   out["solver"] = solver.name;
   out["abilities"] = abilities_json(solver.abilities);
   out["sane"] = d.sane;
-  out["mistake"] = d.mistake.empty() ? Json(nullptr) : Json(d.mistake);
-  if (!d.others.empty()) out["or"] = d.others;
-  out["sentence"] = d.sentence;
+  out["mistake"] = d.said.word.empty() ? Json(nullptr) : Json(d.said.word);
+  for (const doctor::Named& other : d.others) out["or"].push_back(other.word);
+  out["sentence"] = d.said.sentence;
   out["pairs"] = pairs_json(d);
   if (d.sane)
     out["worst"] = {{"normal_deg", d.worst.normal * 180 / std::numbers::pi},

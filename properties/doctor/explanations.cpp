@@ -33,36 +33,53 @@ Prediction predict(const Mistake& mistake, const Examined& examined) {
   return out;
 }
 
+/// Answers that a mistake is to be shown by: one is chance.
+constexpr int kFewest = 2;
+
+/// What one in so many answers may be for another reason: the solver behind the adapter is wrong as well, now and then. Two mistakes
+/// together explain by chance what one does not, and get none.
+constexpr int kOneIn = 8;
+
 struct Tally {
-  int answers = 0;
-  int wrong = 0;              ///< not the truth
-  int explained_wrong = 0;    ///< by the prediction
-  int unexplained = 0;        ///< not as predicted: wrong ones, and right ones that it says to be wrong
-  int unexplained_wrong = 0;  ///< the wrong ones of these
+  int of = 0;
+  int unexplained = 0;  ///< not as predicted
+  [[nodiscard]] bool nearly_all() const { return unexplained <= of / kOneIn; }
+  void add(bool explained) { of += 1, unexplained += !explained; }
 };
 
-Tally count(const Prediction& prediction, const Examined& examined) {
-  const Allowance allowance = allowance_of(examined.abilities.tolerance);
-  Tally out;
+bool is_as_told(const Contact<double>& given, const Told& told, const Abilities& abilities) {
+  return severity_of(miss_between(given, told, abilities), allowance_of(abilities.tolerance)) <= 1;
+}
+
+/// All answers, and the wrong ones by themselves.
+bool explains(const Prediction& prediction, const Examined& examined, bool without_exception) {
+  Tally all, wrong;
   for (std::size_t i = 0; i < prediction.size(); ++i) {
     const Reply& reply = examined.replies[i];
     if (!reply.answered || !prediction[i]) continue;
-    const bool as_told = severity_of(miss_between(reply.contact, *prediction[i], examined.abilities), allowance) <= 1;
-    out.answers += 1;
-    out.wrong += !reply.right;
-    out.explained_wrong += as_told && !reply.right;
-    out.unexplained += !as_told;
-    out.unexplained_wrong += !as_told && !reply.right;
+    const bool explained = is_as_told(reply.contact, *prediction[i], examined.abilities);
+    all.add(explained);
+    if (!reply.right) wrong.add(explained);
   }
-  return out;
+  return without_exception ? all.unexplained == 0 : all.nearly_all() && wrong.nearly_all();
 }
 
-/// A solver behind the adapter may be wrong as well, now and then. One wrong answer alone proves no mistake.
-bool explains(const Prediction& prediction, const Examined& examined) {
-  const int one_in = 8, fewest = 2;
-  const Tally tally = count(prediction, examined);
-  return tally.explained_wrong >= fewest && tally.unexplained_wrong <= tally.wrong / one_in &&
-         tally.unexplained <= tally.answers / one_in;
+/// Whether a reply can tell two predictions apart: where it is a bare verdict, by that alone.
+bool tells_apart(const Reply& reply, const Told& one, const Told& other, const Abilities& abilities) {
+  if (is_bare_verdict(reply.contact, abilities)) return one.contact.verdict != other.contact.verdict;
+  return !is_as_told(one.contact, other, abilities);
+}
+
+/// Whether the answers show what a prediction has and another one has not.
+bool shows(const Prediction& prediction, const Prediction& without, const Examined& examined) {
+  Tally there;
+  for (std::size_t i = 0; i < prediction.size(); ++i) {
+    const Reply& reply = examined.replies[i];
+    if (!reply.answered || !prediction[i]) continue;
+    if (!without[i] || tells_apart(reply, *prediction[i], *without[i], examined.abilities))
+      there.add(is_as_told(reply.contact, *prediction[i], examined.abilities));
+  }
+  return there.nearly_all() && there.of - there.unexplained >= kFewest;
 }
 
 bool has_names(const Explanation& explanation, std::string_view first, std::string_view second) {
@@ -82,14 +99,15 @@ void prefer_without_figure(std::vector<Explanation>& found) {
 
 class Search {
  public:
-  explicit Search(const Examined& examined) : examined_(examined) {
+  explicit Search(const Examined& examined) : examined_(examined), truth_(predict({}, examined)) {
     for (const Mistake& mistake : mistakes()) predictions_.push_back(predict(mistake, examined));
   }
 
   [[nodiscard]] std::vector<Explanation> singles() const {
     std::vector<Explanation> out;
     for (std::size_t i = 0; i < predictions_.size(); ++i)
-      if (explains(predictions_[i], examined_)) add(out, {&mistakes()[i]});
+      if (explains(predictions_[i], examined_, false) && shows(predictions_[i], truth_, examined_))
+        add(out, {&mistakes()[i]});
     prefer_without_figure(out);
     return out;
   }
@@ -98,8 +116,8 @@ class Search {
   [[nodiscard]] std::vector<Explanation> doubles() const {
     std::vector<Explanation> out;
     for (std::size_t i = 0; i < predictions_.size(); ++i)
-      for (const Mistake& second : mistakes())
-        if (second.misread == nullptr && second.name != mistakes()[i].name) try_double(out, i, second);
+      for (std::size_t k = 0; k < predictions_.size(); ++k)
+        if (mistakes()[k].misread == nullptr && mistakes()[k].name != mistakes()[i].name) try_double(out, i, k);
     prefer_without_figure(out);
     return out;
   }
@@ -112,13 +130,16 @@ class Search {
     if (!known) out.push_back(one);
   }
 
-  void try_double(std::vector<Explanation>& out, std::size_t first, const Mistake& second) const {
+  void try_double(std::vector<Explanation>& out, std::size_t first, std::size_t second) const {
     Prediction both = predictions_[first];
-    tell(both, second, examined_);
-    if (explains(both, examined_)) add(out, {&mistakes()[first], &second});
+    tell(both, mistakes()[second], examined_);
+    if (explains(both, examined_, true) && shows(both, truth_, examined_) &&
+        shows(both, predictions_[first], examined_) && shows(both, predictions_[second], examined_))
+      add(out, {&mistakes()[first], &mistakes()[second]});
   }
 
   const Examined& examined_;
+  Prediction truth_;
   std::vector<Prediction> predictions_;
 };
 

@@ -45,7 +45,8 @@ std::vector<Question> spheres() {
   return {question("two equal spheres", Kind::spheres, first, second),
           question("two spheres", Kind::spheres, sphere(1.5, at1, 0), sphere(0.6, beside(at1, 1.8), 1)),
           question("two equal spheres, turned", Kind::spheres, sphere(0.7, at2, 2), sphere(0.7, beside(at2, -1.2), 3)),
-          question("two spheres apart", Kind::spheres, sphere(0.8, at3, 4), sphere(1.3, beside(at3, -2.5), 5))};
+          question("two spheres apart", Kind::spheres, sphere(0.8, at3, 4), sphere(1.3, beside(at3, -2.5), 5)),
+          question("two equal spheres apart", Kind::spheres, sphere(1, at1, 3), sphere(1, beside(at1, 2.25), 2))};
 }
 
 /// No semi-axis of a pair is twice another: a body twice as large is no body turned.
@@ -144,8 +145,8 @@ std::vector<Question> all_questions() {
   const std::vector<Question> smooth = ellipsoids(), other = superellipsoids();
   out.insert(out.end(), smooth.begin(), smooth.end());
   append_variations(out, smooth[1]);
-  out.push_back(with_long_quaternions(smooth[0]));
-  out.push_back(with_long_quaternions(smooth[2]));
+  out.push_back(with_long_quaternions(smooth[1]));
+  out.push_back(with_long_quaternions(smooth[3]));
   out.insert(out.end(), other.begin(), other.end());
   return out;
 }

@@ -23,10 +23,6 @@ double points_miss(const Contact<double>& given, const Contact<double>& told, co
                           : (given.contact_point - told.contact_point).norm();
 }
 
-bool is_bare_verdict(const Contact<double>& given, const Abilities& abilities) {
-  return abilities.apart != Apart::distance && given.verdict == Verdict::separated && !std::isfinite(given.overlap);
-}
-
 /// Of bodies that are certified to overlap nothing but the unclaimed fields is taken away: it may say by mistake that they are apart.
 Contact<double> claimed_of(const Abilities& abilities, const Question& question, Contact<double> answer) {
   Abilities claims = abilities;
@@ -44,6 +40,10 @@ double median(std::vector<double> values, double without) {
 
 }  // namespace
 
+bool is_bare_verdict(const Contact<double>& given, const Abilities& abilities) {
+  return abilities.apart != Apart::distance && given.verdict == Verdict::separated && !std::isfinite(given.overlap);
+}
+
 double distance_to_segment(const Vector& x, const Vector& a, const Vector& b) {
   const Vector d = b - a;
   const double square = d.squaredNorm(), share = square > 0 ? std::clamp((x - a).dot(d) / square, 0.0, 1.0) : 0;
@@ -57,10 +57,10 @@ Miss worse(const Miss& a, const Miss& b) {
 
 Allowance allowance_of(double tolerance) {
   // The coarsest levels that people ask for: 1 degree, 1e-3 of the size. Points move by the normal's turn times a radius of
-  // curvature, which is below twice the size in the questions.
-  const double degree = std::numbers::pi / 180, depth = 1e-3, most_curvature_radius = 2;
-  const double turn = 2 * std::sqrt(2 * tolerance);
-  return {std::max(depth, 2 * tolerance), std::max(degree, turn), most_curvature_radius * std::max(degree, turn)};
+  // curvature, which is below twice the size in the questions. Above the most, mistakes would pass.
+  const double degree = std::numbers::pi / 180, depth = 1e-3, curvature_radius = 2, most_depth = 1e-2, most = 0.1;
+  const double turn = std::clamp(std::sqrt(2 * tolerance), degree, most);
+  return {std::clamp(2 * tolerance, depth, most_depth), turn, std::min(curvature_radius * turn, most)};
 }
 
 double severity_of(const Miss& miss, const Allowance& allowance) {

@@ -32,10 +32,13 @@ struct Allowance {
 
 [[nodiscard]] Miss miss_between(const Contact<double>& given, const Told& told, const Abilities& abilities);
 
+/// Says apart and no more.
+[[nodiscard]] bool is_bare_verdict(const Contact<double>& given, const Abilities& abilities);
+
 struct Reply {
+  Contact<double> contact;  ///< what it claims of the answer
   Contact<double> raw;      ///< as it came
   bool answered = false;    ///< converged, or says apart where that is all that it claims
-  Contact<double> contact;  ///< what it claims of it
   Miss miss;                ///< from the truth
   bool right = false;
 };
