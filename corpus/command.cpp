@@ -52,28 +52,37 @@ int run_command(CommandLine& app, int argc, char** argv, const std::function<int
   }
 }
 
-CommandOption* declare_solver(CommandLine& app, ForeignOption& option, const std::string& help) {
+void declare_solver(CommandLine& app, ForeignOption& option, const std::string& help, const CommandOption* excluded) {
   auto* solver = app.add_option("--solver", option.libraries, help)->one_each();
+  auto* command = app.add_option("--solver-command", option.commands,
+                                 "the same, 'PROGRAM ARGS': JSON lines over its standard input and output")
+                      ->one_each();
+  if (excluded != nullptr) solver->excludes(excluded), command->excludes(excluded);
   app.add_option("--solver-limit", option.limits.seconds,
                  "seconds of processor time for an answer of a foreign solver; sleeping, six times that")
-      ->needs(solver)
       ->check(refuse_seconds)
       ->capture_default_str();
   app.add_option("--solver-memory", option.limits.gibibytes, "GiB of memory that its process may take")
-      ->needs(solver)
       ->check(refuse_seconds)
       ->capture_default_str();
-  return solver;
 }
+
+namespace {
+
+/// Results are kept by name.
+void add_solver(std::vector<Solver>& to, Solver solver) {
+  for (const Solver& other : to)
+    if (other.name == solver.name)
+      throw InputFailure("plumb", 0, solver.option.substr(1), "is called " + solver.name + ", as another is");
+  to.push_back(std::move(solver));
+}
+
+}  // namespace
 
 std::vector<Solver> load_solvers(const ForeignOption& foreign) {
   std::vector<Solver> out;
-  for (const std::string& library : foreign.libraries) {
-    Solver solver = load_solver(library, foreign.limits);
-    const auto same = std::find_if(out.begin(), out.end(), [&](const Solver& s) { return s.name == solver.name; });
-    if (same != out.end()) throw InputFailure("--solver", 0, library, "is called " + solver.name + ", as another is");
-    out.push_back(std::move(solver));
-  }
+  for (const std::string& library : foreign.libraries) add_solver(out, load_solver(library, foreign.limits));
+  for (const std::string& command : foreign.commands) add_solver(out, load_solver_command(command, foreign.limits));
   return out;
 }
 
@@ -82,7 +91,7 @@ std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::st
   if (foreign.empty() && method.empty()) return std::nullopt;
   const std::vector<Solver> solvers = foreign.empty() ? find_solvers(method) : load_solvers(foreign);
   if (solvers.size() == 1) return solvers.front();
-  if (!foreign.empty()) throw InputFailure("--solver", 0, foreign.libraries[1], command + " takes one solver");
+  if (!foreign.empty()) throw InputFailure("--solver", 0, solvers[1].name, command + " takes one solver");
   throw InputFailure("--method", 0, method, command + " takes one method");
 }
 

@@ -13,15 +13,16 @@ namespace plumb {
 
 struct Case;
 
-/// --solver, any number of times, --solver-limit and --solver-memory.
+/// --solver and --solver-command, any number of either, --solver-limit and --solver-memory.
 struct ForeignOption {
-  std::vector<std::string> libraries;
+  std::vector<std::string> libraries, commands;
   SolverLimits limits;
 
-  [[nodiscard]] bool empty() const { return libraries.empty(); }
+  [[nodiscard]] bool empty() const { return libraries.empty() && commands.empty(); }
 };
-/// The option --solver, for what excludes it.
-CommandOption* declare_solver(CommandLine& app, ForeignOption& option, const std::string& help);
+/// `excluded`: what cannot stand beside one of them, or null.
+void declare_solver(CommandLine& app, ForeignOption& option, const std::string& help,
+                    const CommandOption* excluded = nullptr);
 /// All that were named. Throws InputFailure: also where two of them have one name.
 [[nodiscard]] std::vector<Solver> load_solvers(const ForeignOption& foreign);
 /// The one solver that takes the place of a case's own: the library, else the method of that name; none where neither was named.

@@ -16,7 +16,7 @@ struct Arguments {
 void declare(CommandLine& app, Arguments& args) {
   app.add_option("CASE", args.file, "case file; of a .jsonl each line is shrunk by itself")->required();
   auto* method = app.add_option("--method", args.method, "instead of the method that the case names");
-  declare_solver(app, args.foreign, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
+  declare_solver(app, args.foreign, "the same, a shared library (solver/plumb_solver.h)", method);
   app.add_option("--out", args.out, "write the simplest case to this file");
   app.add_flag("--json", args.json, "one object a case");
 }

@@ -26,7 +26,7 @@ struct Options {
 void declare(CommandLine& app, Options& options) {
   app.add_option("FILE", options.files, "case files whose lines are the steps of a motion, and folders of them");
   auto* methods = app.add_option("--method", options.methods, "NAME,.. or all; default auto");
-  declare_solver(app, options.foreign, "instead, a shared library (solver/plumb_solver.h)")->excludes(methods);
+  declare_solver(app, options.foreign, "instead, a shared library (solver/plumb_solver.h)", methods);
   app.add_option("--cache", options.cache, cache_help);
   app.add_option("--write", options.folder, "write plumb's own motions to this folder, NAME.jsonl each");
   app.add_flag("--list", options.list, "list plumb's own motions");

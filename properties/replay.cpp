@@ -32,7 +32,7 @@ struct Options {
 void declare(CommandLine& app, Options& options) {
   app.add_option("PATH", options.paths, "case files, and folders of them")->required();
   auto* method = app.add_option("--method", options.method, "instead of the method that each case names");
-  declare_solver(app, options.foreign, "the same, a shared library (solver/plumb_solver.h)")->excludes(method);
+  declare_solver(app, options.foreign, "the same, a shared library (solver/plumb_solver.h)", method);
   declare_accuracy(app, options.accuracy);
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");

@@ -18,12 +18,12 @@ using doctor::Question;
 using doctor::Reply;
 
 struct Options {
-  ForeignOption library;
+  ForeignOption foreign;
   bool json = false;
 };
 
 void declare(CommandLine& app, Options& options) {
-  declare_solver(app, options.library, "a shared library that implements solver/plumb_solver.h")->required();
+  declare_solver(app, options.foreign, "a shared library that implements solver/plumb_solver.h");
   app.add_flag("--json", options.json, "one JSON object");
 }
 
@@ -126,8 +126,8 @@ Json diagnosis_json(const Diagnosis& d, const Solver& solver) {
 }
 
 int examine(const Options& options) {
-  const std::optional<Solver> solver = solver_instead(options.library, "", "plumb doctor");
-  if (!solver) return exit_unusable;
+  const std::optional<Solver> solver = solver_instead(options.foreign, "", "plumb doctor");
+  if (!solver) throw InputFailure("plumb doctor", 0, "--solver", "or --solver-command is missing");
   const Diagnosis d = doctor::diagnose(*solver);
   print_line(options.json ? write_json(diagnosis_json(d, *solver)) : diagnosis_text(d, *solver));
   return d.sane ? exit_done : exit_finding;

@@ -12,7 +12,6 @@
 #include "corpus/command.hpp"
 #include "corpus/interrupt.hpp"
 #include "corpus/solver.hpp"
-#include "corpus/solvers/shell_word.hpp"
 #include "reports/stability/rows.hpp"
 
 namespace plumb::reports {
@@ -123,10 +122,10 @@ Json json_of(const StabilityRow& row) {
   return out;
 }
 
-std::string json_lines(const StabilityResults& results, const Options& options) {
+std::string json_lines(const StabilityResults& results, const Options& options, const std::vector<Solver>& foreign) {
   const std::string fewer = options.cases > 0 ? fmt::format(" --cases {}", options.cases) : "";
   std::string who = own_methods(options).empty() ? "" : " --method " + own_methods(options);
-  for (const std::string& library : options.foreign.libraries) who += " --solver " + shell_word(library);
+  for (const Solver& solver : foreign) who += solver.option;
   const std::string command = fmt::format("plumb report-stability {}{} --samples {}{}", fmt::join(options.paths, " "),
                                           who, options.samples, fewer);
   std::string text = write_json({{"kind", "run"}, {"command", command}, {"host", host_json()}}) + "\n";
@@ -197,7 +196,7 @@ int report(const Options& options) {
   for (Arithmetic& arithmetic : of)
     if (arithmetic.name == "double") arithmetic = with_foreign(arithmetic, foreign);
   const StabilityResults results = measure_stability(cases_of(options), methods, of, options.threads);
-  const std::string lines = json_lines(results, options);
+  const std::string lines = json_lines(results, options, foreign);
   if (!options.out.empty()) write_file(options.out, lines);
   if (options.json) {
     print_line(lines.substr(0, lines.size() - 1));
