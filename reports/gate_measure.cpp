@@ -60,7 +60,8 @@ GateRow row_of(const std::string& family, std::size_t solver, const std::vector<
   Samples samples;
   for (const Task& task : tasks) {
     if (task.family != family) continue;
-    const auto& [answer, judgement, nanoseconds] = task.answers[solver];
+    const auto& [answer, judgement, nanoseconds, asked] = task.answers[solver];
+    if (!asked) continue;
     const FindingKind kind = judgement.finding.kind;
     row.judged += judgement.judged || kind != FindingKind::none ? 1 : 0;
     if (kind != FindingKind::none) {

@@ -21,7 +21,7 @@ struct Run {
 /// What a document shows of the kept failures.
 struct Shown {
   std::size_t most_failures = 500;
-  std::optional<Solver> foreign;  ///< who answers for a foreign solver of its name
+  std::vector<Solver> foreign = {};  ///< who answer for foreign solvers of their names
 };
 
 /// What a Run holds and, of its kept failures, some cases, each solved again and held against the reference's bounds.

@@ -62,11 +62,11 @@ Json answer_json(const Pair& pair, const Contact<double>& c, const Reference& re
   return out;
 }
 
-/// By name, each loaded once. Of foreign solvers only the one that is handed over: what a file names is never loaded.
+/// By name, each loaded once. Of foreign solvers only those that are handed over: what a file names is never loaded.
 class Solvers {
  public:
-  explicit Solvers(const std::optional<Solver>& foreign) {
-    if (foreign) found_.emplace(foreign->name, *foreign);
+  explicit Solvers(const std::vector<Solver>& foreign) {
+    for (const Solver& solver : foreign) found_.emplace(solver.name, solver);
   }
   const Solver& find(const std::string& method) {
     const auto known = found_.find(method);

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, precision, stability, study, fem, solver;
+  std::string out, precision, stability, study, fem;
+  ForeignOption foreign;
   std::size_t failures = 500;
 };
 
@@ -37,8 +38,7 @@ void declare(CommandLine& app, Arguments& args) {
   app.add_option("--study", args.study,
                  "what plumb report-study --out left; else the last DIR's study.jsonl, where there is one");
   app.add_option("--fem", args.fem, "what reports/fem/run left; else the last DIR's fem.jsonl, where there is one");
-  app.add_option("--solver", args.solver,
-                 "the shared library of a foreign solver whose failures are to be solved again");
+  declare_solver(app, args.foreign, "the shared library of a foreign solver whose failures are to be solved again");
   app.add_option("--failures", args.failures,
                  "kept cases in the gallery of each run: plumb's own, then each method's most frequent")
       ->capture_default_str()
@@ -68,14 +68,14 @@ fs::path given_or_beside(const std::string& given, const Arguments& args, const 
   return fs::exists(beside) ? beside : fs::path();
 }
 
-std::string command_of(const Arguments& args) {
+std::string command_of(const Arguments& args, const std::vector<Solver>& foreign) {
   std::string out = "plumb report";
   for (const std::string& folder : args.folders) out += " " + shell_word(folder);
   if (!args.precision.empty()) out += " --precision " + shell_word(args.precision);
   if (!args.stability.empty()) out += " --stability " + shell_word(args.stability);
   if (!args.study.empty()) out += " --study " + shell_word(args.study);
   if (!args.fem.empty()) out += " --fem " + shell_word(args.fem);
-  if (!args.solver.empty()) out += " --solver " + shell_word(args.solver);
+  for (const Solver& solver : foreign) out += solver.option;
   if (args.failures != Arguments().failures) out += fmt::format(" --failures {}", args.failures);
   return out + " -o " + shell_word(args.out);
 }
@@ -112,21 +112,22 @@ void name_apart(Json& runs) {
 
 Json document(const Arguments& args, const std::vector<Run>& runs) {
   const BuildInfo build = build_info();
-  Json out{
-      {"format", "plumb/report-1"},
-      {"made",
-       {{"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}, {"command", command_of(args)}}},
-      {"runs", Json::array()},
-      {"comparisons", Json::array()},
-      {"playbacks", Json::array()},
-      {"precision", nullptr},
-      {"stability", nullptr},
-      {"study", nullptr},
-      {"fem", nullptr},
-      {"findings", findings_json()},
-      {"laws", laws_json()}};
-  Shown shown{args.failures, std::nullopt};
-  if (!args.solver.empty()) shown.foreign = load_solver(args.solver);
+  const Shown shown{args.failures, load_solvers(args.foreign)};
+  Json out{{"format", "plumb/report-1"},
+           {"made",
+            {{"commit", build.commit},
+             {"compiler", build.compiler},
+             {"flags", build.flags},
+             {"command", command_of(args, shown.foreign)}}},
+           {"runs", Json::array()},
+           {"comparisons", Json::array()},
+           {"playbacks", Json::array()},
+           {"precision", nullptr},
+           {"stability", nullptr},
+           {"study", nullptr},
+           {"fem", nullptr},
+           {"findings", findings_json()},
+           {"laws", laws_json()}};
   for (const Run& run : runs) out["runs"].push_back(run_json(run, shown));
   for (const std::string& folder : args.folders)
     if (holds_playback(folder)) out["playbacks"].push_back(playback_json(folder));
