@@ -38,20 +38,20 @@ inline Vector operator-(const Vector& v) {
 inline Vector operator*(double factor, const Vector& v) {
   return {factor * v[0], factor * v[1], factor * v[2]};
 }
-inline double dot(const Vector& v, const Vector& w) {
+[[nodiscard]] inline double dot(const Vector& v, const Vector& w) {
   return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
 }
-inline Vector cross(const Vector& v, const Vector& w) {
+[[nodiscard]] inline Vector cross(const Vector& v, const Vector& w) {
   return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
 }
 inline Vector operator*(const Matrix& m, const Vector& v) {
   return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
 /// m' v.
-inline Vector transposed(const Matrix& m, const Vector& v) {
+[[nodiscard]] inline Vector transposed(const Matrix& m, const Vector& v) {
   return v[0] * m[0] + v[1] * m[1] + v[2] * m[2];
 }
-inline bool is_finite(const Vector& v) {
+[[nodiscard]] inline bool is_finite(const Vector& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
@@ -122,13 +122,13 @@ inline Vector over(const Vector& v, const Vector& w) {
 }  // namespace detail
 
 /// v / |v|, of any length but 0 (NaN).
-inline Vector normalised(const Vector& v) {
+[[nodiscard]] inline Vector normalised(const Vector& v) {
   const Vector scaled = detail::unit_scaled(v);
   return (1 / std::sqrt(dot(scaled, scaled))) * scaled;
 }
 
 /// Of a quaternion (w, x, y, z) of any length but 0, and from body axes to the world's.
-inline Matrix rotation(const std::array<double, 4>& quaternion) {
+[[nodiscard]] inline Matrix rotation(const std::array<double, 4>& quaternion) {
   const std::array<double, 4> q = detail::unit_scaled(quaternion);
   const double w = q[0], x = q[1], y = q[2], z = q[3];
   const double s = 2 / (w * w + x * x + y * y + z * z);
@@ -159,13 +159,13 @@ struct Body {
   Matrix axes;                       ///< from body axes to the frame's
   std::array<double, 4> quaternion;  ///< unit
 
-  Vector to_frame(const Vector& x) const { return axes * x + centre; }
-  Vector to_body(const Vector& x) const { return transposed(axes, x - centre); }
+  [[nodiscard]] Vector to_frame(const Vector& x) const { return axes * x + centre; }
+  [[nodiscard]] Vector to_body(const Vector& x) const { return transposed(axes, x - centre); }
 
-  bool is_ellipsoid() const { return n1 == 2 && n2 == 2; }
+  [[nodiscard]] bool is_ellipsoid() const { return n1 == 2 && n2 == 2; }
 
   /// Body axes, u of any length.
-  Support support_in_body(const Vector& u) const {
+  [[nodiscard]] Support support_in_body(const Vector& u) const {
     const Vector along = detail::unit_scaled(u);
     const double length = std::sqrt(dot(along, along));
     if (!(length > 0)) return {0, {0, 0, 0}};
@@ -173,30 +173,30 @@ struct Body {
     return {found.value / length, detail::times(semi_axes, found.gradient)};
   }
   /// Frame axes; the height is above the frame's origin.
-  Support support(const Vector& u) const {
+  [[nodiscard]] Support support(const Vector& u) const {
     const Support found = support_in_body(transposed(axes, u));
     const Vector point = to_frame(found.point);
     return {found.height + dot(normalised(u), centre), point};
   }
   /// Body axes, as x is.
-  Gauge gauge_in_body(const Vector& x) const {
+  [[nodiscard]] Gauge gauge_in_body(const Vector& x) const {
     const detail::Nested found = detail::nested(detail::over(x, semi_axes), n1, n2, false);
     return {found.value, detail::over(found.gradient, semi_axes)};
   }
   /// Frame axes.
-  Gauge gauge(const Vector& x) const {
+  [[nodiscard]] Gauge gauge(const Vector& x) const {
     const Gauge found = gauge_in_body(to_body(x));
     return {found.value, axes * found.gradient};
   }
   /// The least box along the frame's axes.
-  Box box() const {
+  [[nodiscard]] Box box() const {
     const Vector half{support_in_body(axes[0]).height, support_in_body(axes[1]).height,
                       support_in_body(axes[2]).height};
     return {centre - half, centre + half};
   }
   /// `count` points of the surface in body axes, for solvers that take hulls: on rays that are spread evenly over the sphere
   /// (a spiral that turns by the golden angle), stretched by the semi-axes.
-  std::vector<Vector> points(int count) const {
+  [[nodiscard]] std::vector<Vector> points(int count) const {
     const double golden_angle = std::acos(-1.0) * (3 - std::sqrt(5.0));
     std::vector<Vector> out;
     for (int i = 0; i < count; ++i) {
@@ -225,8 +225,8 @@ struct Frame {
         bodies{placed(pair.bodies[0], {0, 0, 0}), placed(pair.bodies[1], to_centre(pair))} {}
 
   /// The longest semi-axis, in [1, 2).
-  double size() const { return std::max(longest(bodies[0].semi_axes), longest(bodies[1].semi_axes)); }
-  Vector to_world(const Vector& x) const { return detail::scaled(x, exponent) + origin; }
+  [[nodiscard]] double size() const { return std::max(longest(bodies[0].semi_axes), longest(bodies[1].semi_axes)); }
+  [[nodiscard]] Vector to_world(const Vector& x) const { return detail::scaled(x, exponent) + origin; }
 
   /// Two points, and the one midway.
   void write(const Answer& answer, plumb_contact& contact) const {
@@ -261,13 +261,13 @@ struct Frame {
   }
   // A large unit is divided out before the subtraction, a small one after it: huge positions of opposite signs have no
   // difference before, and small ones lose no bit.
-  Vector to_centre(const plumb_pair& pair) const {
+  [[nodiscard]] Vector to_centre(const plumb_pair& pair) const {
     const int before = std::max(exponent, 0);
     const Vector from = detail::scaled(vector(pair.bodies[0].position), -before);
     const Vector to = detail::scaled(vector(pair.bodies[1].position), -before);
     return detail::scaled(to - from, before - exponent);
   }
-  Body placed(const plumb_body& body, const Vector& centre) const {
+  [[nodiscard]] Body placed(const plumb_body& body, const Vector& centre) const {
     const double* q = body.quaternion_wxyz;
     std::array<double, 4> unit = detail::unit_scaled(std::array<double, 4>{q[0], q[1], q[2], q[3]});
     const double length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2] + unit[3] * unit[3]);
@@ -279,7 +279,7 @@ struct Frame {
 };
 
 /// Whether the numbers are those of a body.
-inline bool is_legal(const plumb_body& body) {
+[[nodiscard]] inline bool is_legal(const plumb_body& body) {
   double sum = 0, quaternion = 0;
   for (const double x : body.semi_axes) sum += x > 0 ? 0 * x : std::numeric_limits<double>::quiet_NaN();
   for (const double x : body.exponents) sum += x > 1 ? 0 * x : std::numeric_limits<double>::quiet_NaN();
@@ -289,7 +289,7 @@ inline bool is_legal(const plumb_body& body) {
 }
 
 /// Whether a body's shape is among those claimed.
-inline bool is_claimed(const plumb_body& body, const plumb_abilities& abilities) {
+[[nodiscard]] inline bool is_claimed(const plumb_body& body, const plumb_abilities& abilities) {
   const double *a = body.semi_axes, *n = body.exponents;
   if (abilities.shapes == PLUMB_SUPERELLIPSOIDS)
     return std::min(n[0], n[1]) >= abilities.exponents[0] && std::max(n[0], n[1]) <= abilities.exponents[1];
@@ -298,7 +298,7 @@ inline bool is_claimed(const plumb_body& body, const plumb_abilities& abilities)
 
 /// What plumb_solver_solve returns: the pair is refused, or put to solve(frame, contact).
 template <class Claim, class Solve>
-int run(Claim claim, Solve solve, const plumb_pair& pair, plumb_contact& contact) {
+[[nodiscard]] int run(Claim claim, Solve solve, const plumb_pair& pair, plumb_contact& contact) {
   plumb_abilities abilities{};
   abilities.exponents[0] = 1;
   abilities.exponents[1] = std::numeric_limits<double>::infinity();

@@ -24,7 +24,7 @@ void claim(plumb_abilities& abilities) {
 }
 
 // Both surfaces, and the sum of the normals across the line of centres: along it the sum is then 0 too, or the normals mirrored.
-constexpr int kUnknowns = 6, kEquations = 4;
+constexpr std::size_t kUnknowns = 6, kEquations = 4;
 using Unknowns = std::array<double, kUnknowns>;
 using Residuals = std::array<double, kEquations>;
 
@@ -33,7 +33,7 @@ struct Search {
   Vector across1, across2;
 };
 
-Vector point(const double* x, int body) {
+Vector point(const double* x, std::size_t body) {
   return {x[3 * body], x[3 * body + 1], x[3 * body + 2]};
 }
 
@@ -62,27 +62,31 @@ Bool constraints(Index, Number* x, Bool, Index, Number* values, UserDataPtr data
 }
 
 // Dense, by rows; by central differences, good to about 1e-10.
+// NOLINTNEXTLINE(readability-function-size): Ipopt's signature, as the next
 Bool jacobian(Index, Number* x, Bool, Index, Index, Index* rows, Index* columns, Number* values, UserDataPtr data) {
   constexpr double step = 6e-6;  // the cube root of rounding
-  for (int i = 0; i < kUnknowns; ++i) {
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
     if (values == nullptr) {
-      for (int j = 0; j < kEquations; ++j) rows[j * kUnknowns + i] = j, columns[j * kUnknowns + i] = i;
+      for (std::size_t j = 0; j < kEquations; ++j) {
+        rows[j * kUnknowns + i] = static_cast<Index>(j);
+        columns[j * kUnknowns + i] = static_cast<Index>(i);
+      }
       continue;
     }
     Unknowns before, after;
     std::copy_n(x, kUnknowns, before.begin());
     after = before;
-    before[static_cast<std::size_t>(i)] -= step;
-    after[static_cast<std::size_t>(i)] += step;
+    before[i] -= step;
+    after[i] += step;
     const Residuals low = equations(*static_cast<const Search*>(data), before.data());
     const Residuals high = equations(*static_cast<const Search*>(data), after.data());
-    for (int j = 0; j < kEquations; ++j)
-      values[j * kUnknowns + i] = (high[static_cast<std::size_t>(j)] - low[static_cast<std::size_t>(j)]) / (2 * step);
+    for (std::size_t j = 0; j < kEquations; ++j) values[j * kUnknowns + i] = (high[j] - low[j]) / (2 * step);
   }
   return TRUE;
 }
 
 // Not asked for with limited memory.
+// NOLINTNEXTLINE(readability-function-size)
 Bool hessian(Index, Number*, Bool, Number, Index, Number*, Bool, Index, Index*, Index*, Number*, UserDataPtr) {
   return FALSE;
 }
@@ -125,6 +129,7 @@ void solve(const Frame& frame, plumb_contact& contact) {
   if (ended != Solve_Succeeded) return;
   const Vector point1 = point(x.data(), 0), point2 = point(x.data(), 1);
   const Vector normal = normalised(frame.bodies[0].gauge(point1).gradient);
+  if (dot(normal, frame.bodies[1].gauge(point2).gradient) > 0) return;  // the mirrored normals
   frame.write({dot(point1 - point2, normal), normal, point1, point2}, contact);
 }
 

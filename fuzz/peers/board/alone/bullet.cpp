@@ -16,14 +16,14 @@ struct Ball final : btConvexInternalShape {
     m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;
     m_collisionMargin = 0;
   }
-  btVector3 localGetSupportingVertexWithoutMargin(const btVector3& u) const override {
+  [[nodiscard]] btVector3 localGetSupportingVertexWithoutMargin(const btVector3& u) const override {
     return u.length2() > 0 ? btVector3(radius / u.length() * u) : btVector3(0, 0, 0);
   }
   void batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector3* u, btVector3* x, int count) const override {
     for (int i = 0; i < count; ++i) x[i] = localGetSupportingVertexWithoutMargin(u[i]);
   }
   void calculateLocalInertia(btScalar, btVector3& inertia) const override { inertia.setZero(); }
-  const char* getName() const override { return "Ball"; }
+  [[nodiscard]] const char* getName() const override { return "Ball"; }
 
   btScalar radius;
 };
