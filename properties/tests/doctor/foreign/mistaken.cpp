@@ -153,6 +153,10 @@ const std::map<std::string_view, std::function<void(Answer&, const Pair&)>> kAns
     {"depth_negative", [](Answer& a, const Pair&) { a.overlap = -a.overlap; }},
     {"depth_negative_and_verdict", [](Answer& a, const Pair&) { a.verdict = verdict_by_sign(a.overlap = -a.overlap); }},
     {"distance_positive", [](Answer& a, const Pair&) { a.overlap = std::abs(a.overlap); }},
+    {"distance_positive_once",
+     [](Answer& a, const Pair& p) {
+       if (p.body1.shape.semi_axes[0] < p.body2.shape.semi_axes[0]) a.overlap = std::abs(a.overlap);
+     }},
     {"overlap_half", [](Answer& a, const Pair&) { a.overlap /= 2; }},
     {"overlap_in_millimetres", [](Answer& a, const Pair&) { a.overlap *= 1000; }},
     {"all_in_millimetres", [](Answer& a, const Pair&) { scale(a, 1000); }},
