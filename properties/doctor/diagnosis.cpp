@@ -203,11 +203,11 @@ bool is_wrong_for_no_known_reason(Diagnosis& d, const Solver&) {
     const int given = count(d, [&](const Question& q, const Reply& r) { return q.kind == kind && r.answered; });
     const int right = count(d, [&](const Question& q, const Reply& r) { return q.kind == kind && r.right; });
     if (given > 0)
-      shares += fmt::format("{}{} of {} pairs of {}", shares.empty() ? "" : ", ", right, given, name(kind));
+      shares += fmt::format("{}{} of {}{} of {}", shares.empty() ? "" : ", ", right, given,
+                            shares.empty() ? " pairs" : "", name(kind));
   }
   find_evidence(d, is_wrong);
-  d.said.sentence = fmt::format("Right on {}, and no usual mistake explains the others; the simplest wrong one: {}.",
-                                shares, d.questions[*d.evidence].words);
+  d.said.sentence = fmt::format("Right on {}; no usual mistake explains the others.", shares);
   return true;
 }
 
