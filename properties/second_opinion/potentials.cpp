@@ -77,7 +77,9 @@ std::optional<Quad> way_out(const Body<Quad>& body, const Vec<Quad>& x, const Ve
 std::optional<Minimum> deepest_points(const Pair<Quad>& pair) {
   const auto first = only_minimum(pair, Question::deepest_of_first),
              second = only_minimum(pair, Question::deepest_of_second);
-  if (!first || !second) return std::nullopt;
+  // Where faces lie flat upon each other no single point is the deepest.
+  const double flat = 1e-14;
+  if (!first || !second || std::max(first->loose, second->loose) > flat) return std::nullopt;
   const Vec<Quad> d = first->point1 - second->point1;
   const bool inside = pair.second.gauge(first->point1 - pair.apart).value < 1;
   const Quad overlap = (inside ? 1 : -1) * length(d);

@@ -1,0 +1,10 @@
+# The program that these tests ask. Where it cannot be built nothing is said, and a test says that.
+if(TARGET second-opinion)
+  add_dependencies(test_second_opinion second-opinion)
+else()
+  target_compile_definitions(test_second_opinion PRIVATE PLUMB_NO_SECOND_OPINION)
+endif()
+target_link_libraries(test_second_opinion PRIVATE fmt::fmt)
+if(TARGET peers)
+  add_dependencies(test_second_opinion peers)
+endif()
