@@ -34,10 +34,13 @@ bool is_right(const Question&, const Reply& reply) {
   return reply.right;
 }
 
+/// The first that fits, which some do.
 template <class Fits>
-void find_evidence(Diagnosis& d, const Fits& fits) {
-  for (std::size_t i = 0; i < d.replies.size() && !d.evidence; ++i)
-    if (fits(d.questions[i], d.replies[i])) d.evidence = i;
+const Reply& find_evidence(Diagnosis& d, const Fits& fits) {
+  std::size_t i = 0;
+  while (i + 1 < d.replies.size() && !fits(d.questions[i], d.replies[i])) ++i;
+  d.evidence = i;
+  return d.replies[i];
 }
 
 void name_mistake(Diagnosis& d, std::string_view word, std::string sentence) {
@@ -89,8 +92,7 @@ bool leaves_out(Diagnosis& d, const Solver& solver) {
   };
   const int lacking = count(d, lacks);
   if (lacking == 0) return false;
-  find_evidence(d, lacks);
-  const std::string what = missing_words(solver.abilities, d.replies[*d.evidence].contact);
+  const std::string what = missing_words(solver.abilities, find_evidence(d, lacks).contact);
   name_mistake(
       d, "not_finite",
       fmt::format("In {} of {} answers {} is NaN or infinite: fill it, or say in plumb_solver_abilities that it "

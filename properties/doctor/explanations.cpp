@@ -22,7 +22,7 @@ std::optional<Told> first_told(const Mistake& mistake, const Question& question,
 void tell(Prediction& prediction, const Mistake& mistake, const Examined& examined) {
   if (mistake.mistell == nullptr) return;
   for (std::size_t i = 0; i < prediction.size(); ++i)
-    if (prediction[i]) mistake.mistell(*prediction[i], examined.questions[i].pair, examined.fit);
+    if (auto& told = prediction[i]) mistake.mistell(*told, examined.questions[i].pair, examined.fit);
 }
 
 Prediction predict(const Mistake& mistake, const Examined& examined) {
@@ -56,8 +56,9 @@ bool explains(const Prediction& prediction, const Examined& examined, bool witho
   Tally all, wrong;
   for (std::size_t i = 0; i < prediction.size(); ++i) {
     const Reply& reply = examined.replies[i];
-    if (!reply.answered || !prediction[i]) continue;
-    const bool explained = is_as_told(reply.contact, *prediction[i], examined.abilities);
+    const auto& told = prediction[i];
+    if (!reply.answered || !told) continue;
+    const bool explained = is_as_told(reply.contact, *told, examined.abilities);
     all.add(explained);
     if (!reply.right) wrong.add(explained);
   }
@@ -75,9 +76,10 @@ bool shows(const Prediction& prediction, const Prediction& without, const Examin
   Tally there;
   for (std::size_t i = 0; i < prediction.size(); ++i) {
     const Reply& reply = examined.replies[i];
-    if (!reply.answered || !prediction[i]) continue;
-    if (!without[i] || tells_apart(reply, *prediction[i], *without[i], examined.abilities))
-      there.add(is_as_told(reply.contact, *prediction[i], examined.abilities));
+    const auto &told = prediction[i], &other = without[i];
+    if (!reply.answered || !told) continue;
+    if (!other || tells_apart(reply, *told, *other, examined.abilities))
+      there.add(is_as_told(reply.contact, *told, examined.abilities));
   }
   return there.nearly_all() && there.of - there.unexplained >= kFewest;
 }

@@ -244,7 +244,7 @@ TEST_F(Doctor, OneWrongAnswerProvesNoMistake) {
   const Diagnosis d = examine("distance_positive_once", "spheres");
   EXPECT_FALSE(d.sane);
   EXPECT_NE(d.said.word, "distance_positive") << d.said.sentence;
-  EXPECT_EQ(d.questions.at(d.evidence.value()).words, "two spheres apart");
+  EXPECT_EQ(d.questions.at(d.evidence.value_or(0)).words, "two spheres apart");
 }
 
 TEST_F(Doctor, OneThatIsWrongInNoUsualWayIsToldWhere) {
