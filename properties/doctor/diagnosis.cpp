@@ -69,11 +69,10 @@ bool never_answers(Diagnosis& d, const Solver& solver) {
     name_mistake(d, "status_missing",
                  "The numbers are right and the status never says so: set it to PLUMB_CONVERGED with each answer.");
   else
-    name_mistake(
-        d, "refuses_all",
-        fmt::format("It answers none of the {} pairs that overlap: it returns non-zero, or a status other than "
-                    "PLUMB_CONVERGED.",
-                    asked));
+    name_mistake(d, "refuses_all",
+                 fmt::format("It answers none of the {} pairs that overlap: it returns non-zero, or a status other "
+                             "than PLUMB_CONVERGED.",
+                             asked));
   return true;
 }
 
@@ -95,9 +94,9 @@ bool leaves_out(Diagnosis& d, const Solver& solver) {
   const std::string what = missing_words(solver.abilities, find_evidence(d, lacks).contact);
   name_mistake(
       d, "not_finite",
-      fmt::format("In {} of {} answers {} is NaN or infinite: fill it, or say in plumb_solver_abilities that it "
-                  "has none.",
-                  lacking, d.replies.size(), what));
+      fmt::format(
+          "In {} of {} answers {} is NaN or infinite: fill it, or say in plumb_solver_abilities that it has none.",
+          lacking, d.replies.size(), what));
   return true;
 }
 
@@ -131,13 +130,11 @@ struct Place {
 constexpr Place kPlaces[] = {
     {"quaternion_length",
      "Only where the quaternion's length is not 1 it is wrong or gives no answer: any length but 0 is legal; divide "
-     "the "
-     "quaternion by its length.",
+     "the quaternion by its length.",
      [](const Question& q) { return q.variation == Variation::quaternion; }},
     {"unit",
      "Only where lengths are a thousand times smaller or larger it is wrong or gives no answer: scale the pair to a "
-     "size "
-     "of 1, and the answer back.",
+     "size of 1, and the answer back.",
      [](const Question& q) { return q.variation == Variation::unit; }},
     {"far_from_origin",
      "Only far from the origin it is wrong or gives no answer: subtract body 1's position, and add it to the points.",
@@ -148,8 +145,7 @@ constexpr Place kPlaces[] = {
      [](const Question& q) { return q.kind == Kind::superellipsoids; }},
     {"apart",
      "Only where bodies are apart it is wrong or gives no answer: claim PLUMB_APART_VERDICT or PLUMB_APART_NONE if it "
-     "has "
-     "no distance.",
+     "has no distance.",
      [](const Question& q) { return q.truth.verdict == Verdict::separated; }},
     {"shapes", "It answers spheres alone: claim PLUMB_SPHERES.",
      [](const Question& q) { return q.kind != Kind::spheres; }, true},
@@ -190,11 +186,10 @@ bool is_coarse(Diagnosis& d, const Solver& solver) {
     if (reply.answered) all = worse(all, reply.miss);
   if (count(d, is_wrong) == 0 || refuses_many(d) || severity_of(all, allowance) > most) return false;
   find_evidence(d, is_wrong);
-  name_mistake(
-      d, "coarse",
-      fmt::format("Right but coarse, by up to {:.2g} degrees and {:.2g} of the size: if it knows no better, say so as "
-                  "the tolerance in plumb_solver_abilities.",
-                  all.normal / kDegree, all.overlap));
+  name_mistake(d, "coarse",
+               fmt::format("Right but coarse, by up to {:.2g} degrees and {:.2g} of the size: if it knows no better, "
+                           "say so as the tolerance in plumb_solver_abilities.",
+                           all.normal / kDegree, all.overlap));
   return true;
 }
 
@@ -216,11 +211,10 @@ bool is_wrong_for_no_known_reason(Diagnosis& d, const Solver&) {
 bool answers_too_little(Diagnosis& d, const Solver&) {
   if (!refuses_many(d)) return false;
   find_evidence(d, is_unanswered);
-  name_mistake(
-      d, "refuses_many",
-      fmt::format("It gives no answer to {} of {} pairs that it claims, and is right on the others: claim less, or "
-                  "answer them.",
-                  count(d, is_unanswered), d.replies.size()));
+  name_mistake(d, "refuses_many",
+               fmt::format("It gives no answer to {} of {} pairs that it claims, and is right on the others: claim "
+                           "less, or answer them.",
+                           count(d, is_unanswered), d.replies.size()));
   return true;
 }
 
@@ -293,8 +287,8 @@ void say_that_it_is_sane(Diagnosis& d) {
   for (const Reply& reply : d.replies)
     if (reply.right) d.worst = worse(d.worst, reply.miss);
   d.said.sentence =
-      fmt::format("Sane: right on {} of {} pairs; the normal within {:.2g} degrees, the overlap within {:.2g} and "
-                  "the points within {:.2g} of the size.",
+      fmt::format("Sane: right on {} of {} pairs; the normal within {:.2g} degrees, the overlap within {:.2g} and the "
+                  "points within {:.2g} of the size.",
                   count(d, is_right), d.replies.size(), d.worst.normal / kDegree, d.worst.overlap, d.worst.points);
 }
 

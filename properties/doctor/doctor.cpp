@@ -42,6 +42,7 @@ std::string body_text(const Body& body) {
 }
 
 std::string answer_text(const Contact<double>& answer, const Abilities& abilities) {
+  if (doctor::is_bare_verdict(answer, abilities)) return std::string(name(answer.verdict));
   if (answer.status != Status::converged) return "status " + std::string(name(answer.status));
   std::string out = fmt::format("{}, overlap {:.6g}", name(answer.verdict), answer.overlap);
   if (abilities.normal) out += ", normal " + vector_text(answer.normal);

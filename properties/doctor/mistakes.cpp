@@ -8,23 +8,18 @@
 namespace plumb::doctor {
 namespace {
 
-constexpr std::string_view kNegative =
-    "The overlap has the wrong sign: above 0 the bodies penetrate by that length, below 0 they are that far apart; "
-    "multiply it by -1.";
+constexpr std::string_view kNegative = "The overlap has the wrong sign: above 0 the bodies penetrate by that length, "
+                                       "below 0 they are that far apart; multiply it by -1.";
 constexpr std::string_view kPositive = "The distance of bodies apart comes above 0: the overlap of bodies apart is "
-                                       "minus their distance, and their verdict "
-                                       "separated.";
+                                       "minus their distance, and their verdict separated.";
 constexpr std::string_view kOneFrame = "Normal and points are in body 1's axes and from its position: turn them by "
-                                       "body 1's rotation, and add its position "
-                                       "to the points.";
-constexpr std::string_view kOnePoint =
-    "Both points are the same: points[0] lies on body 1, points[1] on body 2; if there is one alone, claim "
-    "PLUMB_POINTS_MIDWAY.";
+                                       "body 1's rotation, and add its position to the points.";
+constexpr std::string_view kOnePoint = "Both points are the same: points[0] lies on body 1, points[1] on body 2; if "
+                                       "there is one alone, claim PLUMB_POINTS_MIDWAY.";
 constexpr std::string_view kUnit =
     "Lengths come back divided by the larger body's longest semi-axis: multiply them by it again.";
 constexpr std::string_view kOrder = "The quaternion's numbers are read in another order: plumb's is w, x, y, z with "
-                                    "the real part first; many libraries "
-                                    "take x, y, z, w.";
+                                    "the real part first; many libraries take x, y, z, w.";
 constexpr std::string_view kDegrees =
     "Rotations become angles in degrees that are read as radians: convert them, or hand over a quaternion or a matrix.";
 constexpr std::string_view kRadians =
