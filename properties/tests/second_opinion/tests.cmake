@@ -1,10 +1,6 @@
-# The program that these tests ask. Where it cannot be built nothing is said, and a test says that.
-if(TARGET second-opinion)
-  add_dependencies(test_second_opinion second-opinion)
-else()
-  target_compile_definitions(test_second_opinion PRIVATE PLUMB_NO_SECOND_OPINION)
-endif()
+# The program that these tests ask, and solvers to ask it about.
 target_link_libraries(test_second_opinion PRIVATE fmt::fmt)
+add_dependencies(test_second_opinion second-opinion)
 if(TARGET peers)
   add_dependencies(test_second_opinion peers)
 endif()
