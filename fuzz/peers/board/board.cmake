@@ -67,3 +67,9 @@ add_board_peer(dart-fcl dart.cpp "${PLUMB_BOARD_DART};${EIGEN3_INCLUDE_DIRS}" da
 
 add_board_alone(bullet bullet-pair-double "${PLUMB_BOARD_BULLET}")
 add_board_alone(simbody simbody "${PLUMB_BOARD_SIMBODY}")
+
+# The program of the page's table.
+add_executable(board_ellipsoids EXCLUDE_FROM_ALL peers/board/alone/ellipsoids.cpp)
+target_link_libraries(board_ellipsoids PRIVATE plumb_flags ${CMAKE_DL_LIBS})
+set_target_properties(board_ellipsoids PROPERTIES OUTPUT_NAME ellipsoids RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/board)
+add_dependencies(board_peers board_ellipsoids)

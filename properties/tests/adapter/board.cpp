@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Peers, Board, testing::ValuesIn(rows()), [](const auto&
 TEST(BoardFolder, HoldsNoLibraryWithoutARow) {
   if (!fs::exists(folder())) GTEST_SKIP() << "not built: ninja board_peers";
   for (const auto& entry : fs::directory_iterator(folder()))
-    EXPECT_TRUE(entry.is_directory() ||
+    EXPECT_TRUE(entry.path().extension() != ".so" ||
                 std::any_of(rows().begin(), rows().end(),
                             [&](const Row& row) { return row.name == entry.path().stem().string(); }))
         << entry.path();
