@@ -4,7 +4,7 @@ add_custom_target(board_peers)
 
 # add_board_peer(NAME SOURCE INCLUDES LIBRARY..): NAME is what the solver calls itself. One that is not installed is left out.
 function(add_board_peer name source include)
-  if(NOT include)
+  if(include MATCHES "NOTFOUND")
     set(missing "its headers")
   endif()
   foreach(library IN LISTS ARGN)
