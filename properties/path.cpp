@@ -105,8 +105,9 @@ struct Judged {
 
 Judged judge_track(const Track& track, const Solver& solver, PathJudge& judge) {
   const PathEvidence evidence =
-      judge.follow(solver.abilities.problem,
-                   [&](const Pair& pair, const Contact<double>* last) { return solver.solve(pair, Want{}, last); });
+      judge.follow(solver.abilities.problem, [&](const Pair& pair, const Contact<double>* last) {
+        return solver.abilities.claimed(solver.solve(pair, Want{}, last));
+      });
   Judged out{track, solver, judge_path(evidence)};
   for (const PathStep& step : evidence.steps) {
     out.cold_evaluations += step.cold.evaluations;
@@ -150,6 +151,12 @@ void print_judged(const Judged& judged, bool json) {
   flush_output();
 }
 
+/// Whether the solver claims every step: a motion has steps apart, and their verdict at least is to be known.
+bool claims(const Solver& solver, const Track& track) {
+  return solver.abilities.apart != Apart::none &&
+         std::ranges::all_of(track.steps, [&](const Case& step) { return solver.abilities.takes(step.pair); });
+}
+
 /// Whether a solver that is no published baseline has a finding.
 bool follow_track(const Track& track, const std::vector<Solver>& solvers, const ReferenceSource& source, bool json) {
   std::vector<Pair> pairs;
@@ -157,6 +164,7 @@ bool follow_track(const Track& track, const std::vector<Solver>& solvers, const 
   PathJudge judge(pairs, source);
   bool any = false;
   for (const Solver& solver : solvers) {
+    if (!claims(solver, track)) continue;
     const Judged judged = judge_track(track, solver, judge);
     if (interrupted()) return any;  // what is done of it is no track
     print_judged(judged, json);
