@@ -150,15 +150,13 @@ class Certifier {
     conclude(found, verified(found.cover));
   }
 
-  /// In doubles except for powers, and in Interval18 where that takes more digits.
+  /// In doubles, and in Interval18 where that takes more digits: for the witnesses alone, or for all.
   [[nodiscard]] CoverProof verified(const Cover& cover) const {
     const double level = high(value_);
-    if (on_.in_doubles || on_.needs_no_power()) {
-      CoverProof proof = verify_cover<DoubleInterval>(on_.rough_framed, cover, level);
-      if (on_.in_doubles || is_sound(proof)) return proof;
-    }
+    CoverProof proof = verify_cover<DoubleInterval>(on_.rough_framed, cover, level);
+    if (on_.in_doubles || is_sound(proof)) return proof;
     const auto bodies = enclose<Interval18>(pair_);
-    CoverProof proof = verify_cover<DoubleInterval, Interval18>(on_.rough_framed, bodies, cover, level);
+    proof = verify_cover<DoubleInterval, Interval18>(on_.rough_framed, bodies, cover, level);
     if (is_sound(proof)) return proof;
     return verify_cover<Interval18>({bodies, on_.frame}, cover, level);
   }

@@ -2,15 +2,17 @@
 // Boost.Interval's arithmetic with a rounding of our own that needs no machine state, so that neither the compiler nor a
 // thread can break it.
 //
-// Trusted base: IEEE 754 arithmetic to nearest for + - * / and the square root, and a std::pow that is off by less than
-// `pow_error` units in the last place (glibc's stays below 1). What is called a proof leaves powers to interval.hpp, and
-// what verifies a stored one uses nothing else.
+// Trusted base: IEEE 754 arithmetic to nearest for + - * /, the square root and fma; powers come from these (double_power.hpp).
+// What verifies a stored proof uses interval.hpp and nothing else.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <boost/numeric/interval.hpp>
 #include <cmath>
 #include <limits>
 
+#include "solver/reference/double_power.hpp"
 #include "solver/reference/interval.hpp"
 #include "solver/reference/real.hpp"
 
@@ -156,18 +158,18 @@ template <>
   return {mpfr_get_d(x.backend().data(), MPFR_RNDD), mpfr_get_d(x.backend().data(), MPFR_RNDU)};
 }
 
-/// x^e is monotone in x and in e: its extremes over two intervals are at their ends.
+/// e log x is least and greatest at ends of both intervals, and exp grows.
 template <>
 [[nodiscard]] inline DoubleInterval positive_power(const DoubleInterval& x, const DoubleInterval& e) {
-  constexpr double pow_error = 4 * std::numeric_limits<double>::epsilon();
-  double least = OneStepOutward::infinity, greatest = 0;
-  for (const double base : {low(x), high(x)})
-    for (const double exponent : {low(e), high(e)}) {
-      const double at = std::pow(base, exponent);
-      least = std::min(least, OneStepOutward::down(at * (1 - pow_error)));
-      greatest = std::max(greatest, OneStepOutward::up(at * (1 + pow_error)));
-    }
-  return {std::max(least, 0.0), greatest};
+  if (!(high(x) < OneStepOutward::infinity)) return {0, OneStepOutward::infinity};
+  const TwoDoubles from = log_of(low(x)), to = low(x) < high(x) ? log_of(high(x)) : from;
+  const auto is_less = [](const TwoDoubles& a, const TwoDoubles& b) {
+    return a.high < b.high || (a.high == b.high && a.low < b.low);
+  };
+  const std::array<TwoDoubles, 4> products{times(low(e), from), times(low(e), to), times(high(e), from),
+                                           times(high(e), to)};
+  const auto [least, greatest] = std::minmax_element(products.begin(), products.end(), is_less);
+  return {exp_from_below(*least), exp_from_above(*greatest)};
 }
 
 }  // namespace plumb::reference

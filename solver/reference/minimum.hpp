@@ -38,8 +38,8 @@ template <class I, class S>
   return out;
 }
 
-/// A pair in the numbers and intervals of one effort, and in the frame of its cover. The rough intervals prove what needs few
-/// digits and no power; of the rest they say where a proof will succeed.
+/// A pair in the numbers and intervals of one effort, and in the frame of its cover. The rough intervals, of doubles, prove
+/// what needs few digits.
 template <class I, class S>
 struct Setting {
   const PlacedPair<double> rough;
@@ -57,9 +57,6 @@ struct Setting {
         framed(enclosed, frame) {}
 
   static constexpr bool in_doubles = std::is_same_v<I, DoubleInterval>;
-
-  /// A proof may trust the machine's + - * / and square root, not its pow: ellipsoids need none.
-  [[nodiscard]] bool needs_no_power() const { return enclosed.body1.is_ellipsoid() && enclosed.body2.is_ellipsoid(); }
 };
 
 /// A solution, and the region in which it is the only one.
@@ -88,22 +85,74 @@ struct ProvedRegion {
   RegionProof<I> proof;
 };
 
-/// The widest of the tried regions on which the solution is located, or else the widest on which o is convex. C: the
-/// intervals of the curvature, which needs fewer digits than the slope.
+/// The regions about a chart point that are tried, each half as wide as the one before, with the curvature on them. C: its
+/// intervals, which need fewer digits than the slope. A region within a convex one is convex.
 template <class C, class I>
-[[nodiscard]] ProvedRegion<I> region_about(const FramedPair<C>& coarse, const FramedPair<I>& pair,
-                                           const ChartPoint<I>& at, const Slope<I>& slope, double widest) {
-  ProvedRegion<I> best{at.face, {}};
-  Cell region = at.face;
-  region.half = widest;
-  while (region.half > narrowest_region && !best.proof.located) {
-    const I curvature(low(curvature_on<C>(coarse, region)));
-    const RegionProof<I> proof = proof_on<I>(region, curvature, at.v, slope, pair.shortest);
-    if (proof.located || (proof.convex && !best.proof.convex)) best = {region, proof};
-    region.half /= 2;
+class NestedRegions {
+ public:
+  NestedRegions(const FramedPair<C>& coarse, const FramedPair<I>& pair, const ChartPoint<I>& at, const Slope<I>& slope)
+      : coarse_(coarse), pair_(pair), at_(at), slope_(slope) {}
+
+  struct Found {
+    int first_convex = count;  ///< of the regions, `count` where there is none
+    ProvedRegion<I> best;      ///< the widest on which the solution is located, or else the widest on which o is convex
+  };
+
+  static constexpr int count = 47;  ///< the next would be narrower than narrowest_region
+
+  /// `likely`: where the first convex one may be.
+  [[nodiscard]] Found find(int likely) const {
+    Found out = first_convex(std::min(likely, count - 1));
+    if (out.first_convex == count || out.best.proof.located) return out;
+    const double least_radius = least_radius_anywhere();
+    for (int i = out.first_convex + 1; i < count && half(i) > least_radius; ++i)
+      if (ProvedRegion<I> here = at(i); here.proof.located) return {out.first_convex, std::move(here)};
+    return out;
   }
-  return best;
-}
+
+ private:
+  [[nodiscard]] static double half(int i) { return std::ldexp(widest_region, -i); }
+
+  [[nodiscard]] Cell region(int i) const {
+    Cell out = at_.face;
+    out.half = half(i);
+    return out;
+  }
+
+  [[nodiscard]] ProvedRegion<I> at(int i) const {
+    const I curvature(low(curvature_on<C>(coarse_, region(i))));
+    return {region(i), proof_on<I>(region(i), curvature, at_.v, slope_, pair_.shortest)};
+  }
+
+  /// From the likely place in growing steps to where convex ones meet others, and between.
+  [[nodiscard]] Found first_convex(int likely) const {
+    Found out{count, {at_.face, {}}};
+    int below = -1;
+    for (int i = likely, step = 1; out.first_convex - below > 1; step *= 2) {
+      ProvedRegion<I> here = at(i);
+      if (here.proof.convex)
+        out = {i, std::move(here)};
+      else
+        below = i;
+      if (out.first_convex == count)
+        i = std::min(below + step, count - 1);
+      else
+        i = below < 0 ? std::max(i - step, 0) : (below + out.first_convex) / 2;
+    }
+    return out;
+  }
+
+  /// The curvature is nowhere higher than on the narrowest: a region within this of its middle does not locate the solution.
+  [[nodiscard]] double least_radius_anywhere() const {
+    const I curvature(high(highest_curvature_on<C>(coarse_, region(count - 1))));
+    return low(I(I(2.0) * slope_.gradient / curvature));
+  }
+
+  const FramedPair<C>& coarse_;
+  const FramedPair<I>& pair_;
+  const ChartPoint<I>& at_;
+  const Slope<I>& slope_;
+};
 
 /// A solution located in a region is so in a small part about it too, where the curvature bounds its place better.
 template <class C, class I>
@@ -147,13 +196,11 @@ class MinimumLocator {
  private:
   [[nodiscard]] ProvedRegion<I> proved_region(const ChartPoint<I>& at) const {
     const Slope<I> slope = slope_at<I>(on_.framed, at.face.axis, at.v);
-    const auto rough = region_about<DoubleInterval, I>(on_.rough_framed, on_.framed, at, slope, widest_region);
-    const bool is_located = rough.proof.located;
-    if (on_.in_doubles || (on_.needs_no_power() && is_located))
-      return sharpened(rough, on_.rough_framed, on_.framed, at, slope);
-    const double widest = is_located ? rough.region.half : widest_region;
-    const auto fine = region_about<I, I>(on_.framed, on_.framed, at, slope, widest);
-    return sharpened(fine, on_.framed, on_.framed, at, slope);
+    const auto rough = NestedRegions<DoubleInterval, I>(on_.rough_framed, on_.framed, at, slope).find(0);
+    if (on_.in_doubles || rough.best.proof.located)
+      return sharpened(rough.best, on_.rough_framed, on_.framed, at, slope);
+    const auto fine = NestedRegions<I, I>(on_.framed, on_.framed, at, slope).find(rough.first_convex);
+    return sharpened(fine.best, on_.framed, on_.framed, at, slope);
   }
 
   [[nodiscard]] Minimum<I, S> about(const StationaryPoint<S>& found, const Vec3<S>& normal) const {

@@ -55,8 +55,8 @@ enum class Claim { open, proved, disproved };
 
 /// How far a reference goes, each step dearer than the last.
 enum class Effort {
-  bounds,  ///< intervals of doubles: trusts IEEE arithmetic and pow (interval_double.hpp)
-  proof,   ///< intervals of MPFI, and of doubles without pow; a solution of 19 digits
+  bounds,  ///< intervals of doubles: trusts IEEE arithmetic (interval_double.hpp)
+  proof,   ///< the same, and MPFI's where doubles have too few digits; a solution of 19 digits
   digits   ///< the same, a solution of 50 digits
 };
 inline constexpr std::array efforts{Effort::bounds, Effort::proof, Effort::digits};  ///< the cheapest first

@@ -212,23 +212,25 @@ struct LengthHessian {
   }
 };
 
-/// Lower bound of the least eigenvalue of Hess (s - c |F v|) over the box: with the first of the sharp and the rough forms of
-/// the bodies' Hessians that shows it to be positive, or the best.
+/// Which of the sharp and the rough forms of the bodies' Hessians: the first that shows the curvature to be positive, or the best.
+enum class Forms { first, best };
+
+/// Lower bound of the least eigenvalue of Hess (s - c |F v|) over the box.
 template <class I>
-I least_curvature(const FramedPair<I>& framed, const IVec3<I>& box, int axis, const I& c) {
+I least_curvature(const FramedPair<I>& framed, const IVec3<I>& box, int axis, const I& c, Forms forms) {
   const EnclosedBody<I>&body1 = framed.pair.body1, &body2 = framed.pair.body2;
   const IVec3<I> q1 = framed.to_q1 * box, q2 = framed.to_q2 * box;
   const ChartMap<I> map1 = chart_columns<I>(framed.to_q1, axis), map2 = chart_columns<I>(framed.to_q2, axis);
   const LengthHessian<I> length(framed, box, axis, c);
   I best = -length.most;
   const auto consider = [&](const HessianTerms<I>& a, const HessianTerms<I>& b) {
-    if (is_positive(best)) return;
+    if (forms == Forms::first && is_positive(best)) return;
     const I found = least_eigenvalue<I>({a[0], a[1], a[2], b[0], b[1], b[2], length.less}) - length.most;
     if (low(found) > low(best)) best = low_end<I>(found);
   };
   const HessianTerms<I> sharp1 = hessian_terms<I>(body1, q1, map1), sharp2 = hessian_terms<I>(body2, q2, map2);
   consider(sharp1, sharp2);
-  if (is_positive(best)) return best;
+  if (forms == Forms::first && is_positive(best)) return best;
   const HessianTerms<I> rough1 = hessian_floor<I>(body1, q1, map1), rough2 = hessian_floor<I>(body2, q2, map2);
   consider(sharp1, rough2);
   consider(rough1, sharp2);
@@ -291,7 +293,13 @@ I overlap_at(const FramedPair<I>& framed, const IVec3<I>& chart) {
 template <class I>
 I curvature_on(const FramedPair<I>& framed, const Cell& region) {
   const IVec3<I> box = box_of<I>(region, region.half);
-  return least_curvature<I>(framed, box, region.axis, highest_overlap<I>(framed, region, box));
+  return least_curvature<I>(framed, box, region.axis, highest_overlap<I>(framed, region, box), Forms::first);
+}
+
+template <class I>
+I highest_curvature_on(const FramedPair<I>& framed, const Cell& region) {
+  const IVec3<I> box = box_of<I>(region, region.half);
+  return least_curvature<I>(framed, box, region.axis, highest_overlap<I>(framed, region, box), Forms::best);
 }
 
 // d s = (p1 + p2' - c).F dv, p2' the point of body 2 at +n.
@@ -369,6 +377,7 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
   template CoverProof verify_cover(const FramedPair<I>&, const EnclosedPair<I>&, const Cover&, double); \
   template I overlap_at(const FramedPair<I>&, const IVec3<I>&);                                         \
   template I curvature_on(const FramedPair<I>&, const Cell&);                                           \
+  template I highest_curvature_on(const FramedPair<I>&, const Cell&);                                   \
   template OverlapAt<I> support_at(const FramedPair<I>&, const IVec3<I>&);                              \
   template Slope<I> slope_at(const FramedPair<I>&, int, const IVec3<I>&);                               \
   template RegionProof<I> proof_on(const Cell&, const I&, const IVec3<I>&, const Slope<I>&, const I&);  \

@@ -65,6 +65,10 @@ template <class I>
 template <class I>
 [[nodiscard]] I curvature_on(const FramedPair<I>& pair, const Cell& region);
 
+/// By all the forms that curvature_on tries, and so not below what it gives on any region that holds this one.
+template <class I>
+[[nodiscard]] I highest_curvature_on(const FramedPair<I>& pair, const Cell& region);
+
 /// o at a chart point, and what its slopes there take.
 template <class I>
 struct OverlapAt {

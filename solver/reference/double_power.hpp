@@ -1,0 +1,24 @@
+// x^e in doubles with a proved error: from IEEE's + - * /, fma and MPFR's tables alone, so that a proof may use it where the
+// machine's own pow may not be trusted, at the hundredth of the cost of MPFR's exp and log.
+//
+// Errors are derived beside each step; properties/tests/reference/double_power.cpp holds them against MPFR.
+#pragma once
+
+namespace plumb::reference {
+
+/// high + low, |low| at most half a unit in the last place of high.
+struct TwoDoubles {
+  double high = 0, low = 0;
+};
+
+/// log x for a finite x > 0, with a relative error below 2^-64.
+[[nodiscard]] TwoDoubles log_of(double x);
+
+/// e times a logarithm, with the relative error of that (and 2^-100).
+[[nodiscard]] TwoDoubles times(double e, const TwoDoubles& logarithm);
+
+/// Bounds of exp y for a y that is known to a relative error of 2^-63. Beyond |y| = 700 they are far apart, 0 and infinity at worst.
+[[nodiscard]] double exp_from_below(const TwoDoubles& y);
+[[nodiscard]] double exp_from_above(const TwoDoubles& y);
+
+}  // namespace plumb::reference
