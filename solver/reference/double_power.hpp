@@ -11,13 +11,17 @@ struct TwoDoubles {
   double high = 0, low = 0;
 };
 
-/// log x for a finite x > 0, with a relative error below 2^-64.
+[[nodiscard]] inline bool is_less(const TwoDoubles& a, const TwoDoubles& b) {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+
+/// log x for a finite x > 0, with a relative error below 2^-66.
 [[nodiscard]] TwoDoubles log_of(double x);
 
 /// e times a logarithm, with the relative error of that (and 2^-100).
 [[nodiscard]] TwoDoubles times(double e, const TwoDoubles& logarithm);
 
-/// Bounds of exp y for a y that is known to a relative error of 2^-63. Beyond |y| = 700 they are far apart, 0 and infinity at worst.
+/// Bounds of exp y for a y that is known to a relative error of 2^-66. Beyond |y| = 700 they are far apart, 0 and infinity at worst.
 [[nodiscard]] double exp_from_below(const TwoDoubles& y);
 [[nodiscard]] double exp_from_above(const TwoDoubles& y);
 

@@ -262,6 +262,7 @@ HessianTerms<I> hessian_floor(const EnclosedBody<I>& body, const IVec3<I>& q, co
 
 PLUMB_INSTANTIATE_ENCLOSURE(DoubleInterval)
 PLUMB_INSTANTIATE_ENCLOSURE(Interval18)
+PLUMB_INSTANTIATE_ENCLOSURE(Interval19)
 PLUMB_INSTANTIATE_ENCLOSURE(Interval80)
 
 }  // namespace plumb::reference

@@ -1,7 +1,7 @@
 // Interval scalars of the proofs, and the few functions that the library behind them leaves open.
 //
 // MPFI: every operation, exp and log included, is rounded outwards. The trusted base of a stored proof is therefore MPFI, MPFR
-// and GMP, and nothing of the machine's own arithmetic.
+// and GMP, and nothing of the machine's own arithmetic; Interval18 trusts that too.
 #pragma once
 
 #include <mpfi.h>
@@ -95,7 +95,8 @@ class Interval {
   __mpfi_struct x_;
 };
 
-using Interval18 = Interval<63>;   ///< one machine word: for covers of directions
+using Interval18 = Interval<63>;   ///< one machine word; its powers are those of double_power.hpp
+using Interval19 = Interval<64>;   ///< the same by MPFI alone: for the covers of stored proofs
 using Interval80 = Interval<268>;  ///< for the digits of one solution
 
 /// The ends, rounded outwards to double.
@@ -242,6 +243,8 @@ template <class I>
 [[nodiscard]] I positive_power(const I& x, const I& e) {
   return exp(I(e * log(x)));
 }
+template <>
+[[nodiscard]] Interval18 positive_power(const Interval18& x, const Interval18& e);
 
 /// x^e for x >= 0 (a part of x below zero counts as zero) and an e of one sign; 0^e is 0 for e > 0 and infinity for e < 0.
 template <class I>

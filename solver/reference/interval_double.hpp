@@ -163,9 +163,6 @@ template <>
 [[nodiscard]] inline DoubleInterval positive_power(const DoubleInterval& x, const DoubleInterval& e) {
   if (!(high(x) < OneStepOutward::infinity)) return {0, OneStepOutward::infinity};
   const TwoDoubles from = log_of(low(x)), to = low(x) < high(x) ? log_of(high(x)) : from;
-  const auto is_less = [](const TwoDoubles& a, const TwoDoubles& b) {
-    return a.high < b.high || (a.high == b.high && a.low < b.low);
-  };
   const std::array<TwoDoubles, 4> products{times(low(e), from), times(low(e), to), times(high(e), from),
                                            times(high(e), to)};
   const auto [least, greatest] = std::minmax_element(products.begin(), products.end(), is_less);

@@ -43,6 +43,7 @@ inline void count_work(int nanoseconds) {
 }
 
 inline constexpr int nanoseconds_of_a_node = 3000;      ///< of a cover's search
+inline constexpr int nanoseconds_of_a_power = 500;      ///< of Interval18, by double_power.hpp
 inline constexpr int nanoseconds_of_a_comparison = 10;  ///< of a proof's valleys, as many as its maker liked
 /// In 50 digits: a surface point with its derivatives, of an ellipsoid without powers; a step of the solver's on charts.
 inline constexpr int nanoseconds_of_a_point = 200'000, nanoseconds_of_a_round_point = 10'000,

@@ -9,7 +9,7 @@
 namespace plumb::reference {
 namespace {
 
-using Coarse = Interval18;  // of the cover: thousands of cells, each with some room
+using Coarse = Interval19;  // of the cover: thousands of cells, each with some room
 using Fine = Interval80;    // of the solutions: a few, to all digits
 
 constexpr int deepest_leaf = 48;  // the corners of smaller cells are not exact in double

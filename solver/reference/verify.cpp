@@ -387,6 +387,7 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
 
 PLUMB_INSTANTIATE_VERIFY(DoubleInterval)
 PLUMB_INSTANTIATE_VERIFY(Interval18)
+PLUMB_INSTANTIATE_VERIFY(Interval19)
 PLUMB_INSTANTIATE_VERIFY(Interval80)
 template std::optional<IVec3<DoubleInterval>> points_apart(const EnclosedPair<DoubleInterval>&, const Witness&);
 template std::optional<IVec3<Interval18>> points_apart(const EnclosedPair<Interval18>&, const Witness&);
