@@ -10,8 +10,10 @@
 #include "corpus/program_folder.hpp"
 #include "corpus/solvers/shell_word.hpp"
 #include "corpus/text_input.hpp"
+#include "properties/accuracy_option.hpp"
 #include "reports/campaign/compare.hpp"
 #include "reports/campaign/formats.hpp"
+#include "reports/campaign/issue.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, precision, stability, study, fem;
+  std::string out, precision, stability, study, fem, issue, accuracy = "rounding";
   ForeignOption foreign;
   std::size_t failures = 500;
 };
@@ -30,7 +32,9 @@ void declare(CommandLine& app, Arguments& args) {
       "DIR", args.folders,
       "folders of campaigns, the first of which the others are compared with, and of plumb scene --out; none "
       "are needed beside --study or --fem");
-  app.add_option("-o,--out", args.out, "the page, FILE.html")->required();
+  app.add_option("-o,--out", args.out, "the page, FILE.html");
+  app.add_option("--issue", args.issue, "instead: this case as a report for its solver's maintainer, in Markdown");
+  declare_accuracy(app, args.accuracy);
   app.add_option("--precision", args.precision,
                  "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
   app.add_option("--stability", args.stability,
@@ -162,7 +166,21 @@ std::vector<Run> read_runs(const Arguments& args) {
   return runs;
 }
 
+/// By the foreign solver that was named, or the method that the case names.
+int write_issue(const Arguments& args) {
+  const std::optional<Case> c = CaseReader(args.issue).next();
+  if (!c) throw InputFailure(args.issue, 0, "", "holds no case");
+  const auto solver =
+      solver_instead(args.foreign, args.foreign.empty() ? c->expect.method.value_or("auto") : "", "--issue");
+  const Issue found = issue(*c, *solver, parse_accuracy(args.accuracy));
+  print_line(found.has_finding ? found.markdown
+                               : solver->name + " has no finding on this case: there is nothing to report");
+  return found.has_finding ? exit_finding : exit_done;
+}
+
 int report(const Arguments& args) {
+  if (!args.issue.empty()) return write_issue(args);
+  if (args.out.empty()) throw InputFailure("--out", 0, "", "is required: the page, FILE.html");
   if (args.folders.empty() && args.study.empty() && args.fem.empty())
     throw InputFailure("DIR", 0, "", "is required where there is neither --study nor --fem");
   refuse_bad_page(args);
