@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "corpus/shape_class.hpp"
 #include "fuzz/kept.hpp"
@@ -60,8 +61,7 @@ std::string pose_text(const Described& d) {
   return out + fmt::format(", {} on a line of centres at zenith {} and azimuth {} degrees", depth, place[0], place[1]);
 }
 
-std::string done_text(const JudgedAnswer& found) {
-  const Finding& finding = found.judgement.finding;
+std::string done_text(const Finding& finding) {
   switch (finding.kind) {
     case FindingKind::crash: return "crashes";
     case FindingKind::not_finite: return "answers with a NaN or an infinity";
@@ -75,20 +75,37 @@ std::string done_text(const JudgedAnswer& found) {
     case FindingKind::asymmetric: return "answers differently to the same question";
     case FindingKind::nondeterministic: return "changes its answer from call to call";
     case FindingKind::slow: return fmt::format("takes {}", finding.detail);
-    default: break;
+    default: return "is misaligned";
   }
-  const double angle = found.judgement.angle_error_deg;
-  return finding.law == "normal" && angle > 0 ? fmt::format("is misaligned by {:.3g} degrees", angle)
-                                              : fmt::format("is misaligned ({})", finding.detail);
 }
 
-std::string what_happens(const JudgedAnswer& found) {
-  const Finding& finding = found.judgement.finding;
-  const bool figures = finding.kind == FindingKind::false_contact || finding.kind == FindingKind::missed_contact ||
-                       finding.kind == FindingKind::wrong_branch || finding.kind == FindingKind::off_surface ||
-                       finding.kind == FindingKind::overlap_error || finding.kind == FindingKind::point_error ||
-                       finding.kind == FindingKind::asymmetric;
-  return done_text(found) + (figures ? " (" + finding.detail + ")" : "");
+/// In the units of the answer, where the certified overlap is known.
+std::string overlaps_text(const JudgedAnswer& found) {
+  const double expected = found.judgement.overlap, got = found.answer.overlap;
+  if (std::isnan(expected) || !std::isfinite(got)) return found.judgement.finding.detail;
+  return fmt::format("expected overlap {:.6g}, got {:.6g}", expected, got);
+}
+
+/// What stands beside the words of done_text; empty where they say it all.
+std::string figures_text(const Pair& pair, const JudgedAnswer& found) {
+  const std::string size = size_text(defect_of(pair, found));
+  const std::string turned = size.empty() ? "" : "normal " + size + " off";
+  switch (found.judgement.finding.kind) {
+    case FindingKind::misaligned: return turned.empty() ? found.judgement.finding.detail : turned;
+    case FindingKind::wrong_branch: return overlaps_text(found) + (turned.empty() ? "" : "; " + turned);
+    case FindingKind::false_contact:
+    case FindingKind::missed_contact:
+    case FindingKind::overlap_error: return overlaps_text(found);
+    case FindingKind::off_surface:
+    case FindingKind::point_error:
+    case FindingKind::asymmetric: return found.judgement.finding.detail;
+    default: return "";
+  }
+}
+
+std::string what_happens(const Pair& pair, const JudgedAnswer& found) {
+  const std::string figures = figures_text(pair, found);
+  return done_text(found.judgement.finding) + (figures.empty() ? "" : " (" + figures + ")");
 }
 
 bool is_alone(const Range& range) {
@@ -164,7 +181,7 @@ std::string row_text(const Range& range) {
 }  // namespace
 
 std::string sentence(const Shrunk& shrunk, const std::vector<Range>& ranges, const std::string& method) {
-  return fmt::format("{} {} for {}{}{}{}", method, what_happens(shrunk.found), shapes_text(shrunk.pair),
+  return fmt::format("{} {} for {}{}{}{}", method, what_happens(shrunk.pair, shrunk.found), shapes_text(shrunk.pair),
                      pose_text(shrunk.described), matters_text(ranges), indifference_text(ranges));
 }
 

@@ -18,7 +18,7 @@ struct Explained {
 /// Shrinks a case and explains what is left. Where the case has no finding there is no sentence.
 [[nodiscard]] Explained shrink_and_explain(const Pair& pair, const Solver& solver);
 
-/// "corrected_cn is misaligned by 12.3 degrees for ..; .. it persists at every value tried of .."
+/// "corrected_cn is misaligned (normal 12.3 degrees off) for ..; .. it persists at every value tried of .."
 [[nodiscard]] std::string sentence(const Shrunk& shrunk, const std::vector<Range>& ranges, const std::string& method);
 
 /// The case to keep: expects the finding; provenance holds the fields as they are described, where it came from, how severe

@@ -12,6 +12,7 @@ namespace {
 struct Search {
   Trials trials;
   double least_severity;
+  Defect defect;
   bool stays_inside;  ///< the declared domain
   Shrunk& best;
 
@@ -22,6 +23,7 @@ struct Search {
     JudgedAnswer found = trials.of(*pair);
     const Finding& finding = found.judgement.finding;
     if (finding.kind == FindingKind::none || !(finding.severity >= least_severity)) return false;
+    if (!is_same(defect, defect_of(*pair, found))) return false;
     best.described = described;
     best.pair = *pair;
     best.found = std::move(found);
@@ -74,7 +76,7 @@ Shrunk shrink(const Pair& pair, const Solver& solver) {
   out.described = {pair, {}, {}};
   const Finding& finding = out.from.judgement.finding;
   if (finding.kind == FindingKind::none) return out;
-  Search search{{solver, finding.kind, true}, finding.severity / 2, in_domain(pair), out};
+  Search search{{solver, finding.kind, true}, finding.severity / 2, defect_of(pair, out.from), in_domain(pair), out};
   spell(search);
   while (simplify_once(search)) spell(search);
   out.stopped = search.trials.is_over();

@@ -1,7 +1,8 @@
-// The simplest case with the same finding and at least half its severity.
+// The simplest case with the same defect (defect.hpp) and at least half its severity.
 #pragma once
 
 #include "corpus/case.hpp"
+#include "fuzz/defect.hpp"
 #include "fuzz/trials.hpp"
 #include "properties/described.hpp"
 

@@ -1,4 +1,4 @@
-// plumb shrink: the simplest case with the same finding and at least half its severity, and what of it matters.
+// plumb shrink: the simplest case with the same defect and at least half its severity, and what of it matters.
 #include <optional>
 
 #include "corpus/command.hpp"
@@ -58,7 +58,7 @@ int shrink_files(const Arguments& args) {
 int main(int argc, char** argv) {
   plumb::Arguments args;
   plumb::CommandLine app(
-      "The simplest case with the same finding and at least half its severity, explained; 1 for a finding.",
+      "The simplest case with the same defect and at least half its severity, explained; 1 for a finding.",
       "plumb shrink");
   plumb::declare(app, args);
   return plumb::run_command(app, argc, argv, [&] { return plumb::shrink_files(args); });

@@ -78,6 +78,7 @@ JudgedAnswer Trials::of(const Pair& pair) {
 }
 
 JudgedAnswer Trials::tried(const Pair& pair) {
+  if (!solver_.abilities.takes(pair)) return {};
   JudgedAnswer out;
   if (const auto answer = answer_of(solver_, pair)) {
     out.answer = *answer;

@@ -135,6 +135,7 @@ Judgement judge(const Evidence& e) {
   if (!out.judged || (e.problem == Problem::common_normal && !is_known)) return out;
   const Solution& truth = law::nearest(e);
   const double size = size_of(e.pair);
+  out.overlap = static_cast<double>(truth.overlap);
   out.overlap_error = std::abs(static_cast<double>(Real50(e.answer.overlap) - truth.overlap)) / size;
   out.point_error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
                              static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm())) /

@@ -97,6 +97,7 @@ struct Judgement {
   bool judged = false;  ///< the reference has an answer to the method's own problem (a proved one to a potential's)
   double angle_error_deg = std::numeric_limits<
       double>::quiet_NaN();  ///< to the certified common normal, whatever the method's problem; NaN when unknown
+  double overlap = std::numeric_limits<double>::quiet_NaN();  ///< of its own problem, certified; NaN when unknown
   double overlap_error =
       std::numeric_limits<double>::quiet_NaN();  ///< |overlap - own problem's| / size; NaN when unknown
   double point_error = std::numeric_limits<

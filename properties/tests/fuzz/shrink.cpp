@@ -1,8 +1,10 @@
 // A shrunk case keeps its finding, nothing simpler does, and what is said of it is true when it is tried by hand.
 #include "fuzz/shrink.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -76,6 +78,71 @@ TEST(Shrink, KeepsTheFindingAndHalfOfItsSeverity) {
   }
 }
 
+/// The first of a family whose normal is as far off as that.
+Pair far_off(const char* family, const Solver& solver, double least_degrees) {
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    const Pair pair = generate(family, kShrinkSeed, i).pair;
+    Judge judge(pair);
+    const Judgement judgement = solve_and_judge(judge, pair, solver).judgement;
+    if (judgement.finding.kind == FindingKind::misaligned && judgement.angle_error_deg > least_degrees) return pair;
+  }
+  throw std::runtime_error("none is as far off");
+}
+
+TEST(Shrink, AHundredDegreesStayMoreThanFifty) {
+  const Solver solver = find_solvers("corrected_cn").front();
+  const Explained explained = shrink_and_explain(far_off("ellipsoid", solver, 100), solver);
+  const double from = explained.shrunk.from.judgement.angle_error_deg;
+  const double left = explained.shrunk.found.judgement.angle_error_deg;
+  EXPECT_GE(left, from / 2);
+  EXPECT_LT(cost(explained.shrunk.described), cost({far_off("ellipsoid", solver, 100), {}, {}}));
+  EXPECT_NE(explained.sentence.find(fmt::format("(normal {:.3g} degrees off)", left)), std::string::npos)
+      << explained.sentence;
+}
+
+/// Another answer to a pair.
+JudgedAnswer with_finding(FindingKind kind, double angle_deg, double overlap) {
+  JudgedAnswer out;
+  out.judgement.finding.kind = kind;
+  out.judgement.angle_error_deg = angle_deg;
+  out.judgement.overlap = overlap;
+  return out;
+}
+
+TEST(Defect, IsTheSameWithinAFactor) {
+  const Pair pair = generate("spheroid", kShrinkSeed, 0).pair;
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto turned = [&](double degrees) {
+    return defect_of(pair, with_finding(FindingKind::misaligned, degrees, unknown));
+  };
+  EXPECT_TRUE(is_same(turned(131), turned(66)));
+  EXPECT_FALSE(is_same(turned(131), turned(0.003)));
+  EXPECT_FALSE(is_same(turned(0.003), turned(131)));
+  EXPECT_TRUE(is_same(turned(1e-13), turned(1e-9))) << "both are noise";
+  EXPECT_TRUE(is_same(turned(unknown), turned(131)));
+  EXPECT_FALSE(is_same(turned(131), turned(unknown)));
+  const auto missed = [&](double overlap) {
+    return defect_of(pair, with_finding(FindingKind::missed_contact, unknown, overlap));
+  };
+  EXPECT_FALSE(is_same(turned(131), missed(131)));
+  EXPECT_TRUE(is_same(missed(0.3), missed(-0.2)));
+  EXPECT_FALSE(is_same(missed(0.3), missed(0.01)));
+}
+
+TEST(Explain, OverlapsAreToldAsExpectedAndGot) {
+  Solver solver = find_solvers("auto").front();
+  solver.solve = [right = solver.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
+    Contact<double> answer = right(pair, want, last);
+    answer.overlap = -answer.overlap;
+    answer.verdict = answer.overlap > 0 ? Verdict::overlapping : Verdict::separated;
+    return answer;
+  };
+  const Explained explained = shrink_and_explain(generate("spheroid", kShrinkSeed, 0).pair, solver);
+  const double got = explained.shrunk.found.answer.overlap;
+  const std::string told = fmt::format("(expected overlap {:.6g}, got {:.6g})", -got, got);
+  EXPECT_NE(explained.sentence.find(told), std::string::npos) << explained.sentence;
+}
+
 TEST(Shrink, IsReadFromItsFileBitForBit) {
   for (const auto& [c, solver] : failing()) {
     const Shrunk shrunk = shrink(c.pair, solver);
@@ -102,8 +169,9 @@ TEST(Shrink, NoSimplificationIsLeft) {
       simplify(next);
       const auto pair = pair_of(next);
       if (cost(next) >= cost(shrunk.described) || !pair || !in_domain(*pair)) continue;
-      const Finding found = trials.of(*pair).judgement.finding;
-      EXPECT_TRUE(found.kind == FindingKind::none || found.severity < from.severity / 2)
+      const JudgedAnswer found = trials.of(*pair);
+      EXPECT_TRUE(found.judgement.finding.severity < from.severity / 2 ||
+                  !is_same(defect_of(c.pair, shrunk.from), defect_of(*pair, found)))
           << c.name << ' ' << solver.name << ' ' << described_json(next);
     }
   }
