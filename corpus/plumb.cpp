@@ -22,7 +22,7 @@ struct Command {
 };
 
 // Every command of the contract; those that this build does not have are not listed.
-constexpr std::array<Command, 21> commands{{
+constexpr std::array<Command, 22> commands{{
     {"solve", "solve the contact of each case, by one method or all of them"},
     {"methods", "the methods, and the problem that each one solves"},
     {"certify", "prove the overlap, the normal and the points of a case"},
@@ -36,7 +36,8 @@ constexpr std::array<Command, 21> commands{{
     {"replay", "run kept cases against what they expect"},
     {"promote", "move a kept case on: open, incubating, regressions"},
     {"path", "follow a motion step by step, cold and warm, and judge how the answers change"},
-    {"shrink", "the simplest case with the same finding"},
+    {"shrink", "the simplest case with the same defect"},
+    {"fuzz", "guided fuzzing of a solver until it is wrong; the case, shrunk"},
     {"scene", "a scene of bodies: which effects run, why, what each costs"},
     {"scenes", "the named scenes, and each as a file"},
     {"import", "the pairs of a LAMMPS or LIGGGHTS dump that touch, as cases"},

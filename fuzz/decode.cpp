@@ -39,15 +39,18 @@ long double touching_distance(const Pair& pair, const Vec3<long double>& line) {
   return reach(pair.body1, line) + reach(pair.body2, line);
 }
 
-Case decode(layout::Bytes bytes) {
-  const PairRecipe recipe = decode_recipe(bytes);
+Pair placed(const PairRecipe& recipe) {
+  Pair out = recipe.pair;
   const long double distance = touching_distance(recipe.pair, recipe.line) * (1 - recipe.overlap_ratio);
-  const Vec3<long double> centre = recipe.origin.cast<long double>() + recipe.line * distance;
+  out.body1.position = recipe.origin;
+  out.body2.position = (recipe.origin.cast<long double>() + recipe.line * distance).cast<double>();
+  return out;
+}
+
+Case decode(layout::Bytes bytes) {
   Case c;
   c.name = "decoded bytes";
-  c.pair = recipe.pair;
-  c.pair.body1.position = recipe.origin;
-  c.pair.body2.position = centre.cast<double>();
+  c.pair = placed(decode_recipe(bytes));
   c.provenance =
       Json{{"layout", "pair-1"}, {"bytes", layout::hex(bytes.first(std::min(bytes.size(), kPairLayoutSize)))}};
   return c;

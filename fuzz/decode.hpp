@@ -60,6 +60,9 @@ struct PairRecipe {
 /// every input stays a case.
 [[nodiscard]] long double touching_distance(const Pair& pair, const Vec3<long double>& line);
 
+/// With body 2 there.
+[[nodiscard]] Pair placed(const PairRecipe& recipe);
+
 /// The case, with the bytes as hex in its provenance.
 [[nodiscard]] Case decode(std::span<const std::uint8_t> bytes);
 

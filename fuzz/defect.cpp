@@ -13,8 +13,8 @@ namespace {
 /// degrees must not become 0.003.
 constexpr double kFactor = 2;
 
-/// The finest accuracies that people ask for, 1e-6 rad in degrees and 1e-9 of the size: below them a size is noise.
-constexpr double kLeastDegrees = 5.7e-5, kLeastLength = 1e-9;
+/// What rounding leaves of ordinary pairs (condition numbers below 1e4), in degrees and of the size: below them a size is noise.
+constexpr double kLeastDegrees = 1e-9, kLeastLength = 1e-12;
 
 bool is_an_angle(FindingKind kind) {
   return kind == FindingKind::misaligned || kind == FindingKind::wrong_branch;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -34,6 +35,7 @@ std::uintmax_t longest(const fs::path& seeds) {
 std::vector<std::string> command_line(const EngineOptions& options, const fs::path& folder) {
   return {options.program.string(),
           fmt::format("-runs={}", options.inputs),
+          fmt::format("-max_total_time={:.0f}", std::ceil(options.seconds)),
           fmt::format("-seed={}", options.seed),
           fmt::format("-max_len={}", longest(options.seeds)),
           "-len_control=0",

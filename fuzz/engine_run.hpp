@@ -15,6 +15,7 @@ struct EngineOptions {
   std::uint64_t inputs = 0;
   std::uint64_t seed = 1;
   std::vector<std::string> environment = {};  ///< NAME=VALUE, beside this process's own without its PLUMB_FUZZ_*
+  double seconds = 0;                         ///< that end it as well; 0: inputs alone do
 };
 
 struct EngineRun {

@@ -48,8 +48,21 @@ bool is_let_pass(const Contact<double>& answer) {
          !target_settings().rule.stops(FindingKind::nonconverged);
 }
 
+/// Of a solver whose code the engine does not see: it climbs by the error alone.
+std::string_view unsuspected(const Pair& pair, const hunting::Guide& guide) {
+  const Solver& solver = target_settings().solver;
+  const Contact<double> second = guide.second(pair);
+  if (!solver.abilities.takes(pair) || !solver.abilities.claims(pair, second.verdict)) return "not claimed";
+  const Contact<double> answer = solver.abilities.claimed(solver.solve(pair, Want{}, nullptr));
+  if (is_let_pass(answer)) return name(answer.status);
+  const hunting::Heat heat = guide.of(pair, answer, second);
+  light(Thermometer::error, heat.error, 1e-3);
+  return heat.error > 1 ? "" : "none suspected";
+}
+
 /// Empty when there is something to judge.
 std::string_view unsuspected(const BuiltContact& built) {
+  if (target_settings().guide) return unsuspected(built.pair, *target_settings().guide);
   const Contact<double> answer = target_settings().solver.solve(built.pair, Want{}, nullptr);
   if (is_let_pass(answer)) return name(answer.status);
   return is_suspected(built.pair, answer, built_directions(built)) ? "" : "none suspected";

@@ -27,7 +27,7 @@ void keep_finding(const Case& c, const char* target, const std::string& method, 
 
 Outcome examine_pair(const Case& c, const char* target) {
   Judge judge(c.pair);
-  const JudgedAnswer judged = solve_and_judge(judge, c.pair, target_settings().solver);
+  const JudgedAnswer judged = solve_and_judge(judge, c.pair, target_settings().solver, target_settings().accuracy);
   light(judged, judge.reference());
   const Finding& finding = judged.judgement.finding;
   const std::string& method = target_settings().solver.name;

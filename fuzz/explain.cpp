@@ -185,8 +185,8 @@ std::string sentence(const Shrunk& shrunk, const std::vector<Range>& ranges, con
                      pose_text(shrunk.described), matters_text(ranges), indifference_text(ranges));
 }
 
-Explained shrink_and_explain(const Pair& pair, const Solver& solver) {
-  Explained out{shrink(pair, solver), {}, {}, {}};
+Explained shrink_and_explain(const Pair& pair, const Solver& solver, const Accuracy& accuracy) {
+  Explained out{shrink(pair, solver, accuracy), {}, {}, {}};
   out.counts = out.shrunk.counts;
   if (out.shrunk.from.judgement.finding.kind == FindingKind::none) return out;
   out.ranges = find_ranges(out.shrunk, solver, out.counts);

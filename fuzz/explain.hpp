@@ -16,7 +16,7 @@ struct Explained {
 };
 
 /// Shrinks a case and explains what is left. Where the case has no finding there is no sentence.
-[[nodiscard]] Explained shrink_and_explain(const Pair& pair, const Solver& solver);
+[[nodiscard]] Explained shrink_and_explain(const Pair& pair, const Solver& solver, const Accuracy& accuracy = {});
 
 /// "corrected_cn is misaligned (normal 12.3 degrees off) for ..; .. it persists at every value tried of .."
 [[nodiscard]] std::string sentence(const Shrunk& shrunk, const std::vector<Range>& ranges, const std::string& method);

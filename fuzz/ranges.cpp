@@ -161,7 +161,7 @@ class Line {
 }  // namespace
 
 std::vector<Range> find_ranges(const Shrunk& shrunk, const Solver& solver, TrialCounts& counts) {
-  Trials trials(solver, shrunk.found.judgement.finding.kind, false);
+  Trials trials(solver, shrunk.found.judgement.finding.kind, false, shrunk.accuracy);
   std::vector<Range> out;
   for (Number& number : numbers_of(shrunk.described))
     out.push_back(Line(shrunk.described, std::move(number), trials).range());

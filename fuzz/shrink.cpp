@@ -66,17 +66,19 @@ bool simplify_once(Search& search) {
 
 }  // namespace
 
-Shrunk shrink(const Pair& pair, const Solver& solver) {
+Shrunk shrink(const Pair& pair, const Solver& solver, const Accuracy& accuracy) {
   Shrunk out;
+  out.accuracy = accuracy;
   const std::int64_t before = reference::work_counted;
   Judge judge(pair);
-  out.from = out.found = solve_and_judge(judge, pair, solver);
+  out.from = out.found = solve_and_judge(judge, pair, solver, accuracy);
   const std::int64_t own_work = nanoseconds_of_a_solve + nanoseconds_of_related + reference::work_counted - before;
   out.pair = pair;
   out.described = {pair, {}, {}};
   const Finding& finding = out.from.judgement.finding;
   if (finding.kind == FindingKind::none) return out;
-  Search search{{solver, finding.kind, true}, finding.severity / 2, defect_of(pair, out.from), in_domain(pair), out};
+  Search search{
+      {solver, finding.kind, true, accuracy}, finding.severity / 2, defect_of(pair, out.from), in_domain(pair), out};
   spell(search);
   while (simplify_once(search)) spell(search);
   out.stopped = search.trials.is_over();

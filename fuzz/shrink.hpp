@@ -9,6 +9,7 @@
 namespace plumb {
 
 struct Shrunk {
+  Accuracy accuracy;    ///< that findings are worse than
   JudgedAnswer from;    ///< the case's own; FindingKind::none where there is nothing to shrink
   Described described;  ///< what is left
   Pair pair;            ///< the same, as a case file with those fields is read
@@ -18,6 +19,6 @@ struct Shrunk {
 };
 
 /// Deterministic. A case outside the declared domain is let out of it; no other is.
-[[nodiscard]] Shrunk shrink(const Pair& pair, const Solver& solver);
+[[nodiscard]] Shrunk shrink(const Pair& pair, const Solver& solver, const Accuracy& accuracy = {});
 
 }  // namespace plumb

@@ -20,7 +20,7 @@ void shrink_kept(const KeptFailures& kept, const CampaignOptions& options, const
                                  [&](const Solver& solver) { return simplest.expect.method == solver.name; });
     if (by == options.solvers.end() || interrupted()) return;  // of the reference
     try {
-      Case shrunk = kept_shrunk(simplest, shrink_and_explain(simplest.pair, *by), by->name);
+      Case shrunk = kept_shrunk(simplest, shrink_and_explain(simplest.pair, *by, options.accuracy), by->name);
       shrunk.provenance["file"] = bucket + std::string(kSimplest);
       shrunk_cases[i] = format_case(shrunk) + "\n";
     } catch (const NoAnswer&) {  // it hung too often to be asked any more: the case stays as it is

@@ -23,11 +23,35 @@ Solver solver_asked() {
   }
 }
 
+Accuracy accuracy_asked() {
+  try {
+    return parse_accuracy(environment("PLUMB_FUZZ_ACCURACY", "rounding"));
+  } catch (const InputFailure& e) {
+    throw InputFailure("PLUMB_FUZZ_ACCURACY", 0, "", e.what());
+  }
+}
+
+/// In processes of its own; none where it is one of plumb's.
+std::optional<Solver> foreign_asked() {
+  const std::string library = environment("PLUMB_FUZZ_SOLVER", "");
+  const std::string command = environment("PLUMB_FUZZ_SOLVER_COMMAND", "");
+  if (!library.empty()) return load_solver(library);
+  if (!command.empty()) return load_solver_command(command);
+  return std::nullopt;
+}
+
+TargetSettings settings_asked() {
+  const std::optional<Solver> foreign = foreign_asked();
+  TargetSettings out{foreign ? *foreign : solver_asked(), accuracy_asked(), std::nullopt,
+                     AbortRule(environment("PLUMB_FUZZ_ABORT", "")), environment("PLUMB_FUZZ_OUT", "")};
+  if (foreign) out.guide.emplace(out.solver.abilities, out.accuracy);
+  return out;
+}
+
 }  // namespace
 
 const TargetSettings& target_settings() {
-  static const TargetSettings read{solver_asked(), AbortRule(environment("PLUMB_FUZZ_ABORT", "")),
-                                   environment("PLUMB_FUZZ_OUT", "")};
+  static const TargetSettings read = settings_asked();
   return read;
 }
 

@@ -19,6 +19,7 @@ enum class Thermometer {
   backtracks,  ///< evaluations that were no iteration
   condition,   ///< of the normal: how many digits the pair itself takes
   disagreement,
+  error,  ///< of a foreign solver's answer over what is asked for (hunt/guide.hpp)
   count
 };
 

@@ -47,8 +47,8 @@ bool is_about_one_answer(FindingKind kind) {
 
 }  // namespace
 
-Trials::Trials(const Solver& solver, FindingKind kind, bool hasty)
-    : solver_(solver), second_(find_solvers("auto").front()), kind_(kind), hasty_(hasty) {}
+Trials::Trials(const Solver& solver, FindingKind kind, bool hasty, const Accuracy& accuracy)
+    : solver_(solver), second_(find_solvers("auto").front()), kind_(kind), hasty_(hasty), accuracy_(accuracy) {}
 
 /// Necessary, and cheap.
 bool Trials::may_show(const Pair& pair, const Contact<double>& answer) const {
@@ -90,7 +90,7 @@ JudgedAnswer Trials::tried(const Pair& pair) {
   }
   counts_.work += nanoseconds_of_related;
   Judge judge(pair);
-  out = solve_and_judge(judge, pair, solver_);
+  out = solve_and_judge(judge, pair, solver_, accuracy_);
   ++counts_.judged;
   return out;
 }

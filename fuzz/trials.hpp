@@ -25,7 +25,7 @@ class Trials {
  public:
   /// `hasty`: where the answer is that of `auto` no reference is asked. Good enough to pass over a pair, not to say that it
   /// has no finding.
-  Trials(const Solver& solver, FindingKind kind, bool hasty);
+  Trials(const Solver& solver, FindingKind kind, bool hasty, const Accuracy& accuracy = {});
 
   /// The method's answer with its finding where that is of the kind; FindingKind::none where it is not, and where most_work
   /// comes before that is known.
@@ -41,6 +41,7 @@ class Trials {
   Solver second_;  ///< whose agreement ends a trial early
   FindingKind kind_;
   bool hasty_;
+  Accuracy accuracy_;
   TrialCounts counts_;
 };
 

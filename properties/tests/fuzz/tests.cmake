@@ -1,7 +1,7 @@
 # The campaign as a library, and the programs that the tests of the command line start.
-target_link_libraries(test_fuzz PRIVATE plumb_targets fmt::fmt)
-add_dependencies(test_fuzz plumb plumb-solve plumb-campaign plumb-merge plumb-families plumb-fuzz-run plumb-ladder plumb-methods plumb-shrink plumb-replay
-                 replay-pair replay-case replay-path replay-scene replay-files plumb-path
+target_link_libraries(test_fuzz PRIVATE plumb_targets plumb_hunt fmt::fmt)
+add_dependencies(test_fuzz plumb plumb-solve plumb-campaign plumb-merge plumb-families plumb-fuzz-run plumb-ladder plumb-methods plumb-shrink plumb-fuzz plumb-replay
+                 replay-pair replay-contact replay-case replay-path replay-scene replay-files plumb-path
                  foreign_sphere peers)
 
 # A foreign solver that does what it is told to by the environment, and the worked example.
@@ -15,3 +15,12 @@ foreach(library foreign_misbehaving foreign_example foreign_limited)
   set_target_properties(${library} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   add_dependencies(test_fuzz ${library})
 endforeach()
+
+# `auto` with a fault that the environment names.
+add_library(foreign_planted MODULE ${folder}/foreign/planted.cpp)
+target_include_directories(foreign_planted PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(foreign_planted PRIVATE Eigen3::Eigen plumb_flags)
+target_link_options(foreign_planted PRIVATE -Wl,-Bsymbolic)
+set_target_properties(foreign_planted PROPERTIES PREFIX "" UNITY_BUILD OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+                                                 LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+add_dependencies(test_fuzz foreign_planted)
