@@ -81,12 +81,12 @@ JudgedAnswer Trials::tried(const Pair& pair) {
   if (!solver_.abilities.takes(pair)) return {};
   JudgedAnswer out;
   if (const auto answer = answer_of(solver_, pair)) {
-    out.answer = *answer;
-    if (answer->status != Status::converged) {
-      out.judgement = judge_by_status(solver_, pair, *answer);
+    out.answer = solver_.abilities.claimed(*answer);
+    if (out.answer.status != Status::converged) {
+      out.judgement = judge_by_status(solver_, pair, out.answer);
       return out;
     }
-    if (!may_show(pair, *answer)) return {};
+    if (!may_show(pair, out.answer)) return {};
   }
   counts_.work += nanoseconds_of_related;
   Judge judge(pair);

@@ -32,18 +32,18 @@ std::string pair_text(const Pair& pair) {
          body_row(1, pair.body1) + body_row(2, pair.body2);
 }
 
-struct Compared {
+struct Told {
   double overlap;
   Vec3<double> normal, point1, point2;
 };
 
-std::string comparison_text(const Compared& expected, const Compared& got) {
+std::string told_text(const Told& expected, const Told& got) {
   std::string out = "\n| | expected | got |\n|---|---|---|\n";
   out += fmt::format("| overlap (negative: apart) | {} | {} |\n", number(expected.overlap), number(got.overlap));
-  const std::array<std::pair<const char*, Vec3<double> Compared::*>, 3> rows{
-      {{"normal, from body 1 to body 2", &Compared::normal},
-       {"point on body 1", &Compared::point1},
-       {"point on body 2", &Compared::point2}}};
+  const std::array<std::pair<const char*, Vec3<double> Told::*>, 3> rows{
+      {{"normal, from body 1 to body 2", &Told::normal},
+       {"point on body 1", &Told::point1},
+       {"point on body 2", &Told::point2}}};
   for (const auto& [words, which] : rows)
     out += fmt::format("| {} | {} | {} |\n", words, list(expected.*which), list(got.*which));
   return out;
@@ -89,13 +89,13 @@ Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
   const Finding& finding = judged.judgement.finding;
   if (finding.kind == FindingKind::none) return {};
   const Solution& truth = judge.reference().common_normal;
-  const Compared expected{static_cast<double>(truth.overlap), truth.normal.cast<double>(), truth.point1.cast<double>(),
+  const Told expected{static_cast<double>(truth.overlap), truth.normal.cast<double>(), truth.point1.cast<double>(),
                           truth.point2.cast<double>()};
-  const Compared got{judged.answer.overlap, judged.answer.normal, judged.answer.point1, judged.answer.point2};
+  const Told got{judged.answer.overlap, judged.answer.normal, judged.answer.point1, judged.answer.point2};
   const std::string who = solver.abilities.name.empty() ? solver.name : solver.abilities.name;
   std::string text =
       fmt::format("# {} {}: {}\n\n{}.\n\n", who, solver.abilities.version, name(finding.kind), finding.detail);
-  text += pair_text(c.pair) + comparison_text(expected, got) + by_hand(c.pair, expected.normal, got.normal);
+  text += pair_text(c.pair) + told_text(expected, got) + by_hand(c.pair, expected.normal, got.normal);
   return {text, true};
 }
 

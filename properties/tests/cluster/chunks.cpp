@@ -82,7 +82,7 @@ class ChunkFolders : public Cluster {
     }
   }
 
-  CampaignOptions options_{find_solvers("original_cn"), 5, 2, {}, {}, {}, 10};
+  CampaignOptions options_{find_solvers("original_cn"), 5, 2, {}, {}, false, {}, 10};
   std::atomic<int> drawn_{0};
 };
 

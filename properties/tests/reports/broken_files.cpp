@@ -91,7 +91,7 @@ TEST_F(BrokenReports, Counts) {
   const reports::Run whole{path_ / "out", read_results(path_ / "out")};
   expect_all_read_or_told("f", json("out/campaign.bins"), [&](const std::string& text) {
     const reports::Run run{path_ / "out", parse_bins(text, "f")};
-    (void)run_json(run, {0, std::nullopt});
+    (void)run_json(run, {0, {}});
     (void)comparison_json(whole, run);
     for (const auto& format : {csv, ladders_csv}) (void)format({run});
     (void)junit(run);
