@@ -109,8 +109,8 @@ void require_known_fields(const Field& answer) {
                          "iterations", "evaluations", "angles_deg", "residuals", "curvature", "derivatives", "timing"});
 }
 
-/// Names of solvers that need not be here: a library (--solver), a peer, the recorder's answers, and those of no name. All are
-/// judged as common-normal solvers.
+/// Names of solvers that need not be here: a library (--solver), a peer, the recorder's answers, and those of no name. They are
+/// judged as common-normal solvers where "x_problem" does not say otherwise.
 bool names_a_foreign_solver(const std::string& name) {
   return name == "answer" || name == "recorded" || name.starts_with("solver:") || name.starts_with("peer_");
 }
@@ -135,6 +135,7 @@ GivenAnswer read_answer(const Field& answer) {
   if (const auto method = given(answer, "method")) {
     out.method = method->text();
     out.problem = read_problem(*method);
+    if (const auto problem = given(answer, "x_problem")) out.problem = read_problem(*problem);
   }
   return out;
 }
@@ -212,6 +213,7 @@ Json answer_json(const Answer& answer) {
   Json out;
   out["name"] = answer.name;
   out["method"] = contact.method;
+  if (answer.problem != Problem::common_normal) out["x_problem"] = name(answer.problem);
   if (answer.none) {
     out["x_finding"] = answer.none->finding;
     out["x_detail"] = answer.none->detail;

@@ -20,6 +20,7 @@ struct Answer {
     std::string finding, detail;  ///< crash or slow, and what happened
   };
   std::optional<None> none = {};  ///< of a foreign solver that gave no answer: there is nothing but the method's name
+  Problem problem = Problem::common_normal;  ///< of a foreign solver, which its name does not tell
 };
 
 /// The contract's object; a field that was not asked for, or is not valid, is absent. A radius of curvature that is

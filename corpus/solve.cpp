@@ -67,6 +67,7 @@ std::vector<Solver> chosen_solvers(const Options& options) {
 /// The last call's answer, which is that of every call, and the smallest time; or why there is none.
 Answer solve_case(const Case& c, const Solver& solver, const Want& want, const Options& options) {
   Answer answer{c.name, c.pair, want, {}, {}};
+  if (!solver.is_own) answer.problem = solver.abilities.problem;
   try {
     Contact<double> start;
     if (options.warm) start = solver.solve(c.pair, want, nullptr);

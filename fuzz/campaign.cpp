@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <mutex>
 #include <utility>
@@ -31,11 +32,12 @@ struct Round {
   Json answers = Json::array();  ///< where they are kept
 };
 
-Json answer_line(const Round& round, const std::string& method, const JudgedAnswer& judged) {
+Json answer_line(const Round& round, const Solver& solver, const JudgedAnswer& judged) {
   const Finding& finding = judged.judgement.finding;
   Answer answer{round.c.name, round.c.pair, Want{}, judged.answer, {}};
+  if (!solver.is_own) answer.problem = solver.abilities.problem;
   if (answer.contact.method.empty()) {
-    answer.contact.method = method;
+    answer.contact.method = solver.name;
     answer.none = {std::string(name(finding.kind)), finding.detail};
   }
   Json out = answer_json(answer);
@@ -44,6 +46,7 @@ Json answer_line(const Round& round, const std::string& method, const JudgedAnsw
   if (!finding.law.empty()) out["law"] = finding.law;
   if (!finding.detail.empty()) out["detail"] = finding.detail;
   out["judged"] = is_judged(judged.judgement);
+  if (std::isfinite(judged.judgement.angle_error_deg)) out["angle_error_deg"] = judged.judgement.angle_error_deg;
   out["x_verdict"] = name(round.judge.reference().verdict);
   return out;
 }
@@ -91,7 +94,7 @@ bool judge_answer(Round& round, const Solver& solver) {
     tally->habits.add(round.judge.reference().verdict, judged.answer);
   }
   if (!judged.asked) return false;
-  if (round.options.keeps_answers) round.answers.push_back(answer_line(round, method, judged));
+  if (round.options.keeps_answers) round.answers.push_back(answer_line(round, solver, judged));
   count_on_ladder(round, method, judged);
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
   const double by = beats_reference(round.c.pair, judged.answer, round.judge.reference());

@@ -56,16 +56,12 @@ CommandOption* declare_campaign(CommandLine& app, CampaignArguments& args, const
   declare_accuracy(app, args.accuracy);
   app.add_option("--shard", args.shard, "i/n: the i-th of n parts, 1 <= i <= n; plumb merge puts them together");
   app.add_option("--threads", args.threads, threads)->in_range(1, 1024);
-  auto* answers =
-      app.add_option("--answers", args.answers, "file for the cases and every answer to each, a line a case");
   auto* out = app.add_option("--out", args.out, "folder for summary.json, campaign.bins and failures/");
   app.add_option("--chunks", args.chunks, "parts of the work, each kept in DIR/chunks once it is done")
       ->check(refuse_count)
       ->in_range(1, static_cast<std::int64_t>(kMostParts))
       ->capture_default_str();
-  app.add_flag("--resume", args.resume, "do what is missing in DIR, after a run with the same arguments")
-      ->needs(out)
-      ->excludes(answers);
+  app.add_flag("--resume", args.resume, "do what is missing in DIR, after a run with the same arguments")->needs(out);
   app.add_flag("--force", args.force, kForceHelp)->needs(out);
   app.add_option("--cache", args.cache, cache_help);
   app.add_flag("--shrink", args.shrink, "then shrink each bucket's simplest case, into failures/ as well")->needs(out);
@@ -73,6 +69,8 @@ CommandOption* declare_campaign(CommandLine& app, CampaignArguments& args, const
 }
 
 PreparedCampaign prepare_campaign(const CampaignArguments& args) {
+  if (!args.answers.empty() && args.resume)
+    throw InputFailure("plumb campaign", 0, "--answers", "is of a whole run: not with --resume");
   PreparedCampaign campaign{open_store(args.cache), options_of(args), {}};
   campaign.options.references = references_of(campaign.store);
   for (const std::string& family : find_families(args.family))

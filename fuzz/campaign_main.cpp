@@ -27,5 +27,6 @@ int main(int argc, char** argv) {
   args.threads = plumb::default_threads();
   plumb::CommandLine app("Random cases of the families: every method's answer judged by every law", "plumb campaign");
   plumb::declare_campaign(app, args, "default: one for each processor");
+  app.add_option("--answers", args.answers, "file for the cases and every answer to each, a line a case");
   return plumb::run_command(app, argc, argv, [&] { return plumb::campaign(args); });
 }

@@ -177,10 +177,17 @@ void FamilyResults::merge(const FamilyResults& other) {
   not_proved_lowest += other.not_proved_lowest;
   for (std::size_t i = 0; i < needed.size(); ++i) needed[i] += other.needed[i];
   reference_beaten += other.reference_beaten;
-  join(other);
+  add_methods(other);
 }
 
+/// What it took to judge is what the dearest of the two took, case by case unknown.
 void FamilyResults::join(const FamilyResults& other) {
+  reference_beaten = std::max(reference_beaten, other.reference_beaten);
+  if (other.needed[2] + other.needed[1] > needed[2] + needed[1]) needed = other.needed;
+  add_methods(other);
+}
+
+void FamilyResults::add_methods(const FamilyResults& other) {
   merge_tallies(methods, other.methods);
   for (const auto& [name, tallies] : other.generators) merge_tallies(generators[name], tallies);
   for (const auto& [name, ladder] : other.ladders) ladders[name].merge(ladder);
@@ -193,6 +200,9 @@ void Results::merge(Results&& other) {
 
 void Results::join(Results&& other) {
   asked.methods.merge(other.asked.methods);
+  for (auto& [message, n] : other.harness_errors) n -= std::min(n, harness_errors[message]);
+  std::erase_if(other.harness_errors, [](const auto& error) { return error.second == 0; });
+  std::erase_if(harness_errors, [](const auto& error) { return error.second == 0; });
   shards_missing = shards_missing || other.shards_missing;
   for (const auto& [name, family] : other.families) families[name].join(family);
   add_the_rest(std::move(other));

@@ -44,6 +44,9 @@ struct FamilyResults {
   void merge(const FamilyResults& other);
   /// Other methods on the same cases, which are counted once.
   void join(const FamilyResults& other);
+
+ private:
+  void add_methods(const FamilyResults& other);
 };
 
 struct Results {

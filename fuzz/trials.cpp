@@ -82,11 +82,12 @@ JudgedAnswer Trials::tried(const Pair& pair) {
   JudgedAnswer out;
   if (const auto answer = answer_of(solver_, pair)) {
     out.answer = solver_.abilities.claimed(*answer);
-    if (out.answer.status != Status::converged) {
+    // Of who claims nothing of bodies apart only the judge knows whether this pair is asked at all.
+    if (out.answer.status != Status::converged && solver_.abilities.apart != Apart::none) {
       out.judgement = judge_by_status(solver_, pair, out.answer);
       return out;
     }
-    if (!may_show(pair, out.answer)) return {};
+    if (out.answer.status == Status::converged && !may_show(pair, out.answer)) return {};
   }
   counts_.work += nanoseconds_of_related;
   Judge judge(pair);

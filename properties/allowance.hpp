@@ -48,8 +48,9 @@ using reference::largest_overlap_condition;
 [[nodiscard]] inline double points_slack(const Evidence& e, const Condition& condition) {
   if (e.accuracy.points) return *e.accuracy.points * size_of(e.pair);
   if (e.accuracy.normal == 0) return overlap_slack(e);
+  const double most = 0.1;  // of the size: on a flat face any point is as good, and still it is one of the face
   const double by_normal = std::max(1.0, condition.points / std::max(1.0, condition.normal));
-  return overlap_slack(e) + e.accuracy.normal * by_normal * size_of(e.pair);
+  return overlap_slack(e) + std::min(most, e.accuracy.normal * by_normal) * size_of(e.pair);
 }
 
 /// Whether a solution's overlap is the lowest to within rounding.

@@ -14,9 +14,9 @@ namespace {
 std::string junit_test(const JunitTest& t) {
   const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")", xml_text(t.group),
                                        xml_text(t.name), t.seconds);
-  if (t.outcome == TestOutcome::passed && t.text.empty()) return head + "/>\n";
+  if (t.outcome == TestOutcome::passed && t.out.empty()) return head + "/>\n";
   if (t.outcome == TestOutcome::passed)
-    return head + fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n", xml_text(t.text));
+    return head + fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n", xml_text(t.out));
   const std::string body =
       t.outcome == TestOutcome::skipped
           ? fmt::format("<skipped message=\"{}\"/>", xml_text(t.message))

@@ -18,6 +18,7 @@ struct JunitTest {
   std::string message;  ///< in a line: why it failed or was skipped
   std::string text;     ///< more of it
   double seconds = 0;
+  std::string out = {};  ///< said also where it passed
 };
 
 /// JUnit XML: one suite.

@@ -42,7 +42,8 @@ void judge_answer(JudgedAnswer& out, Judge& judge, const Pair& pair, const Solve
 
 JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver, const Accuracy& accuracy) {
   JudgedAnswer out;
-  if (!solver.abilities.claims(pair, judge.reference().verdict)) {
+  const bool needs_verdict = solver.abilities.apart == Apart::none && solver.abilities.takes(pair);
+  if (!solver.abilities.claims(pair, needs_verdict ? judge.certified_verdict() : Verdict::undecided)) {
     out.asked = false;
     return out;
   }

@@ -125,7 +125,9 @@ Judgement judge(const Evidence& e) {
   if (out.decided && !(out.finding.severity > 1)) out.finding = {};
   // Where it is not proved what is lowest a right answer breaks no law, but not every wrong one does.
   out.judged = is_judgeable(e) && (e.problem != Problem::common_normal || e.reference.global == Claim::proved);
-  out.wrong_aside = e.answer.status != Status::converged && law::verdict_is_right(e).severity > 1;
+  const Finding verdict = law::verdict_is_right(e);
+  out.wrong_aside = e.answer.status != Status::converged && e.answer.verdict != Verdict::undecided &&
+                    verdict.severity - verdict.doubt > 1;
   const Evidence cn{e.pair, Problem::common_normal, e.answer, e.reference, e.reference.common_normal, {}, false};
   const Solution& common_normal = law::nearest(cn);
   const bool is_known = names_all_lowest(e.reference);
@@ -145,6 +147,12 @@ Judgement judge(const Evidence& e) {
 
 Judge::Judge(const Pair& pair, ReferenceSource source)
     : pair_(pair), source_(std::move(source)), references_{source_.common_normal(pair, Effort::bounds)} {}
+
+Verdict Judge::certified_verdict() {
+  for (const Effort effort : efforts)
+    if (reference(effort).verdict != Verdict::undecided) return reference(effort).verdict;
+  return Verdict::undecided;
+}
 
 const Reference& Judge::reference(Effort effort) {
   const auto index = static_cast<std::size_t>(effort);

@@ -124,6 +124,8 @@ class Judge {
   explicit Judge(const Pair& pair, ReferenceSource source = {});
   /// The dearest that was needed so far.
   [[nodiscard]] const Reference& reference() const { return references_.back(); }
+  /// By the cheapest effort that tells; undecided where none does.
+  [[nodiscard]] Verdict certified_verdict();
   [[nodiscard]] const Solution& solution(Problem problem) { return solution(problem, reference()); }
   [[nodiscard]] Judgement judge(const JudgedBy& by, const Contact<double>& answer);
   [[nodiscard]] Judgement judge(Problem problem, const Contact<double>& answer,

@@ -12,6 +12,23 @@
 namespace plumb::law {
 namespace {
 
+std::string opposition_text(const SeenPoint& at1, const SeenPoint& at2) {
+  const auto angle = static_cast<double>(std::atan2(at1.normal.cross(at2.normal).norm(), -at1.normal.dot(at2.normal)));
+  return "n1 + n2 is not 0: the normals at the points are " + in_degrees(angle) + " from opposite";
+}
+
+/// How far a point is from the line between two others.
+double off_segment(const Vec3<Wide>& point, const Vec3<Wide>& from, const Vec3<Wide>& to) {
+  const Vec3<Wide> d = to - from, reached = point - from;
+  const Wide square = d.squaredNorm(), share = square > 0 ? std::clamp<Wide>(reached.dot(d) / square, 0, 1) : 0;
+  return static_cast<double>((reached - share * d).stableNorm());
+}
+
+/// A point that slides along its surface stays on it: what takes it off is no more than an overlap may be off.
+double surface_slack(const Evidence& e) {
+  return std::max(overlap_slack(e), e.accuracy.points.value_or(0) * size_of(e.pair));
+}
+
 struct SeenPair {
   SeenPoint at1, at2;
   Vec3<Wide> d;
@@ -73,6 +90,12 @@ double normal_severity_in_set(const Evidence& e) {
   return e.accuracy.normal > 0 ? severity : std::max(beyond_the_set, severity);
 }
 
+/// Of the distance between two points that may each slide along its surface: to second order, and what is asked of each.
+double lengthwise_slack(const Evidence& e, const Condition& condition) {
+  const double sliding = points_slack(e, condition) / size_of(e.pair);
+  return 2 * overlap_slack(e) + (sliding * sliding + 2 * e.accuracy.points.value_or(0)) * size_of(e.pair);
+}
+
 /// Of points: in the balls, and no further apart than an overlap in the set says: the ball of a ring holds much else.
 double points_severity_in_set(const Evidence& e) {
   const reference::SolutionSet& all = e.all_solutions();
@@ -80,10 +103,9 @@ double points_severity_in_set(const Evidence& e) {
   const double off = std::max((e.answer.point1 - all.point1).stableNorm(), (e.answer.point2 - all.point2).stableNorm());
   const double apart = (e.answer.point1 - e.answer.point2).stableNorm();
   const double uneven = std::abs(apart - std::abs(static_cast<double>(e.own.overlap)));
-  const double slack = points_slack(e, e.own.condition);
-  return std::max(
-      severity_of(off, all.points_radius + point_rounding(e.pair) + slack),
-      severity_of(uneven, 2 * all.delta + width_of(e.reference.overlap) + 2 * point_rounding(e.pair) + slack));
+  return std::max(severity_of(off, all.points_radius + point_rounding(e.pair) + points_slack(e, e.own.condition)),
+                  severity_of(uneven, 2 * all.delta + width_of(e.reference.overlap) + 2 * point_rounding(e.pair) +
+                                          lengthwise_slack(e, e.own.condition)));
 }
 
 /// How far an overlap is from the lowest, as far as that is known.
@@ -96,8 +118,10 @@ double overlap_error(const Evidence& e, double overlap) {
   return said < lowest.lower ? static_cast<double>(Real50(lowest.lower - said)) : 0;
 }
 
-/// Of the two points from an answer's.
+/// Of the two points from an answer's, or of what is between them from its contact point.
 double distance_to(const Evidence& e, const Solution& other) {
+  if (!has_points(e))
+    return off_segment(e.answer.contact_point.cast<Wide>(), other.point1.cast<Wide>(), other.point2.cast<Wide>());
   return static_cast<double>((e.answer.point1.cast<Real50>() - other.point1).norm() +
                              (e.answer.point2.cast<Real50>() - other.point2).norm());
 }
@@ -106,7 +130,8 @@ double distance_to(const Evidence& e, const Solution& other) {
 
 const Solution& nearest(const Evidence& e) {
   const bool has_normal = e.answer.normal.allFinite();
-  if (e.problem != Problem::common_normal || (!has_normal && !has_points(e))) return e.own;
+  const bool has_place = has_points(e) || e.answer.contact_point.allFinite();
+  if (e.problem != Problem::common_normal || (!has_normal && !has_place)) return e.own;
   const Vec3<Real50> n = e.answer.normal.cast<Real50>();
   const auto is_nearer = [&](const Solution& a, const Solution& b) {
     return has_normal ? n.dot(a.normal) > n.dot(b.normal) : distance_to(e, a) < distance_to(e, b);
@@ -186,27 +211,6 @@ Finding has_the_lowest_overlap(const Evidence& e) {
           doubt};
 }
 
-namespace {
-
-std::string opposition_text(const SeenPoint& at1, const SeenPoint& at2) {
-  const auto angle = static_cast<double>(std::atan2(at1.normal.cross(at2.normal).norm(), -at1.normal.dot(at2.normal)));
-  return "n1 + n2 is not 0: the normals at the points are " + in_degrees(angle) + " from opposite";
-}
-
-/// How far a point is from the line between two others.
-double off_segment(const Vec3<Wide>& point, const Vec3<Wide>& from, const Vec3<Wide>& to) {
-  const Vec3<Wide> d = to - from, reached = point - from;
-  const Wide square = d.squaredNorm(), share = square > 0 ? std::clamp<Wide>(reached.dot(d) / square, 0, 1) : 0;
-  return static_cast<double>((reached - share * d).stableNorm());
-}
-
-/// A point that slides along its surface stays on it: what takes it off is no more than an overlap may be off.
-double surface_slack(const Evidence& e) {
-  return std::max(overlap_slack(e), e.accuracy.points.value_or(0) * size_of(e.pair));
-}
-
-}  // namespace
-
 PointFindings points_show(const Evidence& e) {
   if (!shows_surfaces(e)) return {};
   const SeenPair s = see_both(e);
@@ -243,15 +247,20 @@ Finding agrees_with_itself(const Evidence& e) {
   if (!has_points(e) || std::isnan(a.overlap) || (is_along_motion && !has_normal)) return {};
   const Vec3<Wide> n = a.normal.cast<Wide>(), d = a.point1.cast<Wide>() - a.point2.cast<Wide>();
   const auto distance = static_cast<double>(d.stableNorm());
-  const double allowed = 2 * (point_rounding(e.pair) + few_of(std::abs(a.overlap))) +
-                         (is_along_motion ? few_of(distance) : 0) + 2 * points_slack(e, e.own.condition) +
-                         e.accuracy.normal * std::abs(a.overlap);
+  const double rounding =
+      2 * (point_rounding(e.pair) + few_of(std::abs(a.overlap))) + (is_along_motion ? few_of(distance) : 0);
+  const double lengthwise = rounding + lengthwise_slack(e, e.own.condition);
+  const double allowed = rounding + 2 * points_slack(e, e.own.condition) + e.accuracy.normal * std::abs(a.overlap);
   const double length = is_along_motion ? std::abs(static_cast<double>(n.dot(d) - Wide(a.overlap)))
                                         : std::abs(distance - std::abs(a.overlap));
   const double across =
       has_normal && !is_along_motion ? static_cast<double>((d - Wide(a.overlap) * n).stableNorm()) : length;
+  const double along = has_normal ? std::abs(static_cast<double>(n.dot(d) - Wide(a.overlap))) : length;
+  const double severity = e.accuracy.is_rounding()
+                              ? severity_of(across, allowed)
+                              : std::max(severity_of(across, allowed), severity_of(along, lengthwise));
   return {length > allowed ? FindingKind::overlap_error : FindingKind::misaligned,
-          severity_of(across, allowed),
+          severity,
           {},
           fmt::format("p1 - p2 is not overlap times normal by {:.3g}", across)};
 }
@@ -293,6 +302,36 @@ Finding overlap_agrees(const Evidence& e) {
           e.own.solved ? doubt_of(e, width_of(truth.bounds), allowed) : 0};
 }
 
+namespace {
+
+/// One point, between the certified ones; where these are a set, no further from them than the set reaches.
+Finding middle_agrees(const Evidence& e) {
+  const Solution& truth = nearest(e);
+  const double slack = points_slack(e, truth.condition);
+  const auto off = [&](const auto& point1, const auto& point2) {
+    const Vec3<Wide> from = point1.template cast<Wide>(), to = point2.template cast<Wide>();
+    return off_segment(e.answer.contact_point.cast<Wide>(), from, to);
+  };
+  const auto severity_in_set = [&] {
+    const reference::SolutionSet& all = e.all_solutions();
+    const double allowed = all.points_radius + 2 * point_rounding(e.pair) + slack;
+    return severity_of(off(all.point1, all.point2), allowed);
+  };
+  const auto found = [&](double severity, double error, double doubt) -> Finding {
+    return {FindingKind::point_error, severity, {}, fmt::format("the contact point is {:.3g} off", error), doubt};
+  };
+  const double error = off(truth.point1, truth.point2);
+  if (asks_for_all_solutions(e, truth.condition.points)) return found(severity_in_set(), error, 0);
+  const double allowed = few_of(truth.condition.points * scale_of(e, truth)) + 2 * point_rounding(e.pair) + slack;
+  double severity = severity_of(error, allowed);
+  if (severity > 1)
+    severity = std::min(severity, severity_of(error, 2 * point_rounding(e.pair) + nearby_of(e, truth).points + slack));
+  if (severity > 1 && may_be_in_the_set(e, truth.condition.points)) severity = std::min(severity, severity_in_set());
+  return found(severity, error, doubt_of(e, truth.points_radius, allowed));
+}
+
+}  // namespace
+
 Finding points_agree(const Evidence& e) {
   if (!has_points(e)) return {};
   const Solution& truth = nearest(e);
@@ -314,19 +353,15 @@ Finding points_agree(const Evidence& e) {
           doubt_of(e, truth.points_radius, allowed)};
 }
 
-/// Where a force would act, wherever between the points a method has it; between the certified ones where it has no others. Who leaves
-/// it out says nothing wrong.
+/// Where a force would act, wherever between the points a method has it. Who leaves it out says nothing wrong.
 Finding contact_point_is_between(const Evidence& e) {
   const Contact<double>& a = e.answer;
-  const bool is_alone = e.claims != nullptr && e.claims->points == Points::midway;
-  if (e.problem != Problem::common_normal || !(has_points(e) || is_alone) || !a.contact_point.allFinite()) return {};
-  const Solution& truth = nearest(e);
-  const Vec3<Wide> middle = a.contact_point.cast<Wide>();
-  const double off = is_alone ? off_segment(middle, truth.point1.cast<Wide>(), truth.point2.cast<Wide>())
-                              : off_segment(middle, a.point1.cast<Wide>(), a.point2.cast<Wide>());
-  const double of_points = is_alone ? few_of(truth.condition.points * scale_of(e, truth)) : 0;
+  if (e.problem != Problem::common_normal || !a.contact_point.allFinite()) return {};
+  if (e.claims != nullptr && e.claims->points == Points::midway) return middle_agrees(e);
+  if (!has_points(e)) return {};
+  const double off = off_segment(a.contact_point.cast<Wide>(), a.point1.cast<Wide>(), a.point2.cast<Wide>());
   return {FindingKind::point_error,
-          severity_of(off, 2 * point_rounding(e.pair) + of_points + points_slack(e, truth.condition)),
+          severity_of(off, 2 * point_rounding(e.pair) + points_slack(e, e.own.condition)),
           {},
           fmt::format("the contact point is {:.3g} off", off)};
 }

@@ -40,6 +40,11 @@ double severity_where_claimed(double own, double error, double allowed) {
   return std::isnan(own) ? 0 : severity_of(error, allowed);
 }
 
+/// A verdict without an overlap (Abilities::claimed).
+bool is_bare(const Contact<double>& answer) {
+  return answer.status == Status::converged && answer.verdict == Verdict::separated && std::isnan(answer.overlap);
+}
+
 Finding compare(const Evidence& e, const Pair& asked, const Expected& want, const char* what) {
   const std::optional<Contact<double>> answer = answer_to(e, asked);
   if (!answer) return {};
@@ -47,6 +52,9 @@ Finding compare(const Evidence& e, const Pair& asked, const Expected& want, cons
   const auto found = [&](double severity, const std::string& detail) -> Finding {
     return {FindingKind::asymmetric, severity, {}, fmt::format("{}: {}", what, detail)};
   };
+  // A claim of nothing but "apart": where the answer itself has an overlap, that is by how much the two differ.
+  if (is_bare(got) && !is_bare(e.answer))
+    return found(severity_of(std::abs(want.overlap), 2 * few_of(size_of(asked))), "apart, it says");
   if (got.status != Status::converged) return found(wrong_altogether, fmt::format("status {}", name(got.status)));
   const Condition& condition = e.own.condition;
   const double times = 2 + want.input_error,
@@ -191,7 +199,8 @@ Finding unit_changes_nothing(const Evidence& e) {
   const auto got = answer_to(e, {rescaled(e.pair.body1, unit), rescaled(e.pair.body2, unit), e.pair.motion});
   if (!got || same_contact(e.answer, *got, unit)) return {};
   if (e.is_own) return {FindingKind::asymmetric, wrong_altogether, {}, "other bits in a unit 1024 times smaller"};
-  const double error = std::abs(got->overlap - e.answer.overlap * unit);
+  const bool is_apart = is_bare(*got) && !is_bare(e.answer);
+  const double error = std::abs((is_apart ? 0 : got->overlap) - e.answer.overlap * unit);
   return {
       FindingKind::asymmetric,
       severity_where_claimed(e.answer.overlap, error, 2 * few_of(e.own.condition.overlap * scale_of(e, e.own)) * unit),

@@ -23,27 +23,36 @@
 namespace plumb {
 namespace adapter {
 
+/// x, y, z.
 using Vector = std::array<double, 3>;
-using Matrix = std::array<Vector, 3>;  // rows
+/// Its rows.
+using Matrix = std::array<Vector, 3>;
 
+/// v + w.
 inline Vector operator+(const Vector& v, const Vector& w) {
   return {v[0] + w[0], v[1] + w[1], v[2] + w[2]};
 }
+/// v - w.
 inline Vector operator-(const Vector& v, const Vector& w) {
   return {v[0] - w[0], v[1] - w[1], v[2] - w[2]};
 }
+/// -v.
 inline Vector operator-(const Vector& v) {
   return {-v[0], -v[1], -v[2]};
 }
+/// factor v.
 inline Vector operator*(double factor, const Vector& v) {
   return {factor * v[0], factor * v[1], factor * v[2]};
 }
+/// v . w.
 [[nodiscard]] inline double dot(const Vector& v, const Vector& w) {
   return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
 }
+/// v x w.
 [[nodiscard]] inline Vector cross(const Vector& v, const Vector& w) {
   return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
 }
+/// m v.
 inline Vector operator*(const Matrix& m, const Vector& v) {
   return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
@@ -51,6 +60,7 @@ inline Vector operator*(const Matrix& m, const Vector& v) {
 [[nodiscard]] inline Vector transposed(const Matrix& m, const Vector& v) {
   return v[0] * m[0] + v[1] * m[1] + v[2] * m[2];
 }
+/// No component is NaN or infinite.
 [[nodiscard]] inline bool is_finite(const Vector& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
@@ -85,6 +95,7 @@ std::array<double, N> unit_scaled(const std::array<double, N>& x) {
 struct Norm {
   double value, dx, dy;
 };
+/// `less`: p - 1; `root`: 1 - 1/p.
 inline Norm norm(double x, double y, double less, double root) {
   const double large = std::max(x, y), small = std::min(x, y);
   if (!(large > 0)) return {0, 0, 0};
@@ -101,9 +112,11 @@ struct Nested {
   double value;
   Vector gradient;
 };
+/// With the exponent n, or its dual n/(n-1).
 inline Norm norm_of(double x, double y, double n, bool dual) {
   return dual ? norm(x, y, 1 / (n - 1), 1 / n) : norm(x, y, n - 1, (n - 1) / n);
 }
+/// Of the components' magnitudes, the gradient with the signs of v.
 inline Nested nested(const Vector& v, double n1, double n2, bool dual) {
   const Norm inner = norm_of(std::abs(v[0]), std::abs(v[1]), n2, dual);
   const Norm outer = norm_of(inner.value, std::abs(v[2]), n1, dual);
@@ -112,9 +125,11 @@ inline Nested nested(const Vector& v, double n1, double n2, bool dual) {
            std::copysign(outer.dy, v[2])}};
 }
 
+/// Component by component.
 inline Vector times(const Vector& v, const Vector& w) {
   return {v[0] * w[0], v[1] * w[1], v[2] * w[2]};
 }
+/// Component by component.
 inline Vector over(const Vector& v, const Vector& w) {
   return {v[0] / w[0], v[1] / w[1], v[2] / w[2]};
 }
@@ -147,6 +162,7 @@ struct Gauge {
   double value;
   Vector gradient;
 };
+/// Sides along the axes.
 struct Box {
   Vector low, high;
 };
@@ -159,9 +175,12 @@ struct Body {
   Matrix axes;                       ///< from body axes to the frame's
   std::array<double, 4> quaternion;  ///< unit
 
+  /// From body axes, and back.
   [[nodiscard]] Vector to_frame(const Vector& x) const { return axes * x + centre; }
+  /// The way back.
   [[nodiscard]] Vector to_body(const Vector& x) const { return transposed(axes, x - centre); }
 
+  /// Both exponents are 2.
   [[nodiscard]] bool is_ellipsoid() const { return n1 == 2 && n2 == 2; }
 
   /// Body axes, u of any length.
@@ -220,12 +239,14 @@ struct Frame {
   Vector origin;
   std::array<Body, 2> bodies;
 
+  /// Of a legal pair: body 1 at the origin, lengths divided by 2^exponent.
   explicit Frame(const plumb_pair& pair)
       : exponent(pair_exponent(pair)), origin(vector(pair.bodies[0].position)),
         bodies{placed(pair.bodies[0], {0, 0, 0}), placed(pair.bodies[1], to_centre(pair))} {}
 
   /// The longest semi-axis, in [1, 2).
   [[nodiscard]] double size() const { return std::max(longest(bodies[0].semi_axes), longest(bodies[1].semi_axes)); }
+  /// A point of the frame.
   [[nodiscard]] Vector to_world(const Vector& x) const { return detail::scaled(x, exponent) + origin; }
 
   /// Two points, and the one midway.

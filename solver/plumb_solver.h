@@ -68,6 +68,7 @@ enum plumb_shapes { PLUMB_SUPERELLIPSOIDS = 0, PLUMB_ELLIPSOIDS = 1, PLUMB_SPHER
 enum plumb_apart { PLUMB_APART_DISTANCE = 0, PLUMB_APART_VERDICT = 1, PLUMB_APART_NONE = 2 };
 /* One on each body; one between them, in contact_point; none. */
 enum plumb_points { PLUMB_POINTS_TWO = 0, PLUMB_POINTS_MIDWAY = 1, PLUMB_POINTS_NONE = 2 };
+/* Which contact it looks for. */
 enum plumb_problem {
   PLUMB_COMMON_NORMAL = 0, /* normals opposite, the line through the points along them, lowest overlap */
   PLUMB_DEEPEST_POINTS =

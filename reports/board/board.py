@@ -19,6 +19,8 @@ BIN = "build/release/bin"
 OWN = "auto,new_cn,corrected_cn,original_cn,geometric_potential,geometric_potential_midway"
 LEVELS = ["rounding", "1e-6rad", "0.01deg", "1deg"]
 DRAWN = 50  # of the flagged, and of the passed answers of a row
+# What is about another pair, or about no answer: one answer does not show it.
+UNSEEN = ("asymmetric", "nondeterministic", "nonconverged", "not_finite", "slow", "crash")
 PROBLEMS = {"geometric_potential": "deepest_points", "geometric_potential_midway": "midway"}
 
 
@@ -84,8 +86,7 @@ def drawn_claims(lines, method, abilities, seed):
     flagged, passed = [], []
     for line in lines:
         for answer in line["answers"]:
-            # What is about another pair, or about no answer, cannot be seen from this one.
-            if answer["method"] != method or not answer["judged"] or answer["finding"] in ("asymmetric", "nondeterministic", "slow", "crash"):
+            if answer["method"] != method or not answer["judged"] or answer["finding"] in UNSEEN:
                 continue
             (passed if answer["finding"] == "none" else flagged).append(claim_of(line["case"], answer, abilities))
     draw = random.Random(f"{seed} {method}")
@@ -101,9 +102,9 @@ def second_opinions(lines, rows, out):
         with open(path, "w") as file:
             file.writelines(json.dumps(claim) + "\n" for claim in claims)
         done = subprocess.run([f"{BIN}/second-opinion", path], capture_output=True, text=True)
-        if done.returncode == 2:
-            sys.exit(f"board: {done.stderr.strip()}")
         said = [json.loads(line) for line in done.stdout.splitlines()]
+        if done.returncode not in (0, 1) or len(said) != len(claims):
+            sys.exit(f"board: second-opinion ended with {done.returncode} after {len(said)} of {len(claims)} lines: {done.stderr.strip()}")
         row["second_opinion"] = dict(collections.Counter(s["verdict"] for s in said))
         for claim, opinion in zip(claims, said):
             if opinion["verdict"] == "refuted":
@@ -112,27 +113,27 @@ def second_opinions(lines, rows, out):
     return contradicted
 
 
-def angle_between(a, b):
-    difference = math.dist(a, b)
-    together = math.sqrt(sum((x + y) ** 2 for x, y in zip(a, b)))
-    return math.degrees(2 * math.atan2(difference, together))
+def is_common_normal(row):
+    return row["abilities"]["problem"] == "common_normal"
 
 
-def worst_cases(lines, out):
-    """By method: the flagged answer whose normal is furthest from that of auto, where this one is right; its case in a file."""
+def worst_cases(lines, rows, out):
+    """By method: the answer whose normal is wrong by most, as the judge measured it; its case in a file. Of common-normal solvers alone, for
+    another problem has another normal."""
     worst = {}
     for line in lines:
         truth = next(a for a in line["answers"] if a["method"] == "auto")
         if truth["finding"] != "none" or "normal" not in truth:
             continue
         for answer in line["answers"]:
-            if answer["finding"] == "none" or "normal" not in answer or answer["status"] != "converged":
+            if answer["finding"] not in ("misaligned", "wrong_branch") or not is_common_normal(rows[answer["method"]]):
                 continue
-            angle = angle_between(answer["normal"], truth["normal"])
+            angle = answer.get("angle_error_deg", -1)
             if angle > worst.get(answer["method"], {}).get("angle", -1):
                 worst[answer["method"]] = {"angle": angle, "case": line["case"], "answer": answer, "truth": truth}
     os.makedirs(f"{out}/worst", exist_ok=True)
     for method, found in worst.items():
+        rows[method]["worst"] = found["angle"]
         found["file"] = f"{out}/worst/{re.sub('[^A-Za-z0-9_.+-]', '-', method)}.json"
         case = dict(found["case"], expect={"method": method, "finding": found["answer"]["finding"]})
         with open(found["file"], "w") as file:
@@ -215,9 +216,8 @@ def rows_of(summary, solvers):
         known = solvers.get(method)
         doctor = known["doctor"] if known else None
         abilities = doctor["abilities"] if doctor else {"problem": PROBLEMS.get(method, "common_normal"), "shapes": "superellipsoids", "tolerance": 0}
-        angle = said["angle_error_deg"]
         rows[method] = {"option": known["option"] if known else [], "abilities": abilities, "judged": said["judged"], "right": said["right"],
-                        "findings": said["findings"], "worst": angle["max"] if angle else None,
+                        "findings": said["findings"], "worst": None,
                         "doctor": "-" if doctor is None else "sane" if doctor["sane"] else doctor["sentence"],
                         "ns": summary["timing"]["ns_per_solve"][method]["p50"]}
     return rows
@@ -241,7 +241,7 @@ def main():
     rows = rows_of(summary, solvers)
     print(f"judged; {time.monotonic() - start:.0f} s", file=sys.stderr)
     contradicted = second_opinions(lines, rows, args.out)
-    worst = worst_cases(lines, args.out)
+    worst = worst_cases(lines, rows, args.out)
     print(f"held against a second opinion; {time.monotonic() - start:.0f} s", file=sys.stderr)
     for method, found in worst.items():
         rows[method]["sentence"] = sentence_of(found, rows[method]["option"] or ["--method", method])

@@ -33,11 +33,11 @@ JunitTest method_test(const std::string& family, const std::string& method, cons
     test.message = "no answer could be judged";
     return test;
   }
-  test.text = right_text(t);
+  test.out = right_text(t);
   if (!t.published && t.failures() > 0) {
     test.outcome = TestOutcome::failed;
     test.message = counts_text(t);
-    test.text = test.message + "; " + test.text;
+    test.text = test.message + "; " + test.out;
   }
   return test;
 }

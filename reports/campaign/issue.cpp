@@ -88,14 +88,16 @@ Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
   const JudgedAnswer judged = solve_and_judge(judge, c.pair, solver, accuracy);
   const Finding& finding = judged.judgement.finding;
   if (finding.kind == FindingKind::none) return {};
-  const Solution& truth = judge.reference().common_normal;
+  const bool is_common_normal = solver.abilities.problem == Problem::common_normal;
+  const Solution& truth = judge.solution(solver.abilities.problem);
   const Told expected{static_cast<double>(truth.overlap), truth.normal.cast<double>(), truth.point1.cast<double>(),
-                          truth.point2.cast<double>()};
+                      truth.point2.cast<double>()};
   const Told got{judged.answer.overlap, judged.answer.normal, judged.answer.point1, judged.answer.point2};
   const std::string who = solver.abilities.name.empty() ? solver.name : solver.abilities.name;
   std::string text =
       fmt::format("# {} {}: {}\n\n{}.\n\n", who, solver.abilities.version, name(finding.kind), finding.detail);
-  text += pair_text(c.pair) + told_text(expected, got) + by_hand(c.pair, expected.normal, got.normal);
+  text += pair_text(c.pair) + told_text(expected, got);
+  if (is_common_normal) text += by_hand(c.pair, expected.normal, got.normal);
   return {text, true};
 }
 

@@ -116,6 +116,7 @@ double doubled_error(const Exponential& e, const TwoDoubles& y) {
 // x = 2^k m, c = 1 + i/128 next to m, t = (m - c) / (m + c): log x = k log 2 + log c + 2 (t + t^3/3 + t^5/5 + ..). |t| < 2^-8.4,
 // so that what follows 2t is less than 2^-18 of it, and its rounding 2^-68. i = 0 about 1, where the logarithm is small.
 TwoDoubles log_of(double x) {
+  if (!(x > 0 && x < no_bound)) return {x > 0 ? x : (x == 0 ? -no_bound : std::nan("")), 0};
   int k = 0;
   double m = std::frexp(x, &k);
   if (m < std::numbers::sqrt2 / 2) {

@@ -15,13 +15,13 @@ struct TwoDoubles {
   return a.high < b.high || (a.high == b.high && a.low < b.low);
 }
 
-/// log x for a finite x > 0, with a relative error below 2^-66.
+/// log x for a finite x > 0, with a relative error below 2^-66; minus infinity of 0, infinity of that, NaN of all else.
 [[nodiscard]] TwoDoubles log_of(double x);
 
 /// e times a logarithm, with the relative error of that (and 2^-100).
 [[nodiscard]] TwoDoubles times(double e, const TwoDoubles& logarithm);
 
-/// Bounds of exp y for a y that is known to a relative error of 2^-66. Beyond |y| = 700 they are far apart, 0 and infinity at worst.
+/// Bounds of exp y, 0 and infinity of a NaN, for a y that is known to a relative error of 2^-66. Beyond |y| = 700 they are far apart, 0 and infinity at worst.
 [[nodiscard]] double exp_from_below(const TwoDoubles& y);
 [[nodiscard]] double exp_from_above(const TwoDoubles& y);
 

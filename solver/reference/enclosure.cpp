@@ -76,7 +76,7 @@ I least_power(const I& x, const I& e) {
 template <class I>
 I power_from_above(const I& x, const I& e) {
   if constexpr (std::is_same_v<I, DoubleInterval>) {
-    if (!(high(x) > 0)) return I(0.0);
+    if (high(x) <= 0) return I(0.0);
     const TwoDoubles logarithm = log_of(high(x));
     return I(exp_from_above(times(logarithm.high < 0 ? low(e) : high(e), logarithm)));
   } else {

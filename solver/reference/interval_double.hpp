@@ -161,7 +161,12 @@ template <>
 /// e log x is least and greatest at ends of both intervals, and exp grows.
 template <>
 [[nodiscard]] inline DoubleInterval positive_power(const DoubleInterval& x, const DoubleInterval& e) {
-  if (!(high(x) < OneStepOutward::infinity)) return {0, OneStepOutward::infinity};
+  const bool touches_zero = !(low(x) > 0), is_finite = high(x) < OneStepOutward::infinity;
+  if (!is_finite || (touches_zero && !(low(e) > 0))) return {0, OneStepOutward::infinity};
+  if (touches_zero) {
+    const TwoDoubles top = log_of(high(x));
+    return {0, exp_from_above(times(top.high < 0 ? low(e) : high(e), top))};
+  }
   const TwoDoubles from = log_of(low(x)), to = low(x) < high(x) ? log_of(high(x)) : from;
   const std::array<TwoDoubles, 4> products{times(low(e), from), times(low(e), to), times(high(e), from),
                                            times(high(e), to)};

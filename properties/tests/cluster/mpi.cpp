@@ -9,7 +9,7 @@ namespace {
 
 /// By day the campaigns of a test prove each reference once; the first of them, which may be killed, finds none.
 const std::string kArguments =
-    " --family all --cases 25 --seed 5 --method original_cn,auto " + std::string(is_nightly() ? "" : "--cache kept ");
+    " --family all --cases 60 --seed 5 --method original_cn,auto " + std::string(is_nightly() ? "" : "--cache kept ");
 
 class Mpi : public Cluster {
  protected:

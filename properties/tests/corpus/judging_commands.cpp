@@ -184,7 +184,7 @@ TEST_F(Judging, ReplayHoldsACaseToWhatItExpects) {
       {R"({"verdict": "separated"})", "; verdict overlapping, expected separated"},
       {R"({"status": "stalled"})", "; status converged, expected stalled"},
       {R"({"finding": "misaligned"})", "; finding none, expected misaligned"},
-      {R"({"normal": [0, 1, 0]})", "; normal 90 degrees off"},
+      {R"({"normal": [0, 1, 0]})", "; normal off by 1.57 rad"},
       {R"({"points": [[1, 0, 0], [0.4, 0, 0]]})", "; points off by "}};
   for (const auto& [expect, difference] : wrong) {
     (void)file("wrong.json", expecting(expect));

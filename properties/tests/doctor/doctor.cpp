@@ -265,7 +265,7 @@ TEST_F(Doctor, TheCommandSaysItByItsExitCode) {
   EXPECT_EQ(wrong.code, 1);
   EXPECT_TRUE(wrong.out.starts_with("solver:mistaken: All normals point from body 2 to body 1")) << wrong.out;
   EXPECT_NE(wrong.out.find("normal (-0.48, 0.6, -0.64)"), std::string::npos) << wrong.out;
-  expect_refusal("doctor", "plumb doctor: --solver is required (--help tells more)");
+  expect_refusal("doctor", "plumb doctor: --solver: or --solver-command is missing");
   EXPECT_EQ(plumb("doctor --solver nowhere.so 2>/dev/null").code, 2);
 }
 

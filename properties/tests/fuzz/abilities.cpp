@@ -1,6 +1,7 @@
 // Solvers of limited ability are judged by what they claim: a right one has no finding, and a wrong one has.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <set>
 
@@ -78,6 +79,26 @@ INSTANTIATE_TEST_SUITE_P(Abilities, Limited,
                          testing::Values("spheres", "ellipsoids", "exponents", "verdict", "overlapping", "midway",
                                          "no_points", "no_normal", "bare"),
                          [](const auto& info) { return std::string(info.param); });
+
+/// Spheres that overlap by rounding or not at all, and pairs whose points are a set or jump.
+TEST_F(Limited, TouchingAndIllConditionedPairsAreNoReasonToAccuse) {
+  for (const char* limit : {"verdict", "overlapping", "midway", "no_normal", "bare"}) {
+    SCOPED_TRACE(limit);
+    ::setenv("PLUMB_LIMIT", limit, 1);
+    const Solver solver = load_solver(kLimited);
+    Outcome out;
+    for (int i = 0; i < 60; ++i) {
+      Pair pair = spheres().front();
+      const double angle = 0.1 * i;
+      pair.body2.position << 1.8 * std::cos(angle), 1.8 * std::sin(angle) * 0.6, 1.8 * std::sin(angle) * 0.8;
+      take(out, solver, pair, {});
+    }
+    for (const auto& file : find_case_files({std::string(PLUMB_SOURCE_DIR) + "/corpus/cases/regressions"}))
+      if (const auto c = CaseReader(file.string()).next(); c->expect.method.value_or("auto") == "auto")
+        take(out, solver, c->pair, {});
+    EXPECT_EQ(out.findings, std::set<std::string>());
+  }
+}
 
 TEST_F(Limited, WhatIsNotClaimedIsNotAsked) {
   EXPECT_EQ(outcome_of("spheres", false).asked, spheres().size());

@@ -39,11 +39,21 @@ const FOREIGN = "solver:";
 export function methodName(method: string): HTMLElement {
   const isForeign = method.startsWith(FOREIGN);
   const mark = isForeign
-    ? h("span", { class: "own", title: "A solver that was brought along (--solver): its findings are its defects" }, "judged")
+    ? h(
+        "span",
+        { class: "own", title: "A solver that was brought along (--solver): its findings are its defects" },
+        "judged",
+      )
     : isOwn(method)
       ? h("span", { class: "own", title: "Plumb's own: its findings are defects" }, "own")
       : null;
-  return h("span", { class: "method" }, methodSwatch(method), breakable(method.slice(isForeign ? FOREIGN.length : 0)), mark);
+  return h(
+    "span",
+    { class: "method" },
+    methodSwatch(method),
+    breakable(method.slice(isForeign ? FOREIGN.length : 0)),
+    mark,
+  );
 }
 
 const DASH_ARRAYS: Record<string, string> = { solid: "", dash: "6 3", dot: "2 3", dashdot: "6 3 2 3" };
