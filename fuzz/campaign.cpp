@@ -79,7 +79,7 @@ std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
 void count_on_ladder(Round& round, const std::string& method, const JudgedAnswer& judged) {
   if (round.source.family != "hard") return;
   StepCounts* const step = step_of_case(round.results.families["hard"].ladders, round.c, method);
-  if (step != nullptr) step->add(judged.answer, judged.judgement);
+  if (step != nullptr && judged.asked) step->add(judged.answer, judged.judgement);
 }
 
 /// True when the reference was beaten.
@@ -93,9 +93,9 @@ bool judge_answer(Round& round, const Solver& solver) {
     add_answer(*tally, round.place, judged.answer, judged.judgement, judged.nanoseconds);
     tally->habits.add(round.judge.reference().verdict, judged.answer);
   }
+  count_on_ladder(round, method, judged);  // a row also where it was not asked
   if (!judged.asked) return false;
   if (round.options.keeps_answers) round.answers.push_back(answer_line(round, solver, judged));
-  count_on_ladder(round, method, judged);
   if (judged.judgement.finding.kind != FindingKind::none) keep(round, method, judged.judgement.finding);
   const double by = beats_reference(round.c.pair, judged.answer, round.judge.reference());
   if (by > 0) keep_beaten_reference(round, method, by);

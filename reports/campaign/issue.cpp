@@ -96,6 +96,8 @@ Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
   const std::string who = solver.abilities.name.empty() ? solver.name : solver.abilities.name;
   std::string text =
       fmt::format("# {} {}: {}\n\n{}.\n\n", who, solver.abilities.version, name(finding.kind), finding.detail);
+  if (const double off = judged.judgement.angle_error_deg; is_common_normal && off > 0)
+    text += fmt::format("The normal is {:.3g} degrees from the right one.\n\n", off);
   text += pair_text(c.pair) + told_text(expected, got);
   if (is_common_normal) text += by_hand(c.pair, expected.normal, got.normal);
   return {text, true};

@@ -31,6 +31,14 @@ TEST_F(Several, CampaignsOfOtherSolversOnTheSamePairsAreOne) {
   EXPECT_EQ(summary("both"), summary("one"));
 }
 
+TEST_F(Several, WhoIsNotAskedAboutALadderStandsInItAllTheSame) {
+  (void)plumb("campaign --family hard --cases 60 --seed 1 --method auto --solver " + kPeers +
+              "peer_fcl.so --out out 2>/dev/null");
+  EXPECT_GT(json("out/summary.json").at("methods").at("solver:fcl").at("x_not_asked"), 0);
+  EXPECT_EQ(plumb("merge out --out again").code, 1);  // a foreign solver's findings
+  EXPECT_EQ(summary("again"), summary("out"));
+}
+
 TEST_F(Several, OtherPairsAreNotPutTogether) {
   (void)campaign("--method auto --out first");
   (void)plumb("campaign --family spheroid --seed 4 --cases 12 --method original_cn --out second 2>/dev/null");
