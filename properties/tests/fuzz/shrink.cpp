@@ -275,7 +275,7 @@ TEST(Explain, TheRangesAreTrueWhenTriedByHand) {
 
 /// One whose trials end while its numbers are tried.
 TEST(Explain, WhatWasNotTriedIsNotSaid) {
-  const Pair pair = case_of("regressions/face-on-face-early-end").pair;
+  const Pair pair = case_of("regressions/coaxial-about-y").pair;
   const Explained explained = shrink_and_explain(pair, find_solvers("corrected_cn").front());
   int unknown = 0;
   for (const Range& range : explained.ranges) {
