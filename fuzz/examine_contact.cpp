@@ -62,7 +62,7 @@ std::string_view unsuspected(const Pair& pair, const hunting::Guide& guide) {
 
 /// Empty when there is something to judge.
 std::string_view unsuspected(const BuiltContact& built) {
-  if (target_settings().guide) return unsuspected(built.pair, *target_settings().guide);
+  if (const auto& guide = target_settings().guide) return unsuspected(built.pair, *guide);
   const Contact<double> answer = target_settings().solver.solve(built.pair, Want{}, nullptr);
   if (is_let_pass(answer)) return name(answer.status);
   return is_suspected(built.pair, answer, built_directions(built)) ? "" : "none suspected";

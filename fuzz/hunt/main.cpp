@@ -70,10 +70,11 @@ std::string bucket_of(const Case& c, const std::string& finding, const std::stri
 }
 
 /// The case as it was found, and the shrunk one beside it, whose path comes back.
-fs::path keep(const Hunted& hunted, const Explained& explained, const Solver& solver, const fs::path& out) {
+fs::path keep(const Case& fuzzed, const Hunted& hunted, const Explained& explained, const Solver& solver,
+              const fs::path& out) {
   const Finding& finding = hunted.judged.judgement.finding;
-  const std::string file = bucket_of(*hunted.found, std::string(name(finding.kind)), solver.name);
-  const Case found = failing_case(*hunted.found, solver.name, finding, "plumb fuzz");
+  const std::string file = bucket_of(fuzzed, std::string(name(finding.kind)), solver.name);
+  const Case found = failing_case(fuzzed, solver.name, finding, "plumb fuzz");
   const fs::path folder = out / "failures", shrunk = folder / (file + std::string(kShrunk));
   fs::create_directories(folder);
   write_file(folder / (file + "--fuzzed.json"), format_case(found) + "\n");
@@ -82,8 +83,7 @@ fs::path keep(const Hunted& hunted, const Explained& explained, const Solver& so
 }
 
 /// One that hangs is not asked any more after a while: its case stays as it was found.
-Explained explained_as_far(const Hunted& hunted, const Solver& solver, const Accuracy& accuracy) {
-  const Pair& pair = hunted.found->pair;
+Explained explained_as_far(const Pair& pair, const Hunted& hunted, const Solver& solver, const Accuracy& accuracy) {
   try {
     return shrink_and_explain(pair, solver, accuracy);
   } catch (const NoAnswer&) {
@@ -94,9 +94,9 @@ Explained explained_as_far(const Hunted& hunted, const Solver& solver, const Acc
   }
 }
 
-int leave(const Hunted& hunted, const Solver& solver, const Arguments& args) {
-  const Explained explained = explained_as_far(hunted, solver, parse_accuracy(args.accuracy));
-  const fs::path kept = keep(hunted, explained, solver, args.out);
+int leave(const Case& fuzzed, const Hunted& hunted, const Solver& solver, const Arguments& args) {
+  const Explained explained = explained_as_far(fuzzed.pair, hunted, solver, parse_accuracy(args.accuracy));
+  const fs::path kept = keep(fuzzed, hunted, explained, solver, args.out);
   const std::string options = solver.option + accuracy_option(args.accuracy);
   print_line(explained.sentence + "\n" + expected_and_got(explained, solver));
   print_line(fmt::format("found after {} inputs, {} pairs answered, {} judged\nkept: {}\nreplay: {}", hunted.inputs,
@@ -131,7 +131,7 @@ int fuzz(const Arguments& args) {
   if (!solver) throw InputFailure("plumb fuzz", 0, "--solver", "is missing: which solver?");
   const FolderLock lock = lock_out(args.out);
   const Hunted hunted = hunt_as_asked(*solver, args);
-  if (hunted.found) return leave(hunted, *solver, args);
+  if (hunted.found) return leave(*hunted.found, hunted, *solver, args);
   print_line(nothing_text(hunted, solver->name));
   return exit_done;
 }

@@ -9,8 +9,8 @@
 namespace plumb::reference {
 namespace {
 
-using Coarse = Interval19;  // of the cover: thousands of cells, each with some room
-using Fine = Interval80;    // of the solutions: a few, to all digits
+using OfCover = Interval19;  // of the cover: thousands of cells, each with some room
+using Fine = Interval80;     // of the solutions: a few, to all digits
 
 constexpr int deepest_leaf = 48;  // the corners of smaller cells are not exact in double
 
@@ -117,8 +117,8 @@ class ProofVerifier {
     fail(find_misshape(proof_));
     if (!(proof_.level >= 0)) fail("the level is below zero");
     if (!out_.failure.empty()) return;
-    const FramedPair<Coarse> coarse(enclose<Coarse>(pair_), proof_.cover.frame);
-    const CoverProof found = verify_cover<Coarse>(coarse, proof_.cover, proof_.level);
+    const FramedPair<OfCover> coarse(enclose<OfCover>(pair_), proof_.cover.frame);
+    const CoverProof found = verify_cover<OfCover>(coarse, proof_.cover, proof_.level);
     if (!found.well_formed) return fail("a witness does not lie in its body");
     if (!found.excluded) return fail("a leaf is not above the level, or not in its region");
     least_ = std::min(proof_.level, found.least_open);
