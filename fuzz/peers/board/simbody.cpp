@@ -63,7 +63,8 @@ void solve(const adapter::Frame& frame, plumb_contact& contact) {
   // The surfaces' points lie half the depth up and down the normal (Contact.h).
   const auto& patch = EllipticalPointContact::getAs(found);
   const Transform in_frame = pose1 * patch.getContactFrame();
-  const Vec3 normal = in_frame.z(), half = normal * (patch.getDepth() / 2);
+  const Vec3& normal = in_frame.z();
+  const Vec3 half = normal * (patch.getDepth() / 2);
   frame.write(
       {patch.getDepth(), from_simbody(normal), from_simbody(in_frame.p() + half), from_simbody(in_frame.p() - half)},
       contact);
