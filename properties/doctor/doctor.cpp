@@ -7,6 +7,7 @@
 #include <string>
 
 #include "corpus/body_json.hpp"
+#include "corpus/case.hpp"
 #include "corpus/command.hpp"
 #include "properties/doctor/diagnosis.hpp"
 

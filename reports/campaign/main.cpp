@@ -172,6 +172,7 @@ int write_issue(const Arguments& args) {
   if (!c) throw InputFailure(args.issue, 0, "", "holds no case");
   const auto solver =
       solver_instead(args.foreign, args.foreign.empty() ? c->expect.method.value_or("auto") : "", "--issue");
+  if (!solver) throw InputFailure(args.issue, 0, "expect.method", "names no method");
   const Issue found = issue(*c, *solver, parse_accuracy(args.accuracy));
   print_line(found.has_finding ? found.markdown
                                : solver->name + " has no finding on this case: there is nothing to report");

@@ -52,13 +52,13 @@ void expect_found(const Solver& solver, const std::set<FindingKind>& kinds,
                   const std::function<bool(const Pair&)>& is_where_it_fails) {
   for (std::uint64_t seed = 1; seed <= draws(5, 3); ++seed) {
     const Hunted hunted = hunt(solver, inputs(kInputs, seed));
-    ASSERT_TRUE(hunted.found) << "seed " << seed;
-    const Explained explained = shrink_and_explain(hunted.found->pair, solver);
+    if (!hunted.found) FAIL() << "seed " << seed;
+    const Pair& pair = hunted.found->pair;
+    const Explained explained = shrink_and_explain(pair, solver);
     const Shrunk& shrunk = explained.shrunk;
     EXPECT_TRUE(kinds.contains(shrunk.found.judgement.finding.kind)) << explained.sentence;
     EXPECT_TRUE(is_where_it_fails(shrunk.pair)) << explained.sentence;
-    EXPECT_TRUE(is_same(defect_of(hunted.found->pair, hunted.judged), defect_of(shrunk.pair, shrunk.found)))
-        << explained.sentence;
+    EXPECT_TRUE(is_same(defect_of(pair, hunted.judged), defect_of(shrunk.pair, shrunk.found))) << explained.sentence;
   }
 }
 
@@ -146,7 +146,7 @@ TEST_F(Hunt, ClimbsToWhatIsNotDrawn) {
 TEST_F(Hunt, IsTheSameEachTime) {
   const Solver solver = planted("octant");
   const Hunted one = hunt(solver, inputs(kInputs)), two = hunt(solver, inputs(kInputs));
-  ASSERT_TRUE(one.found && two.found);
+  if (!one.found || !two.found) FAIL();
   EXPECT_EQ(format_case(*one.found), format_case(*two.found));
   EXPECT_EQ(one.inputs, two.inputs);
 }
