@@ -629,7 +629,7 @@ const char* plumb_recorder_finding_name(int finding) {
   return finding >= 0 && finding < PLUMB_FINDINGS ? names[finding] : "unknown";
 }
 
-/* The kind of shape in corpus/shape_class.hpp's order, times 4; 1 for a needle and 2 for a disc are added by the caller. */
+/* The kind of shape in corpus/case/shape_class.hpp's order, times 4; 1 for a needle and 2 for a disc are added by the caller. */
 static int plumb__kind(const double* s) {
   const int equal = (s[0] == s[1]) + (s[1] == s[2]) + (s[0] == s[2]);
   if (plumb__is_round(s)) return equal == 3 ? 0 : (equal == 1 ? 4 : 8);

@@ -2,7 +2,7 @@
 //
 // The closed list of scalar types: float, double and long double here, Real50 and Real100 in reference/real.hpp, Stochastic in
 // reports/stability/. Functions of the solver are templates that are instantiated for these in one .cpp file each; the methods
-// for Real50 in reports/precision_fifty.cpp, so that who links the solver needs no MPFR, and all there is for Stochastic in
+// for Real50 in reports/precision/precision_fifty.cpp, so that who links the solver needs no MPFR, and all there is for Stochastic in
 // reports/stability/stochastic_methods.cpp.
 #pragma once
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <span>
 
-#include "corpus/dump_text.hpp"
-#include "corpus/json_text.hpp"
-#include "corpus/lammps/pair_arguments.hpp"
+#include "corpus/dump/dump_text.hpp"
+#include "corpus/json/json_text.hpp"
+#include "solver/lammps/pair_arguments.hpp"
 #include "solver/scene/part.hpp"
 #include "solver/scene/simulation.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "corpus/fields.hpp"
+#include "corpus/json/fields.hpp"
 #include "solver/contact.hpp"
 
 namespace plumb {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "corpus/auto_door.hpp"
+#include "corpus/solvers/auto_door.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <limits>
 #include <utility>
 
-#include "corpus/interrupt.hpp"
-#include "fuzz/engine_run.hpp"
+#include "corpus/command/interrupt.hpp"
+#include "fuzz/main_job/engine_run.hpp"
 
 namespace plumb::hunting {
 namespace {

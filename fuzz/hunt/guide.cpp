@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "properties/laws_answer.hpp"
-#include "properties/screen.hpp"
+#include "properties/laws/laws_answer.hpp"
+#include "properties/laws/screen.hpp"
 
 namespace plumb::hunting {
 namespace {

@@ -1,9 +1,9 @@
 // How far an answer is from right, in microseconds: what the hunt climbs by. It decides nothing: what it suspects goes to the Judge.
 #pragma once
 
-#include "corpus/solver.hpp"
-#include "properties/accuracy.hpp"
-#include "properties/laws.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "properties/laws/accuracy.hpp"
+#include "properties/laws/laws.hpp"
 
 namespace plumb::hunting {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "corpus/interrupt.hpp"
+#include "corpus/command/interrupt.hpp"
 #include "fuzz/hunt/cells.hpp"
 #include "fuzz/hunt/guide.hpp"
 #include "fuzz/hunt/inputs.hpp"
-#include "properties/laws.hpp"
+#include "properties/laws/laws.hpp"
 #include "solver/reference/meter.hpp"
 
 namespace plumb::hunting {

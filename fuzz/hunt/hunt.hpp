@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "corpus/case.hpp"
-#include "corpus/solver.hpp"
-#include "fuzz/abort_rule.hpp"
-#include "properties/accuracy.hpp"
-#include "properties/judged_answer.hpp"
+#include "corpus/case/case.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "fuzz/targets/abort_rule.hpp"
+#include "properties/laws/accuracy.hpp"
+#include "properties/laws/judged_answer.hpp"
 
 namespace plumb::hunting {
 

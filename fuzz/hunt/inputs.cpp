@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "fuzz/decode.hpp"
-#include "fuzz/decode_contact.hpp"
-#include "fuzz/layout_fields.hpp"
+#include "fuzz/layouts/decode.hpp"
+#include "fuzz/layouts/decode_contact.hpp"
+#include "fuzz/layouts/layout_fields.hpp"
 
 namespace plumb::hunting {
 namespace {

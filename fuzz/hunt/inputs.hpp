@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "corpus/solvers/abilities.hpp"
-#include "fuzz/mutate.hpp"
+#include "fuzz/layouts/mutate.hpp"
 
 namespace plumb::hunting {
 

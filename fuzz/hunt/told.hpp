@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "fuzz/explain.hpp"
 #include "fuzz/hunt/hunt.hpp"
+#include "fuzz/shrink/explain.hpp"
 
 namespace plumb::hunting {
 

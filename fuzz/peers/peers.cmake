@@ -1,4 +1,4 @@
-# Other people's solvers behind solver/plumb_solver.h: one shared library each, in the folder where corpus/foreign_solver.cpp
+# Other people's solvers behind solver/plumb_solver.h: one shared library each, in the folder where corpus/solvers/foreign_solver.cpp
 # looks for them, and only where what they need is installed.
 find_library(PLUMB_LIBCCD ccd)
 find_path(PLUMB_LIBCCD_INCLUDE ccd/ccd.h)

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "corpus/solver.hpp"
+#include "corpus/solvers/solver.hpp"
 #include "properties/doctor/mistakes.hpp"
 #include "properties/doctor/questions.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "search.hpp"
+#include "cover.hpp"
 
 namespace second_opinion {
 

@@ -1,4 +1,4 @@
-#include "search.hpp"
+#include "cover.hpp"
 
 #include <limits>
 #include <queue>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 
 namespace plumb {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "properties/stream.hpp"
+#include "properties/generators/stream.hpp"
 #include "solver/contact.hpp"
 
 namespace plumb {

@@ -1,7 +1,7 @@
 // References that the tests of a build prove once: a second run, and a second test of the same pair, find them.
 #pragma once
 
-#include "corpus/reference_store.hpp"
+#include "corpus/certificate/reference_store.hpp"
 #include "properties/tests/draws.hpp"
 
 namespace plumb {

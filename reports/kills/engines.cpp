@@ -10,9 +10,9 @@
 #include <optional>
 #include <set>
 
-#include "corpus/in_parallel.hpp"
-#include "properties/host_modes.hpp"
-#include "properties/laws_path.hpp"
+#include "corpus/command/in_parallel.hpp"
+#include "properties/doors/host_modes.hpp"
+#include "properties/laws/laws_path.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb::reports {

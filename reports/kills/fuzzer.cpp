@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 
-#include "corpus/in_parallel.hpp"
-#include "corpus/solvers/shell_word.hpp"
-#include "fuzz/engine_run.hpp"
+#include "corpus/command/in_parallel.hpp"
+#include "corpus/solvers/host/shell_words.hpp"
+#include "fuzz/main_job/engine_run.hpp"
 #include "reports/kills/engines.hpp"
 
 namespace plumb::reports {

@@ -2,8 +2,8 @@
 
 #include <dlfcn.h>
 
-#include "corpus/case.hpp"
-#include "corpus/json_text.hpp"
+#include "corpus/case/case.hpp"
+#include "corpus/json/json_text.hpp"
 #include "fuzz/bugs/seeded_bugs.hpp"
 
 namespace plumb::reports {

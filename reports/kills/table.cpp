@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "corpus/json_text.hpp"
-#include "fuzz/tally.hpp"
+#include "corpus/json/json_text.hpp"
+#include "fuzz/results/tally.hpp"
 
 namespace plumb::reports {
 namespace {

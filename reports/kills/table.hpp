@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "reports/kills/engines.hpp"
 
 namespace plumb::reports {

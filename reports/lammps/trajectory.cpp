@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "corpus/lammps/lammps_files.hpp"
 #include "solver/scene/facts.hpp"
 #include "solver/scene/simulation.hpp"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "corpus/interrupt.hpp"
+#include "corpus/command/interrupt.hpp"
 #include "reports/scenes/tables.hpp"
 #include "reports/scenes/timing.hpp"
 #include "solver/scene/named.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/json_text.hpp"
+#include "corpus/json/json_text.hpp"
 
 namespace plumb::reports {
 

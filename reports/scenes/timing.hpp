@@ -3,7 +3,7 @@
 
 #include <time.h>
 
-#include "corpus/interrupt.hpp"
+#include "corpus/command/interrupt.hpp"
 #include "solver/scene/simulation.hpp"
 
 namespace plumb::reports {

@@ -4,11 +4,11 @@
 #include <cfenv>
 #include <filesystem>
 
-#include "corpus/program_folder.hpp"
-#include "corpus/solver.hpp"
-#include "properties/host_modes.hpp"
-#include "reports/precision_error.hpp"
-#include "reports/precision_methods.hpp"
+#include "corpus/command/program_folder.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "properties/doors/host_modes.hpp"
+#include "reports/precision/precision_error.hpp"
+#include "reports/precision/precision_methods.hpp"
 #include "reports/stability/stochastic_methods.hpp"
 #include "solver/scalar.hpp"
 

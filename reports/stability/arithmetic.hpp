@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "corpus/solver.hpp"
+#include "corpus/solvers/solver.hpp"
 #include "solver/contact.hpp"
 #include "solver/reference/real.hpp"
 

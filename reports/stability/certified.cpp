@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/decimal.hpp"
-#include "corpus/fields.hpp"
+#include "corpus/json/decimal.hpp"
+#include "corpus/json/fields.hpp"
 #include "solver/pose.hpp"
-#include "solver/reference/solution_set.hpp"
+#include "solver/reference/condition/solution_set.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::reports {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace plumb::reports {

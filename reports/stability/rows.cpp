@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/in_parallel.hpp"
+#include "corpus/command/in_parallel.hpp"
 
 namespace plumb::reports {
 namespace {

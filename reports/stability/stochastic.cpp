@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "properties/stream.hpp"
+#include "properties/generators/stream.hpp"
 
 namespace plumb {
 namespace {

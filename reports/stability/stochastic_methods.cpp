@@ -1,8 +1,8 @@
 #include "reports/stability/stochastic_methods.hpp"
 
 #include "solver/least_squares_impl.hpp"
+#include "solver/method/auto/surface/per_body_scalar.hpp"
 #include "solver/method/instantiate.hpp"
-#include "solver/method/twin.hpp"
 #include "solver/pose_impl.hpp"
 
 namespace plumb {

@@ -1,7 +1,7 @@
 // The methods in stochastic rounding; what comes out is the seed's (seed_rounding).
 #pragma once
 
-#include "reports/precision_methods.hpp"
+#include "reports/precision/precision_methods.hpp"
 #include "reports/stability/stochastic.hpp"
 
 namespace plumb::reports {

@@ -1,5 +1,5 @@
 // What variants.cmake builds with other compilers and options.
-#include "corpus/auto_door.hpp"
+#include "corpus/solvers/auto_door.hpp"
 
 extern "C" int plumb_solver_version() {
   return PLUMB_SOLVER_VERSION;

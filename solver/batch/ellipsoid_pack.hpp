@@ -6,8 +6,8 @@
 #pragma once
 
 #include "solver/batch/pack_pair.hpp"
-#include "solver/method/ellipsoid_guard.hpp"
-#include "solver/method/ellipsoid_steps.hpp"
+#include "solver/method/auto/ellipsoid/ellipsoid_guard.hpp"
+#include "solver/method/auto/ellipsoid/ellipsoid_steps.hpp"
 #include "solver/scalar.hpp"
 
 namespace plumb {

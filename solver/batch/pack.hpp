@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "solver/batch/elementary.hpp"
-#include "solver/method/twin.hpp"
+#include "solver/method/auto/surface/per_body_scalar.hpp"
 
 namespace plumb {
 

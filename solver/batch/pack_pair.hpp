@@ -6,7 +6,7 @@
 
 #include "solver/batch/chunk.hpp"
 #include "solver/batch/pack.hpp"
-#include "solver/method/framed_pair.hpp"
+#include "solver/method/auto/framed_pair.hpp"
 
 namespace plumb {
 

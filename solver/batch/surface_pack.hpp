@@ -5,8 +5,8 @@
 #pragma once
 
 #include "solver/batch/pack_pair.hpp"
-#include "solver/method/surface_contact.hpp"
-#include "solver/method/surface_iteration.hpp"
+#include "solver/method/auto/surface/surface_contact.hpp"
+#include "solver/method/auto/surface/surface_iteration.hpp"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "solver/method/automatic_impl.hpp"
+#include "solver/method/auto/automatic_impl.hpp"
 
 namespace plumb {
 

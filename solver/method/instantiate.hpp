@@ -1,12 +1,12 @@
 // Every method in one scalar: what the sources that instantiate them for one other than double hold.
 #pragma once
 
-#include "solver/method/automatic_impl.hpp"
-#include "solver/method/common_normal_impl.hpp"
-#include "solver/method/first_touch_impl.hpp"
-#include "solver/method/geometric_potential_impl.hpp"
+#include "solver/method/auto/automatic_impl.hpp"
 #include "solver/method/method_table.hpp"
-#include "solver/method/minimum_distance_impl.hpp"
+#include "solver/method/published/common_normal_impl.hpp"
+#include "solver/method/published/first_touch_impl.hpp"
+#include "solver/method/published/geometric_potential_impl.hpp"
+#include "solver/method/published/minimum_distance_impl.hpp"
 
 #define PLUMB_INSTANTIATE_METHODS(S)       \
   PLUMB_INSTANTIATE_AUTOMATIC(S)           \

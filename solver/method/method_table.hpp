@@ -5,11 +5,11 @@
 #include <array>
 
 #include "solver/method/automatic.hpp"
-#include "solver/method/common_normal.hpp"
-#include "solver/method/first_touch.hpp"
-#include "solver/method/geometric_potential.hpp"
 #include "solver/method/methods.hpp"
-#include "solver/method/minimum_distance.hpp"
+#include "solver/method/published/common_normal.hpp"
+#include "solver/method/published/first_touch.hpp"
+#include "solver/method/published/geometric_potential.hpp"
+#include "solver/method/published/minimum_distance.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // Three components and symmetric 3x3 matrices of any type that adds and multiplies: a scalar, or a vector register that
-// holds a number of each of several bodies (both.hpp). Eigen's fixed sizes do not take such a type for a scalar. All is
+// holds a number of each of several bodies (per_body.hpp). Eigen's fixed sizes do not take such a type for a scalar. All is
 // inlined by force: the calling convention passes such registers through memory, and g++ counts a dozen of them as too much.
 #pragma once
 

@@ -4,11 +4,11 @@
 #include <numbers>
 #include <optional>
 
-#include "solver/reference/condition.hpp"
-#include "solver/reference/cover_search.hpp"
-#include "solver/reference/minimum.hpp"
+#include "solver/reference/condition/condition.hpp"
 #include "solver/reference/real.hpp"
-#include "solver/reference/revolution.hpp"
+#include "solver/reference/search/cover_search.hpp"
+#include "solver/reference/search/minimum.hpp"
+#include "solver/reference/search/revolution.hpp"
 
 namespace plumb::reference {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "solver/reference/certify.hpp"
-#include "solver/reference/interval_double.hpp"
+#include "solver/reference/interval/interval_double.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/scene/mass.hpp"
+#include "solver/scene/body/mass.hpp"
 
 namespace plumb::scene {
 namespace {

@@ -2,8 +2,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "solver/scene/body/world_setup.hpp"
 #include "solver/scene/simulation.hpp"
-#include "solver/scene/world_setup.hpp"
 
 namespace plumb::scene {
 namespace {

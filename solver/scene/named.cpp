@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "solver/scene/named_scenes.hpp"
+#include "solver/scene/named/named_scenes.hpp"
 
 namespace plumb::scene {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/scene/body/rotation.hpp"
+#include "solver/scene/body/world_setup.hpp"
 #include "solver/scene/passes.hpp"
-#include "solver/scene/rotation.hpp"
-#include "solver/scene/world_setup.hpp"
 
 namespace plumb::scene {
 namespace {

@@ -1,5 +1,5 @@
 // A part of a scene whose bodies another engine moves: contacts and their forces as in a scene, and nothing that moves. An engine
-// that spreads its bodies over processes (corpus/lammps) has one part in each: the bodies there, and their neighbours.
+// that spreads its bodies over processes (solver/lammps) has one part in each: the bodies there, and their neighbours.
 //
 //   Part part({effects, walls, time_step, accuracy});
 //   part.renew(bodies, pairs);                     whenever its list of neighbours is new; set_history() of those that it knew
@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/narrow_phase.hpp"
+#include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/narrow_phase.hpp"
 #include "solver/scene/plan.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 

@@ -1,8 +1,8 @@
 // The passes of one step's forces, in their order: what a scene's own loop and an engine that lends its bodies both run.
 #pragma once
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/plan.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 

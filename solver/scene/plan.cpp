@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/scene/body/mass.hpp"
 #include "solver/scene/check_scene.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/mass.hpp"
 
 namespace plumb::scene {
 namespace {

@@ -6,10 +6,8 @@ string(CONCAT effect_rows ${effect_rows})
 file(CONFIGURE OUTPUT effects/effect_rows.inc CONTENT "${effect_rows}")
 set(effect_sources ${plumb_effects})
 list(TRANSFORM effect_sources REPLACE "(.+)" "scene/effect/\\1.cpp")
-add_library(plumb_scene STATIC scene/check_scene.cpp scene/columns.cpp scene/effects.cpp scene/facts.cpp scene/hertz_contact.cpp scene/mass.cpp
-            scene/measures.cpp scene/named.cpp scene/named_few.cpp scene/named_many.cpp scene/narrow_phase.cpp scene/neighbours.cpp scene/part.cpp
-            scene/passes.cpp scene/plan.cpp scene/simulation.cpp
-            scene/world_setup.cpp ${effect_sources})
+file(GLOB scene_sources CONFIGURE_DEPENDS scene/*.cpp scene/body/*.cpp scene/contact/*.cpp scene/named/*.cpp)
+add_library(plumb_scene STATIC ${scene_sources} ${effect_sources})
 add_library(plumb::scene ALIAS plumb_scene)
 set_target_properties(plumb_scene PROPERTIES PLUMB_EFFECTS "${plumb_effects}")
 set_source_files_properties(scene/effects.cpp PROPERTIES INCLUDE_DIRECTORIES ${CMAKE_CURRENT_BINARY_DIR}/effects)

@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "solver/scene/narrow_phase.hpp"
-#include "solver/scene/neighbours.hpp"
+#include "solver/scene/body/rotation.hpp"
+#include "solver/scene/body/world_setup.hpp"
+#include "solver/scene/contact/narrow_phase.hpp"
+#include "solver/scene/contact/neighbours.hpp"
 #include "solver/scene/passes.hpp"
-#include "solver/scene/rotation.hpp"
-#include "solver/scene/world_setup.hpp"
 
 namespace plumb::scene {
 namespace {

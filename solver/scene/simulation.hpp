@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/plan.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "corpus/solver.hpp"
-#include "properties/generators.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "properties/generators/generators.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "corpus/solver.hpp"
-#include "properties/generators.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "properties/generators/generators.hpp"
 #include "solver/c/door.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"

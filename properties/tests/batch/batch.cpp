@@ -8,9 +8,9 @@
 #include <memory>
 #include <set>
 
-#include "properties/columns.hpp"
-#include "properties/families.hpp"
-#include "properties/laws.hpp"
+#include "properties/doors/columns.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/laws/laws.hpp"
 #include "properties/tests/allocations.hpp"
 #include "solver/method/methods.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "properties/columns.hpp"
+#include "properties/doors/columns.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/c/door.hpp"
 #include "solver/plumb.h"
 #include "solver/reference/reference.hpp"

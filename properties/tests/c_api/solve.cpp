@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "properties/columns.hpp"
-#include "properties/families.hpp"
+#include "properties/doors/columns.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/c/door.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/plumb.h"

@@ -2,9 +2,9 @@
 // sanitizers, have larger frames.
 #include <gtest/gtest.h>
 
-#include "corpus/case.hpp"
-#include "properties/columns.hpp"
-#include "properties/families.hpp"
+#include "corpus/case/case.hpp"
+#include "properties/doors/columns.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/c_api/painted.hpp"
 #include "solver/c/door.hpp"
 #include "solver/method/methods.hpp"

@@ -1,5 +1,5 @@
 // Chunks: shards of a shard, handed out once or more often, kept as files.
-#include "fuzz/chunks.hpp"
+#include "fuzz/campaign/chunks.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,8 +10,8 @@
 #include <set>
 #include <thread>
 
-#include "fuzz/campaign.hpp"
-#include "fuzz/merge.hpp"
+#include "fuzz/campaign/campaign.hpp"
+#include "fuzz/campaign/merge.hpp"
 #include "properties/tests/cluster/killed.hpp"
 
 namespace plumb {

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "corpus/json_text.hpp"
+#include "corpus/json/json_text.hpp"
 #include "properties/tests/interrupting.hpp"
 
 namespace plumb {

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "corpus/case.hpp"
-#include "corpus/folder_lock.hpp"
+#include "corpus/case/case.hpp"
+#include "corpus/file/folder_lock.hpp"
 #include "properties/tests/cluster/killed.hpp"
 
 namespace plumb {

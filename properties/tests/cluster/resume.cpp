@@ -1,5 +1,5 @@
 // A campaign that was killed goes on where it was: what it finds is what an undisturbed one finds.
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "properties/tests/cluster/killed.hpp"
 
 namespace plumb {

@@ -1,14 +1,14 @@
 // Files that were edited badly, one place at a time, and files without an end: told in one line, none taken into memory whole.
 #include <algorithm>
 
-#include "corpus/answer.hpp"
-#include "corpus/fields.hpp"
-#include "corpus/proof_file.hpp"
-#include "corpus/scene_file.hpp"
-#include "corpus/scene_record.hpp"
+#include "corpus/case/answer.hpp"
+#include "corpus/certificate/proof_file.hpp"
+#include "corpus/json/fields.hpp"
+#include "corpus/scene/scene_file.hpp"
+#include "corpus/scene/scene_record.hpp"
 #include "properties/tests/broken.hpp"
 #include "properties/tests/corpus/programs.hpp"
-#include "solver/reference/make_proof.hpp"
+#include "solver/reference/search/make_proof.hpp"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "corpus/decimal.hpp"
+#include "corpus/json/decimal.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

@@ -1,9 +1,9 @@
 // Checkpoints come back bit for bit; whatever is damaged is refused, with the file's name and in one line.
-#include "corpus/checkpoint.hpp"
+#include "corpus/scene/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 
 namespace plumb::scene {
 namespace {

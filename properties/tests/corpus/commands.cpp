@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "corpus/solver.hpp"
+#include "corpus/solvers/solver.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/interrupting.hpp"
 

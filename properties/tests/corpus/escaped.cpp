@@ -1,5 +1,5 @@
 // Names of others in Markdown, CSV and XML: text, whatever they hold.
-#include "corpus/escaped.hpp"
+#include "corpus/json/escaped.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // Work on several threads: all of it, in any number of threads, and what it throws.
-#include "corpus/in_parallel.hpp"
+#include "corpus/command/in_parallel.hpp"
 
 #include <gtest/gtest.h>
 

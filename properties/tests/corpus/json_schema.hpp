@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "corpus/json_text.hpp"
+#include "corpus/json/json_text.hpp"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "corpus/solver.hpp"
+#include "corpus/solvers/solver.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "properties/tests/corpus/sample.hpp"
 
 namespace plumb {

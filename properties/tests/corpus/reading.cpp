@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "corpus/case.hpp"
-#include "corpus/words.hpp"
-#include "properties/laws.hpp"
+#include "corpus/case/case.hpp"
+#include "corpus/case/contract_words.hpp"
+#include "properties/laws/laws.hpp"
 #include "properties/tests/corpus/sample.hpp"
 #include "solver/pose.hpp"
 

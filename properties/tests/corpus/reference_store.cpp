@@ -1,5 +1,5 @@
 // A stored reference is the computed one, bit for bit; whatever else lies in its place is a miss.
-#include "corpus/reference_store.hpp"
+#include "corpus/certificate/reference_store.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <set>
 #include <thread>
 
-#include "corpus/reference_json.hpp"
-#include "properties/families.hpp"
+#include "corpus/certificate/reference_json.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "corpus/json_text.hpp"
-#include "properties/replay_reports.hpp"
+#include "corpus/json/json_text.hpp"
+#include "properties/command/replay_reports.hpp"
 #include "properties/tests/corpus/sample.hpp"
 
 namespace plumb {

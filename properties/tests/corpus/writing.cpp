@@ -13,9 +13,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "corpus/answer.hpp"
-#include "corpus/case.hpp"
-#include "properties/generators.hpp"
+#include "corpus/case/answer.hpp"
+#include "corpus/case/case.hpp"
+#include "properties/generators/generators.hpp"
 #include "properties/tests/corpus/sample.hpp"
 
 namespace plumb {

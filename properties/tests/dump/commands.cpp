@@ -3,9 +3,9 @@
 #include <rapidcheck/gtest.h>
 #include <sys/stat.h>
 
-#include "corpus/dump_text.hpp"
-#include "corpus/fields.hpp"
-#include "properties/generators.hpp"
+#include "corpus/dump/dump_text.hpp"
+#include "corpus/json/fields.hpp"
+#include "properties/generators/generators.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/dump/dumps.hpp"
 #include "properties/tests/interrupting.hpp"

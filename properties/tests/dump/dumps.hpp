@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "corpus/dump_pairs.hpp"
-#include "corpus/dump_reader.hpp"
+#include "corpus/dump/dump_pairs.hpp"
+#include "corpus/dump/dump_reader.hpp"
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
 // What the reader takes from a dump, and what it refuses.
 #include <gtest/gtest.h>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "properties/tests/dump/dumps.hpp"
 
 namespace plumb {

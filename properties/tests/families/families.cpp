@@ -1,5 +1,5 @@
 // The families: deterministic, legal, and covering what they claim.
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "properties/generators.hpp"
+#include "properties/generators/generators.hpp"
 #include "properties/tests/draws.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"

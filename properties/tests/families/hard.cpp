@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "properties/families.hpp"
-#include "properties/generators.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/generators/generators.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
 

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <set>
 
-#include "corpus/case.hpp"
-#include "corpus/solver.hpp"
-#include "properties/families.hpp"
-#include "properties/judged_answer.hpp"
+#include "corpus/case/case.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/laws/judged_answer.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

@@ -1,9 +1,9 @@
 // Where a pair lies in the atlas, and that its counts add up.
-#include "fuzz/atlas.hpp"
+#include "fuzz/results/parameter_histogram.hpp"
 
 #include <gtest/gtest.h>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 
 namespace plumb {
 namespace {

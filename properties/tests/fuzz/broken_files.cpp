@@ -1,8 +1,8 @@
 // What a campaign left, edited badly, one place at a time: merge, --resume and report tell it in one line.
 #include <algorithm>
 
-#include "fuzz/campaign.hpp"
-#include "properties/families.hpp"
+#include "fuzz/campaign/campaign.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/broken.hpp"
 #include "properties/tests/corpus/programs.hpp"
 

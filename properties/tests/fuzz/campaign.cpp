@@ -1,15 +1,15 @@
 // Results do not depend on threads and shards, and a kept failure replays bit for bit.
-#include "fuzz/campaign.hpp"
+#include "fuzz/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "corpus/reference_store.hpp"
-#include "fuzz/judging.hpp"
-#include "fuzz/merge.hpp"
-#include "properties/families.hpp"
+#include "corpus/certificate/reference_store.hpp"
+#include "fuzz/campaign/judging.hpp"
+#include "fuzz/campaign/merge.hpp"
+#include "properties/generators/families.hpp"
 
 namespace plumb {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/case.hpp"
+#include "corpus/case/case.hpp"
 #include "properties/tests/interrupting.hpp"
 
 namespace plumb {

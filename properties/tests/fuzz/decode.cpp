@@ -1,5 +1,5 @@
 // Bytes -> case: total, stable, steerable.
-#include "fuzz/decode.hpp"
+#include "fuzz/layouts/decode.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-#include "corpus/shape_class.hpp"
+#include "corpus/case/shape_class.hpp"
 #include "properties/tests/fuzz/noise.hpp"
 
 namespace plumb {

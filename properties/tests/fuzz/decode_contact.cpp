@@ -1,12 +1,12 @@
 // Bytes -> contact: total, stable, and what is built is what was asked for.
-#include "fuzz/decode_contact.hpp"
+#include "fuzz/layouts/decode_contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "fuzz/bucket.hpp"
-#include "properties/screen.hpp"
+#include "fuzz/results/bucket.hpp"
+#include "properties/laws/screen.hpp"
 #include "properties/tests/fuzz/noise.hpp"
 #include "solver/reference/reference.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-#include "fuzz/habits.hpp"
+#include "fuzz/shrink/fixed_answers.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

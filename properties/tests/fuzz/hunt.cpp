@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <set>
 
-#include "fuzz/explain.hpp"
 #include "fuzz/hunt/guide.hpp"
 #include "fuzz/hunt/inputs.hpp"
+#include "fuzz/shrink/explain.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/draws.hpp"
 #include "solver/pose.hpp"

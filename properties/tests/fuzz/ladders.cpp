@@ -1,13 +1,13 @@
 // Answers by ladder and step: who lets go where.
-#include "fuzz/ladders.hpp"
+#include "fuzz/results/ladders.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "fuzz/merge.hpp"
-#include "fuzz/table.hpp"
-#include "properties/families.hpp"
+#include "fuzz/campaign/merge.hpp"
+#include "fuzz/results/table.hpp"
+#include "properties/generators/families.hpp"
 
 namespace plumb {
 namespace {

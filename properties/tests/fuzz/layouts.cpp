@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "fuzz/decode_path.hpp"
-#include "fuzz/decode_scene.hpp"
-#include "properties/laws_path.hpp"
+#include "fuzz/layouts/decode_path.hpp"
+#include "fuzz/layouts/decode_scene.hpp"
+#include "properties/laws/laws_path.hpp"
 #include "properties/tests/fuzz/noise.hpp"
 #include "solver/scene/plan.hpp"
 

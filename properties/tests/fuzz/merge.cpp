@@ -1,5 +1,5 @@
 // Only parts of one campaign add up, each of them once.
-#include "fuzz/merge.hpp"
+#include "fuzz/campaign/merge.hpp"
 
 #include <gtest/gtest.h>
 

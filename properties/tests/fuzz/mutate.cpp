@@ -1,13 +1,13 @@
 // The mutator: total, within the layout, and each of its steps reaches what it says.
-#include "fuzz/mutate.hpp"
+#include "fuzz/layouts/mutate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "corpus/shape_class.hpp"
-#include "fuzz/decode.hpp"
-#include "fuzz/decode_contact.hpp"
+#include "corpus/case/shape_class.hpp"
+#include "fuzz/layouts/decode.hpp"
+#include "fuzz/layouts/decode_contact.hpp"
 #include "properties/tests/fuzz/noise.hpp"
 
 namespace plumb {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/solver.hpp"
-#include "properties/families.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // A shrunk case keeps its finding, nothing simpler does, and what is said of it is true when it is tried by hand.
-#include "fuzz/shrink.hpp"
+#include "fuzz/shrink/shrink.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "fuzz/explain.hpp"
-#include "fuzz/kept.hpp"
-#include "properties/families.hpp"
+#include "fuzz/results/failure_store.hpp"
+#include "fuzz/shrink/explain.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/draws.hpp"
 

@@ -1,9 +1,9 @@
 // What the eye reads.
-#include "fuzz/table.hpp"
+#include "fuzz/results/table.hpp"
 
 #include <gtest/gtest.h>
 
-#include "corpus/solvers/shell_word.hpp"
+#include "corpus/solvers/host/shell_words.hpp"
 
 namespace plumb {
 namespace {

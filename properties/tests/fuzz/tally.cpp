@@ -1,5 +1,5 @@
 // Counts, percentiles from fixed bins, and exact intervals.
-#include "fuzz/tally.hpp"
+#include "fuzz/results/tally.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The cells that an engine climbs by are alive, and a warmer reading lights more of them.
-#include "fuzz/thermometer.hpp"
+#include "fuzz/targets/extra_counters.hpp"
 
 #include <gtest/gtest.h>
 

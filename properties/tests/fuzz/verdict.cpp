@@ -1,10 +1,10 @@
 // What a run ends with.
-#include "fuzz/verdict.hpp"
+#include "fuzz/main_job/verdict.hpp"
 
 #include <gtest/gtest.h>
 
-#include "fuzz/campaign.hpp"
-#include "properties/judged_answer.hpp"
+#include "fuzz/campaign/campaign.hpp"
+#include "properties/laws/judged_answer.hpp"
 
 namespace plumb {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "properties/columns.hpp"
-#include "properties/families.hpp"
-#include "properties/laws.hpp"
+#include "properties/doors/columns.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/laws/laws.hpp"
 #include "properties/tests/draws.hpp"
 #include "properties/tests/host_modes/drawn.hpp"
 #include "solver/batch/batch.hpp"

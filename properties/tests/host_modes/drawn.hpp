@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "properties/host_modes.hpp"
-#include "properties/stream.hpp"
+#include "properties/doors/host_modes.hpp"
+#include "properties/generators/stream.hpp"
 #include "solver/contact.hpp"
 
 namespace plumb {

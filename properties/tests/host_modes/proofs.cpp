@@ -1,14 +1,14 @@
 // What is proved does not depend on the floating-point mode of the host, and holds the truth at any length.
 #include <gtest/gtest.h>
 
-#include "corpus/case.hpp"
-#include "properties/families.hpp"
+#include "corpus/case/case.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/host_modes/drawn.hpp"
 #include "solver/c/door.hpp"
 #include "solver/plumb.h"
-#include "solver/reference/make_proof.hpp"
-#include "solver/reference/proof.hpp"
+#include "solver/reference/proof/proof.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/reference/search/make_proof.hpp"
 
 namespace plumb {
 namespace {

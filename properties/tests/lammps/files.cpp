@@ -4,10 +4,10 @@
 #include <sstream>
 
 #include "corpus/lammps/lammps_files.hpp"
-#include "corpus/lammps/pair_arguments.hpp"
-#include "corpus/scene_file.hpp"
+#include "corpus/scene/scene_file.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/scene/crowd.hpp"
+#include "solver/lammps/pair_arguments.hpp"
 #include "solver/scene/simulation.hpp"
 
 namespace plumb::scene {

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "properties/families.hpp"
-#include "properties/laws.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/laws/laws.hpp"
 
 namespace plumb {
 namespace {

@@ -1,13 +1,13 @@
 // Every law is shown able to fail: a right answer breaks none, and for each law there is a deliberately wrong answer that
 // it rejects with the right finding.
-#include "properties/laws.hpp"
+#include "properties/laws/laws.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <map>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {

@@ -1,5 +1,5 @@
 // The laws along a motion: each can fail, auto breaks none on the frozen motions, and those files are what the generator writes.
-#include "properties/paths.hpp"
+#include "properties/generators/paths.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
-#include "properties/families.hpp"
-#include "properties/laws_path.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/laws/laws_path.hpp"
 #include "properties/tests/kept_references.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/pose.hpp"

@@ -1,10 +1,10 @@
 // The screen: it passes what is right, and each of its checks is shown able to suspect.
-#include "properties/screen.hpp"
+#include "properties/laws/screen.hpp"
 
 #include <gtest/gtest.h>
 
-#include "properties/agreement.hpp"
-#include "properties/families.hpp"
+#include "properties/doors/agreement.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {

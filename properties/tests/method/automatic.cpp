@@ -4,13 +4,13 @@
 
 #include <Eigen/Geometry>
 
-#include "properties/draft.hpp"
-#include "properties/families.hpp"
-#include "properties/laws.hpp"
+#include "properties/generators/draft.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/laws/laws.hpp"
 #include "properties/tests/kept_references.hpp"
-#include "solver/method/ellipsoid_contact.hpp"
+#include "solver/method/auto/ellipsoid/ellipsoid_contact.hpp"
+#include "solver/method/auto/surface/surface_descent.hpp"
 #include "solver/method/methods.hpp"
-#include "solver/method/surface_descent.hpp"
 #include "solver/shape/curvature.hpp"
 
 namespace plumb {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "properties/draft.hpp"
-#include "properties/families.hpp"
+#include "properties/generators/draft.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {

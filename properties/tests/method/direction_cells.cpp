@@ -1,5 +1,5 @@
 // The queue of the search over directions holds no more than may wait: it must lose nothing and keep the order.
-#include "solver/method/direction_cells.hpp"
+#include "solver/method/auto/cover/direction_cells.hpp"
 
 #include <gtest/gtest.h>
 

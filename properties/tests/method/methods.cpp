@@ -5,10 +5,10 @@
 
 #include <Eigen/Geometry>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/allocations.hpp"
-#include "solver/method/common_normal_impl.hpp"
-#include "solver/method/geometric_potential_impl.hpp"
+#include "solver/method/published/common_normal_impl.hpp"
+#include "solver/method/published/geometric_potential_impl.hpp"
 
 namespace plumb {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "properties/draft.hpp"
-#include "properties/families.hpp"
+#include "properties/generators/draft.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/reference/reference.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "properties/draft.hpp"
-#include "solver/method/common_axis.hpp"
+#include "properties/generators/draft.hpp"
+#include "solver/method/auto/cover/common_axis.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/reference/reference.hpp"
 

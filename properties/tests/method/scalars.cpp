@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/method/automatic.hpp"
-#include "solver/method/common_normal_impl.hpp"
+#include "solver/method/published/common_normal_impl.hpp"
+#include "solver/reference/condition/solution_set.hpp"
 #include "solver/reference/reference.hpp"
-#include "solver/reference/solution_set.hpp"
 
 namespace plumb {
 namespace {

@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "properties/generators.hpp"
-#include "solver/method/curvature_floor.hpp"
-#include "solver/method/turn_slope.hpp"
-#include "solver/method/witness_game.hpp"
+#include "properties/generators/generators.hpp"
+#include "solver/method/auto/cover/curvature_bound.hpp"
+#include "solver/method/auto/cover/mixture_bound.hpp"
+#include "solver/method/auto/cover/rotation_derivative.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"
 #include "solver/shape/tangent.hpp"

@@ -1,11 +1,11 @@
 // What the search over heights rests on: the minimum of a quadratic over the sphere.
-#include "solver/method/sphere_minimum.hpp"
+#include "solver/method/auto/ellipsoid/sphere_minimum.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
-#include "properties/stream.hpp"
+#include "properties/generators/stream.hpp"
 
 namespace plumb {
 namespace {

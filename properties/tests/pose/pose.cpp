@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "properties/generators.hpp"
+#include "properties/generators/generators.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/shape/tangent.hpp"
 

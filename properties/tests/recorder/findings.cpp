@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 
-#include "corpus/answer.hpp"
+#include "corpus/case/answer.hpp"
 #include "properties/tests/recorder/sample.hpp"
 
 namespace plumb {

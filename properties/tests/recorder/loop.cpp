@@ -1,5 +1,5 @@
 // One wrong contact among ten million right ones, and the example of the documentation.
-#include "corpus/fields.hpp"
+#include "corpus/json/fields.hpp"
 #include "properties/tests/recorder/sample.hpp"
 
 namespace plumb {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "corpus/shape_class.hpp"
-#include "properties/families.hpp"
-#include "properties/recording.hpp"
+#include "corpus/case/shape_class.hpp"
+#include "properties/doors/recording.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "solver/method/methods.hpp"
 

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <optional>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/shape/superellipsoid.hpp"

@@ -1,18 +1,18 @@
 // Condition numbers against finite differences in 50 digits, their proof, and the sets that stand in for infinite ones: each
 // shown to hold where it must, and to refuse what is wrong.
-#include "solver/reference/condition.hpp"
+#include "solver/reference/condition/condition.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <cmath>
 
-#include "properties/families.hpp"
-#include "properties/stream.hpp"
-#include "solver/reference/condition_proof.hpp"
-#include "solver/reference/nearby.hpp"
-#include "solver/reference/refine.hpp"
-#include "solver/reference/solution_set.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/generators/stream.hpp"
+#include "solver/reference/condition/condition_proof.hpp"
+#include "solver/reference/condition/nearby.hpp"
+#include "solver/reference/condition/solution_set.hpp"
+#include "solver/reference/search/refine.hpp"
 
 namespace plumb::reference {
 namespace {

@@ -1,13 +1,13 @@
 // Powers of doubles against MPFR's: logarithms to the error that is stated, and bounds that hold and are close.
-#include "solver/reference/double_power.hpp"
+#include "solver/reference/interval/double_power.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "properties/stream.hpp"
-#include "solver/reference/interval.hpp"
-#include "solver/reference/interval_double.hpp"
+#include "properties/generators/stream.hpp"
+#include "solver/reference/interval/interval.hpp"
+#include "solver/reference/interval/interval_double.hpp"
 
 namespace plumb::reference {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <stdexcept>
 
-#include "properties/draft.hpp"
-#include "solver/reference/make_proof.hpp"
-#include "solver/reference/meridian.hpp"
+#include "properties/generators/draft.hpp"
 #include "solver/reference/meter.hpp"
-#include "solver/reference/proof.hpp"
+#include "solver/reference/proof/meridian.hpp"
+#include "solver/reference/proof/proof.hpp"
+#include "solver/reference/search/make_proof.hpp"
 
 namespace plumb::reference {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/meter.hpp"
 #include "solver/shape/superellipsoid.hpp"

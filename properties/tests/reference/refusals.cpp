@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "properties/laws.hpp"
+#include "properties/laws/laws.hpp"
 #include "solver/pose.hpp"
+#include "solver/reference/proof/verify.hpp"
 #include "solver/reference/reference.hpp"
-#include "solver/reference/verify.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {

@@ -1,13 +1,13 @@
 // Continua of common normals: rings of bodies of revolution, concentric spheres; and pairs that only look like them.
-#include "solver/reference/revolution.hpp"
+#include "solver/reference/search/revolution.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "properties/draft.hpp"
-#include "solver/reference/interval_double.hpp"
+#include "properties/generators/draft.hpp"
+#include "solver/reference/interval/interval_double.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace plumb {

@@ -1,17 +1,17 @@
 // All stationary pairs: closed forms, the count that Poincare and Hopf ask for, the reference's answer among them, an
 // independent evaluation of each, and cases that must not come out complete.
-#include "solver/reference/stationary.hpp"
+#include "solver/reference/search/stationary.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "solver/pose.hpp"
-#include "solver/reference/direction_box.hpp"
+#include "solver/reference/interval/direction_box.hpp"
 #include "solver/reference/reference.hpp"
-#include "solver/reference/refine.hpp"
+#include "solver/reference/search/refine.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {

@@ -1,10 +1,10 @@
 // The proofs of the touching problems: closed forms, random cases, and what only looks like a touch.
-#include "solver/reference/touch.hpp"
+#include "solver/reference/touch/touch.hpp"
 
 #include <gtest/gtest.h>
 
-#include "properties/families.hpp"
-#include "solver/reference/refine.hpp"
+#include "properties/generators/families.hpp"
+#include "solver/reference/search/refine.hpp"
 
 namespace plumb {
 namespace {

@@ -1,8 +1,8 @@
 // What plumb report reads, edited badly, one place at a time: a page, or one line that says where.
 #include "properties/tests/broken.hpp"
 #include "properties/tests/corpus/programs.hpp"
-#include "reports/campaign/compare.hpp"
-#include "reports/campaign/formats.hpp"
+#include "reports/document/compare.hpp"
+#include "reports/document/formats.hpp"
 
 namespace plumb::reports {
 namespace {

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "properties/tests/corpus/programs.hpp"
-#include "reports/campaign/compare.hpp"
+#include "reports/document/compare.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -124,7 +124,7 @@ TEST_F(Report, FilesForOtherProgramsAgreeWithTheSummary) {
   const Json& results = sarif["runs"][0]["results"];
   EXPECT_EQ(results.size(), summary["x_buckets"].size());
   for (const Json& result : results) {
-    EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "properties/laws.cpp");
+    EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "properties/laws/laws.cpp");
     EXPECT_EQ(result["level"], "note") << "baselines' findings are results";
   }
   const std::string csv = read("page.csv");

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "fuzz/bugs/seeded_bugs.hpp"
-#include "properties/families.hpp"
-#include "properties/host_modes.hpp"
-#include "properties/paths.hpp"
+#include "properties/doors/host_modes.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/generators/paths.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "solver/method/methods.hpp"
 

@@ -1,6 +1,6 @@
 // plumb report: the hard cases ladder by ladder, and what plumb report-stability left.
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb::reports {

@@ -1,17 +1,17 @@
 // All solutions of the original six equations: closed forms of spheres, the equations in 50 digits, other proofs and Newton's
 // method from random starts, none of which may find another, and cases that must not come out complete.
-#include "reports/seed_study/six_roots.hpp"
+#include "reports/study/six_roots.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
-#include "properties/draft.hpp"
-#include "properties/families.hpp"
-#include "solver/method/common_normal.hpp"
+#include "properties/generators/draft.hpp"
+#include "properties/generators/families.hpp"
+#include "solver/method/published/common_normal.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"
-#include "solver/reference/stationary.hpp"
+#include "solver/reference/search/stationary.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::reports {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "properties/tests/corpus/programs.hpp"
-#include "reports/seed_study/groups.hpp"
-#include "reports/seed_study/limits.hpp"
-#include "reports/seed_study/maps.hpp"
-#include "reports/seed_study/starts.hpp"
+#include "reports/study/groups.hpp"
+#include "reports/study/limits.hpp"
+#include "reports/study/maps.hpp"
+#include "reports/study/starts.hpp"
 
 namespace plumb::reports {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "properties/tests/scene/made.hpp"
 #include "solver/method/automatic.hpp"
-#include "solver/scene/hertz_contact.hpp"
+#include "solver/scene/contact/hertz_contact.hpp"
 #include "solver/scene/named.hpp"
 #include "solver/shape/superellipsoid.hpp"
 

@@ -6,9 +6,9 @@
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
 #include "solver/method/automatic.hpp"
+#include "solver/scene/contact/narrow_phase.hpp"
+#include "solver/scene/contact/neighbours.hpp"
 #include "solver/scene/named.hpp"
-#include "solver/scene/narrow_phase.hpp"
-#include "solver/scene/neighbours.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::scene {

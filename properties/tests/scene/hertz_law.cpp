@@ -5,8 +5,8 @@
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <numbers>
 
-#include "solver/scene/hertz_contact.hpp"
-#include "solver/scene/relative_curvature.hpp"
+#include "solver/scene/contact/hertz_contact.hpp"
+#include "solver/scene/contact/relative_curvature.hpp"
 
 namespace plumb::scene {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <numbers>
 
-#include "properties/stream.hpp"
-#include "solver/scene/mass.hpp"
+#include "properties/generators/stream.hpp"
+#include "solver/scene/body/mass.hpp"
 #include "solver/scene/simulation.hpp"
 
 namespace plumb::scene::made {

@@ -5,7 +5,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <numbers>
 
-#include "solver/scene/mass.hpp"
+#include "solver/scene/body/mass.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::scene {

@@ -6,8 +6,8 @@
 
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
+#include "solver/scene/body/rotation.hpp"
 #include "solver/scene/part.hpp"
-#include "solver/scene/rotation.hpp"
 
 namespace plumb::scene {
 namespace {

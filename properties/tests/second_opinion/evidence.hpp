@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "corpus/solver.hpp"
-#include "properties/judged_answer.hpp"
+#include "corpus/solvers/solver.hpp"
+#include "properties/laws/judged_answer.hpp"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/draws.hpp"
 #include "properties/tests/kept_references.hpp"
 #include "properties/tests/second_opinion/asking.hpp"

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "properties/generators.hpp"
+#include "properties/generators/generators.hpp"
 
 namespace plumb {
 namespace {

@@ -1,7 +1,7 @@
 // The closed forms against 50 digits: finite differences of the values, and the rounding of the double evaluation.
 #include <gtest/gtest.h>
 
-#include "properties/generators.hpp"
+#include "properties/generators/generators.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/shape/chart.hpp"
 #include "solver/shape/curvature.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "properties/generators.hpp"
+#include "properties/generators/generators.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {

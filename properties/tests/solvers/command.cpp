@@ -10,10 +10,10 @@
 #include <fstream>
 #include <thread>
 
-#include "corpus/case.hpp"
-#include "corpus/solvers/child.hpp"
-#include "corpus/solvers/shell_words.hpp"
-#include "properties/judged_answer.hpp"
+#include "corpus/case/case.hpp"
+#include "corpus/solvers/host/child.hpp"
+#include "corpus/solvers/host/shell_words.hpp"
+#include "properties/laws/judged_answer.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb {

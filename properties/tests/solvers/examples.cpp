@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "properties/judged_answer.hpp"
+#include "properties/laws/judged_answer.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "solver/pose.hpp"
 #include "solver/shape/superellipsoid.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "reports/stability/stochastic_methods.hpp"
 #include "solver/reference/reference.hpp"
 

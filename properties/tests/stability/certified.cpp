@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "properties/families.hpp"
+#include "properties/generators/families.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "reports/stability/certified.hpp"
 #include "reports/stability/rows.hpp"

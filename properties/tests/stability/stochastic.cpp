@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "properties/stream.hpp"
+#include "properties/generators/stream.hpp"
 #include "solver/contact.hpp"
 #include "solver/reference/real.hpp"
 

@@ -1,4 +1,4 @@
-/** The part `fem` of the document (data.ts): what `reports/fem/run` left. Written by reports/campaign/fem.cpp. */
+/** The part `fem` of the document (data.ts): what `reports/fem/run` left. Written by reports/document/fem.cpp. */
 import type { Vec } from "./data";
 
 /**

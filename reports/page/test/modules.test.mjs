@@ -120,7 +120,7 @@ const ladderRow = (judged, wrong, lost) => {
 };
 
 test("a ladder says where a method lets go, and what of it is known", async () => {
-  const { describeStep, firstFinding, holdsOn, stepName, wholePercent } = await load("sections/ladder_words.ts");
+  const { describeStep, firstFinding, holdsOn, stepName, wholePercent } = await load("sections/ladders/ladder_words.ts");
   const row = ladderRow([8, 200, 0], [0, 1, 0], [0, 20, 0]);
   assert.equal(stepName(LADDER, 2), "1e-8 (step 2 of 3)");
   assert.equal(firstFinding(row), "nonconverged");
@@ -144,7 +144,7 @@ test("a ladder says where a method lets go, and what of it is known", async () =
 });
 
 test("ladders are ordered by how far a method gets", async () => {
-  const { heldPart } = await load("sections/ladder_words.ts");
+  const { heldPart } = await load("sections/ladders/ladder_words.ts");
   const of = (row) => heldPart({ ...LADDER, methods: [row] }, "new_cn");
   const first = of(ladderRow([1, 1, 1], [1, 1, 1], [0, 0, 0]));
   const last = of(ladderRow([1, 1, 1], [0, 0, 1], [0, 0, 0]));

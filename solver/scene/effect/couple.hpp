@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/effect/stick_slip.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 namespace {

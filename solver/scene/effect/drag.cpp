@@ -2,9 +2,9 @@
 
 #include <numbers>
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 namespace {

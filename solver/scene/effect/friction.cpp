@@ -1,9 +1,9 @@
 #include "solver/scene/effect/friction.hpp"
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/effect/stick_slip.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 namespace {

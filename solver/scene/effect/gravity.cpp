@@ -1,7 +1,7 @@
 #include "solver/scene/effect/gravity.hpp"
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 

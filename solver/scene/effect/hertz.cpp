@@ -1,9 +1,9 @@
 #include "solver/scene/effect/hertz.hpp"
 
+#include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/hertz_contact.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/hertz_contact.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 namespace {

@@ -1,8 +1,8 @@
 #include "solver/scene/effect/linear.hpp"
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 namespace {

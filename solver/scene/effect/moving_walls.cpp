@@ -3,8 +3,8 @@
 #include <numbers>
 #include <string>
 
+#include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
-#include "solver/scene/world.hpp"
 
 namespace plumb::scene {
 namespace {

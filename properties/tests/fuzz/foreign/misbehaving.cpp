@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "corpus/solver_wire.hpp"
+#include "corpus/solvers/solver_wire.hpp"
 
 // A solver that is right, for spheres.
 #define plumb_solver_version spheres_version

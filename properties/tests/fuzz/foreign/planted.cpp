@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "corpus/auto_door.hpp"
+#include "corpus/solvers/auto_door.hpp"
 
 namespace {
 

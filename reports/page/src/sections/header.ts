@@ -1,7 +1,7 @@
 import type { Playback, Report, Run, Study } from "../data";
 import { h } from "../dom";
 import { count, number } from "../numbers";
-import { femLine } from "./fem_words";
+import { femLine } from "./fem/fem_words";
 
 function alarm(run: Run): HTMLElement | null {
   const errors = Object.entries(run.harness_errors);

@@ -6,8 +6,8 @@ import { inOrder } from "../methods";
 import { count, NONE } from "../numbers";
 import { methodName } from "../swatch";
 import { type Column, table } from "../table";
-import { LADDER_NAME } from "./ladder_name";
-import { stepName } from "./ladder_words";
+import { LADDER_NAME } from "./ladders/ladder_name";
+import { stepName } from "./ladders/ladder_words";
 
 type Rungs = Stability["ladders"][number];
 

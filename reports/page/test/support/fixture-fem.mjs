@@ -143,7 +143,7 @@ const counted = (verdicts) => ({
   of: verdicts.filter((verdict) => verdict !== null).length,
 });
 
-/** As reports/campaign/fem.cpp reads them. */
+/** As reports/document/fem.cpp reads them. */
 export function femOf(lines) {
   const whole = lines.filter(({ reason }) => reason === undefined);
   const of = (wanted) => whole.filter(({ kind }) => kind === wanted).map(({ kind, ...line }) => line);

@@ -198,7 +198,7 @@ export function studyLines() {
   return [RUN, ...groups(random), ...maps, ...shares, ...limits(random), ...orders(), ...costs(), ...roots()];
 }
 
-/** As reports/campaign/study.cpp reads them. */
+/** As reports/document/study.cpp reads them. */
 export function studyOf(lines) {
   const of = (wanted) => lines.filter(({ kind }) => kind === wanted).map(({ kind, ...line }) => line);
   const { commit, ...host } = lines[0].host;

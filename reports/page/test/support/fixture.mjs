@@ -48,7 +48,7 @@ export const FINDINGS = [
 const LAWS = FINDINGS.slice(0, -1).map(({ word, meaning }, index) => ({
   name: `law_${word}`,
   statement: `No answer ${meaning}.`,
-  file: "properties/laws_answer.cpp",
+  file: "properties/laws/laws_answer.cpp",
   line: 40 + 17 * index,
 }));
 

@@ -1,0 +1,16 @@
+// A body as cases and scenes hold it: shape, position, orientation.
+#pragma once
+
+#include "corpus/json/fields.hpp"
+#include "solver/contact.hpp"
+
+namespace plumb {
+
+/// Reads a legal body from an object's shape, position and orientation; its other members are the caller's. Where something
+/// else places it, it has no position. Euler angles are evaluated in 50 digits. Throws FieldError.
+[[nodiscard]] Body read_body(const Field& field, bool placed = false);
+
+/// Position and quaternion.
+[[nodiscard]] Json body_json(const Body& body);
+
+}  // namespace plumb

@@ -1,0 +1,123 @@
+// playback.jsonl, format plumb/playback-1: what the page shows. Nine digits are enough for eyes.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "corpus/json/fields.hpp"
+#include "corpus/scene/scene_output.hpp"
+#include "corpus/scene/scene_view.hpp"
+
+namespace plumb::scene {
+namespace {
+
+Json head_json(const Scene& scene, const Plan& plan) {
+  Json bodies = Json::array(), walls = Json::array(), effects = Json::array();
+  for (const SceneBody& b : scene.bodies) {
+    const auto& shape = b.body.shape;
+    bodies.push_back(
+        {{"semi_axes", vector_json(shape.semi_axes)}, {"exponents", {shape.n1, shape.n2}}, {"fixed", b.is_fixed}});
+  }
+  for (const Wall& wall : scene.walls) walls.push_back({{"normal", vector_json(wall.normal)}});
+  for (const PlannedEffect& planned : plan.effects)
+    effects.push_back({{"name", planned.effect->name}, {"on", planned.is_on}, {"why", planned.why}});
+  return {{"format", "plumb/playback-1"},
+          {"scene", scene.name},
+          {"bodies", bodies},
+          {"walls", walls},
+          {"effects", effects},
+          {"time_step", plan.time_step},
+          {"accuracy", scene.run.accuracy}};
+}
+
+/// Numbers with commas between them; one that JSON does not have is null.
+class Numbers {
+ public:
+  explicit Numbers(std::string& text) : text_(text) {}
+  Numbers& operator<<(double x) {
+    if (std::isfinite(x))
+      fmt::format_to(std::back_inserter(text_), "{}{:.9g}", separator_, x);
+    else
+      text_.append(separator_).append("null");
+    separator_ = ",";
+    return *this;
+  }
+  Numbers& operator<<(std::span<const double> numbers) {
+    for (const double x : numbers) *this << x;
+    return *this;
+  }
+
+ private:
+  std::string& text_;
+  const char* separator_ = "";
+};
+
+/// The entries first .. last - 1 of a column as a flat array.
+void add_entries(std::string& text, const char* name, const Column& column, std::size_t first, std::size_t last) {
+  text += fmt::format(",\"{}\":[", name);
+  Numbers numbers(text);
+  for (std::size_t i = first; i < last; ++i) numbers << column.entry(i);
+  text += "]";
+}
+
+void add_contacts(std::string& text, const Simulation& run) {
+  text += ",\"contacts\":[";
+  const char* separator = "";
+  for (const ContactView& contact : contacts_of(run)) {
+    text += fmt::format("{}[{},{},", separator, contact.body1, contact.body2);
+    Numbers(text) << std::span(contact.point.data(), 3) << std::span(contact.normal.data(), 3) << contact.overlap
+                  << contact.force.value_or(0);
+    text += "]";
+    separator = ",";
+  }
+  text += "]";
+}
+
+void add_energies(std::string& text, const Simulation& run) {
+  text += ",\"energy\":{";
+  const char* separator = "";
+  for (const auto& [owner, energy] : energies_of(run)) {
+    text += fmt::format("{}\"{}\":", separator, owner);
+    Numbers(text) << energy;
+    separator = ",";
+  }
+  text += "}";
+}
+
+class Playback : public SceneOutput {
+ public:
+  Playback(const Scene& scene, const Plan& plan, const std::filesystem::path& folder, std::uint64_t length)
+      : SceneOutput(folder, "playback.jsonl", length) {
+    if (length == 0) file().add(write_json(head_json(scene, plan)) + "\n");
+  }
+
+  void frame(const Simulation& run) override {
+    const World& world = run.world();
+    std::string text = "{\"time\":";
+    Numbers(text) << run.time();
+    add_entries(text, "position", *world.state.position, 0, world.bodies.count);
+    add_entries(text, "orientation", *world.state.orientation, 0, world.bodies.count);
+    add_entries(text, "wall", *world.state.position, world.bodies.count, world.bodies.all());
+    if (const Column* temperature = world.columns.find("temperature"))
+      add_entries(text, "temperature", *temperature, 0, world.bodies.count);
+    add_contacts(text, run);
+    add_energies(text, run);
+    file().add(text + "}\n");
+  }
+
+  void end(const Simulation& run, const RunEnd& end) override {
+    const Json json = {
+        {"steps", run.steps()},          {"time", run.time()},  {"hash", end.hash}, {"solves", run.totals().solves},
+        {"failed", run.totals().failed}, {"shares", end.shares}};
+    file().add(write_json({{"end", json}}) + "\n");
+  }
+};
+
+}  // namespace
+
+OpenedOutput open_playback(const Scene& scene, const Plan& plan, const std::filesystem::path& folder,
+                           std::uint64_t length) {
+  return std::make_unique<Playback>(scene, plan, folder, length);
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,185 @@
+#include "corpus/scene/scene_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "corpus/scene/scene_view.hpp"
+
+namespace plumb::scene {
+namespace {
+
+using Memories = std::map<std::string, Memory>;
+
+std::string_view word_of(Analysis analysis) {
+  switch (analysis) {
+    case Analysis::touching: return "touching";
+    case Analysis::contacts: return "contacts";
+    case Analysis::motion: return "motion";
+  }
+  return "motion";
+}
+
+std::vector<std::string> words_of(const Needs& needs) {
+  std::vector<std::string> out;
+  const std::array<std::pair<bool, const char*>, 5> words{{{needs.contacts, "contacts"},
+                                                           {needs.points, "points"},
+                                                           {needs.curvature, "curvature"},
+                                                           {needs.spin, "spin"},
+                                                           {needs.normal_force, "normal_force"}}};
+  for (const auto& [is_needed, word] : words)
+    if (is_needed) out.emplace_back(word);
+  if (needs.range > 0) out.push_back("range " + shortest(needs.range));
+  return out;
+}
+
+std::vector<std::string> words_of(const Plan& plan) {
+  std::vector<std::string> out;
+  if (!plan.needs.contacts) return out;
+  const std::array<std::pair<bool, const char*>, 4> words{{{plan.want.overlap, "overlap"},
+                                                           {plan.want.normal, "normal"},
+                                                           {plan.want.points, "points"},
+                                                           {plan.want.curvature, "curvature"}}};
+  for (const auto& [is_wanted, word] : words)
+    if (is_wanted) out.emplace_back(word);
+  if (out.empty()) out.emplace_back("verdict");
+  return out;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  return out;
+}
+
+Json memory_json(const Memory& memory) {
+  return {{"body", memory.body}, {"pair", memory.pair}};
+}
+
+/// Owners that are no effects: what every scene of this kind pays for.
+std::vector<std::string> other_owners(const Plan& plan, const Memories& memory, const Seconds& seconds) {
+  std::set<std::string> owners;
+  for (const auto& [owner, of_owner] : memory) owners.insert(owner);
+  for (const auto& [owner, of_owner] : seconds) owners.insert(owner);
+  for (const PlannedEffect& planned : plan.effects) owners.erase(std::string(planned.effect->name));
+  return {owners.begin(), owners.end()};
+}
+
+struct Costs {
+  Memories memory;
+  std::map<std::string, double> shares;
+
+  [[nodiscard]] Memory memory_of(const std::string& owner) const {
+    const auto found = memory.find(owner);
+    return found == memory.end() ? Memory{} : found->second;
+  }
+  [[nodiscard]] Json json_of(const std::string& owner) const {
+    Json out = {{"memory", memory_json(memory_of(owner))}};
+    if (const auto share = shares.find(owner); share != shares.end()) out["share"] = share->second;
+    return out;
+  }
+  [[nodiscard]] std::string columns_of(const std::string& owner) const {
+    const auto [body, pair] = memory_of(owner);
+    const auto share = shares.find(owner);
+    const std::string measured = share == shares.end() ? "" : fmt::format("{:5.1f} %", 100 * share->second);
+    return fmt::format("{:>5} {:>5} {:>8}", body, pair, measured);
+  }
+};
+
+std::size_t turning_bodies(const Plan& plan) {
+  return static_cast<std::size_t>(std::ranges::count(plan.turns, true));
+}
+
+std::string row(std::string_view name, std::string_view state, const std::string& costs, const std::string& why) {
+  std::string out = fmt::format("{:<13} {:<9} {:>20}  {}", name, state, costs, why);
+  out.erase(out.find_last_not_of(' ') + 1);
+  return out + "\n";
+}
+
+std::string heading(const Scene& scene, const Plan& plan) {
+  std::string out = fmt::format("{}: {} bodies, {} walls; ", scene.name.empty() ? "scene" : scene.name,
+                                scene.bodies.size(), scene.walls.size());
+  if (plan.analysis == Analysis::motion) return out + fmt::format("{} steps of {:.6g}\n", plan.steps, plan.time_step);
+  return out + (plan.analysis == Analysis::touching ? "which bodies touch, no motion\n" : "contacts, no motion\n");
+}
+
+std::string reasons(const Plan& plan) {
+  std::string out = row("contacts", plan.needs.contacts ? "on" : "off", "", plan.contacts_why);
+  out += row("turning", fmt::format("{}/{}", turning_bodies(plan), plan.turns.size()), "", plan.turning_why);
+  out += row("broad phase", plan.broad_phase == BroadPhase::tree ? "tree" : "none", "", plan.broad_phase_why);
+  out += row("time step", fmt::format("{:.3g}", plan.time_step), "", plan.time_step_why);
+  if (!plan.needs.contacts) return out;
+  return out + row("solver", "gives", "", joined(words_of(plan)) + fmt::format(", to {:.3g}", plan.want.tolerance));
+}
+
+}  // namespace
+
+std::map<std::string, double> shares_of(const Seconds& seconds) {
+  double sum = 0;
+  for (const auto& [owner, spent] : seconds) sum += spent;
+  std::map<std::string, double> out;
+  if (sum <= 0) return out;
+  for (const auto& [owner, spent] : seconds) out[owner] = spent / sum;
+  return out;
+}
+
+Json plan_json(const Scene& scene, const Plan& plan, const Seconds& seconds) {
+  const Costs costs{memory_of(scene, plan), shares_of(seconds)};
+  Json effects = Json::array(), others = Json::object();
+  for (const PlannedEffect& planned : plan.effects) {
+    const std::string name(planned.effect->name);
+    Json effect = {{"name", name}, {"on", planned.is_on}, {"why", planned.why}, {"needs", words_of(planned.needs)}};
+    if (planned.is_on) effect.update(costs.json_of(name));
+    effects.push_back(effect);
+  }
+  for (const std::string& owner : other_owners(plan, costs.memory, seconds)) others[owner] = costs.json_of(owner);
+  return {{"analysis", word_of(plan.analysis)},
+          {"effects", effects},
+          {"others", others},
+          {"contacts", {{"on", plan.needs.contacts}, {"why", plan.contacts_why}}},
+          {"turning", {{"bodies", turning_bodies(plan)}, {"why", plan.turning_why}}},
+          {"broad_phase", {{"tree", plan.broad_phase == BroadPhase::tree}, {"why", plan.broad_phase_why}}},
+          {"time_step", {{"value", plan.time_step}, {"why", plan.time_step_why}}},
+          {"steps", plan.steps},
+          {"steps_per_output", plan.steps_per_output},
+          {"solver", {{"want", words_of(plan)}, {"tolerance", plan.want.tolerance}}}};
+}
+
+std::string plan_table(const Scene& scene, const Plan& plan, const Seconds& seconds) {
+  const Costs costs{memory_of(scene, plan), shares_of(seconds)};
+  std::string out = heading(scene, plan);
+  out += row("effect", "", fmt::format("bytes: body  pair {}", seconds.empty() ? "" : "  time"),
+             "why, and what it needs of the rest");
+  for (const PlannedEffect& planned : plan.effects) {
+    const std::string name(planned.effect->name);
+    const std::string needs = joined(words_of(planned.needs));
+    out += row(name, planned.is_on ? "on" : "off", planned.is_on ? costs.columns_of(name) : "",
+               planned.why + (needs.empty() ? "" : "; needs " + needs));
+  }
+  for (const std::string& owner : other_owners(plan, costs.memory, seconds))
+    out += row(owner, "", costs.columns_of(owner), "");
+  return out + reasons(plan);
+}
+
+std::string contacts_table(const Simulation& run) {
+  std::string out;
+  if (run.plan().analysis == Analysis::touching) {
+    const auto pairs = touching_pairs(run);
+    const auto bodies = static_cast<std::uint32_t>(run.world().bodies.count);
+    out = fmt::format("{} touching\n", pairs.size());
+    for (const auto& [i, j] : pairs)
+      out += j < bodies ? fmt::format("  {} {}\n", i, j) : fmt::format("  {} wall {}\n", i, j - bodies);
+    return out;
+  }
+  const auto contacts = contacts_of(run);
+  out = fmt::format("{} contacts: bodies, overlap, normal, point\n", contacts.size());
+  for (const ContactView& c : contacts) {
+    const std::string second = c.wall ? fmt::format("wall {}", *c.wall) : std::to_string(c.body2);
+    out += fmt::format("  {} {}  {}  {} {} {}  {} {} {}\n", c.body1, second, c.overlap, c.normal[0], c.normal[1],
+                       c.normal[2], c.point[0], c.point[1], c.point[2]);
+  }
+  return out;
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,25 @@
+// What a plan and a run are, for eyes and for programs.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "corpus/json/json_text.hpp"
+#include "solver/scene/simulation.hpp"
+
+namespace plumb::scene {
+
+/// Seconds by owner, and each as a part of their sum; empty before a run.
+using Seconds = std::map<std::string, double>;
+[[nodiscard]] std::map<std::string, double> shares_of(const Seconds& seconds);
+
+/// Effects with why, needs, bytes for each body and each pair of the contact list, share of time; then contacts, turning, broad
+/// phase and time step with their reasons.
+[[nodiscard]] Json plan_json(const Scene& scene, const Plan& plan, const Seconds& seconds);
+/// The same as a table.
+[[nodiscard]] std::string plan_table(const Scene& scene, const Plan& plan, const Seconds& seconds);
+
+/// The pairs that overlap, or the contacts with their numbers, a line each.
+[[nodiscard]] std::string contacts_table(const Simulation& run);
+
+}  // namespace plumb::scene

@@ -1,0 +1,71 @@
+#include "corpus/solvers/solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "corpus/case/case.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+namespace {
+
+// The source paper's methods, new_cn among them. Everything else in the list is plumb's own, and a finding of it is a
+// failure of plumb.
+bool is_baseline(std::string_view method) {
+  constexpr std::array<std::string_view, 7> baselines{
+      "original_cn",      "corrected_cn", "new_cn", "geometric_potential", "geometric_potential_midway",
+      "minimum_distance", "first_touch"};
+  return std::find(baselines.begin(), baselines.end(), method) != baselines.end();
+}
+
+Solver solver_of(const Method& method) {
+  return {std::string(method.name),
+          {.problem = method.problem},
+          std::string(method.summary),
+          is_baseline(method.name),
+          true,
+          [solve = method.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
+            return solve(pair, want, last);
+          }};
+}
+
+std::string known_names() {
+  std::string names;
+  for (const Method& method : methods()) names += (names.empty() ? "" : ", ") + std::string(method.name);
+  for (const std::string& peer : peer_names()) names += ", " + peer;
+  return names;
+}
+
+// A method that is named twice would have each of its answers counted twice.
+bool contains(const std::vector<Solver>& solvers, const std::string& name) {
+  return std::any_of(solvers.begin(), solvers.end(), [&](const Solver& solver) { return solver.name == name; });
+}
+
+Solver find_solver(const std::string& name) {
+  if (const Method* method = find_method(name)) return solver_of(*method);
+  const std::vector<std::string> peers = peer_names();
+  if (std::find(peers.begin(), peers.end(), name) != peers.end()) return load_peer(name);
+  throw InputFailure("--method", 0, name, "no such method; there are " + known_names());
+}
+
+}  // namespace
+
+std::vector<Solver> all_solvers() {
+  std::vector<Solver> solvers;
+  for (const Method& method : methods()) solvers.push_back(solver_of(method));
+  for (const std::string& peer : peer_names()) solvers.push_back(load_peer(peer));
+  return solvers;
+}
+
+std::vector<Solver> find_solvers(const std::string& names) {
+  if (names == "all") return all_solvers();
+  std::vector<Solver> solvers;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');)
+    if (!contains(solvers, name)) solvers.push_back(find_solver(name));
+  if (solvers.empty()) throw InputFailure("--method", 0, "", "names no method; there are " + known_names());
+  return solvers;
+}
+
+}  // namespace plumb

@@ -1,0 +1,218 @@
+#include "properties/laws/laws.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "properties/laws/allowance.hpp"
+#include "properties/laws/laws_answer.hpp"
+#include "properties/laws/laws_problem.hpp"
+#include "properties/laws/laws_symmetry.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr std::array all_laws{
+    Law{"finite", "no number of a converged answer is NaN or infinite", law::answers_are_finite, Needs::nothing},
+    Law{"converges", "the method vouches for its residual", law::converges, Needs::nothing},
+    Law{"verdict", "overlapping when the certified overlap is positive, not when it is negative", law::verdict_is_right,
+        Needs::nothing},
+    Law{"lowest", "of all common normals it is the one of lowest overlap", law::has_the_lowest_overlap},
+    Law{"opposite", "n1 + n2 = 0", law::normals_are_opposite, Needs::rounding},
+    Law{"collinear", "p2 - p1 = -overlap n1", law::points_lie_on_the_normal, Needs::rounding},
+    Law{"normal", "the unit normal is the certified one", law::normal_agrees},
+    Law{"itself", "p1 - p2 = overlap times normal (first touch: along the normal)", law::agrees_with_itself},
+    Law{"deepest", "no point of a surface lies deeper in the other's potential than its own point",
+        law::points_are_deepest, Needs::rounding},
+    Law{"balance", "midway: equal potentials and opposite gradients at the contact point",
+        law::potentials_balance_midway, Needs::rounding},
+    Law{"undone", "first touch: p1 - p2 lies along the motion that is undone", law::motion_is_undone, Needs::rounding},
+    Law{"surface", "each point is on its body's surface", law::points_are_on_surfaces},
+    Law{"overlap", "the overlap is the certified one", law::overlap_agrees, Needs::nothing},
+    Law{"points", "the points are the certified ones", law::points_agree},
+    Law{"between", "a common normal's contact point lies between its points", law::contact_point_is_between},
+    Law{"swap", "(B, A) gives the answer of (A, B) seen from the other side", law::swap_changes_nothing,
+        Needs::rounding},
+    Law{"motion", "a rigid motion moves the answer along", law::rigid_motion_changes_nothing, Needs::rounding},
+    Law{"limit", "spheres have their closed form; exponents one step above 2 give the ellipsoid's answer",
+        law::limits_are_reached, Needs::rounding},
+    Law{"unit", "a change of the unit of length changes nothing else", law::unit_changes_nothing, Needs::rounding},
+    Law{"repeat", "the same pair gives the same bits", law::repeats_bit_for_bit, Needs::rounding},
+    Law{"evaluations", "at most 2000 evaluations", law::evaluations_are_few},
+};
+
+/// Whether the method's own problem has an answer that is known to be the one: where a geometric potential's is not proved
+/// there may be another, and as good.
+bool is_judgeable(const Evidence& e) {
+  return e.own.solved && (e.problem == Problem::common_normal || e.own.proved);
+}
+
+bool is_asked(const Law& law, const Evidence& e) {
+  if (law.needs == Needs::nothing) return true;
+  return is_judgeable(e) && (law.needs == Needs::solution || e.accuracy.is_rounding());
+}
+
+/// The first law that is broken for sure, or, with a doubt, the first that may be.
+Finding first_broken(const Evidence& e) {
+  for (const Law& law : all_laws) {
+    if (!is_asked(law, e)) continue;
+    Finding finding = law.check(e);
+    if (e.reference.effort == Effort::digits) finding.doubt = 0;
+    if (!(finding.severity + finding.doubt > 1)) continue;
+    finding.law = law.name;
+    return finding;
+  }
+  return {};
+}
+
+/// Nothing about the reference is left that more digits could change in kind: which solution, how well conditioned.
+bool is_settled(const Reference& reference) {
+  if (reference.effort == Effort::digits) return true;
+  const double well_conditioned = 1e7;  // a condition number from fewer digits is right to a few per cent below this
+  const Solution& found = reference.common_normal;
+  return found.solved && found.proved && reference.global == Claim::proved && reference.unique == Claim::proved &&
+         std::max(found.condition.normal, found.condition.points) < well_conditioned;
+}
+
+bool is_decided(const Finding& finding, const Reference& reference) {
+  if (reference.effort == Effort::digits) return true;
+  return is_settled(reference) && !(finding.severity - finding.doubt <= 1 && finding.severity + finding.doubt > 1);
+}
+
+}  // namespace
+
+std::string_view name(FindingKind kind) {
+  constexpr std::array<std::string_view, 14> names{
+      "crash",       "not_finite",    "nonconverged", "false_contact", "missed_contact",   "wrong_branch", "misaligned",
+      "off_surface", "overlap_error", "point_error",  "asymmetric",    "nondeterministic", "slow",         "none"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::optional<FindingKind> finding_kind(std::string_view word) {
+  for (int i = 0; i <= static_cast<int>(FindingKind::none); ++i)
+    if (name(static_cast<FindingKind>(i)) == word) return static_cast<FindingKind>(i);
+  return std::nullopt;
+}
+
+std::string_view meaning(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::crash: return "the solver threw an exception or ended its process";
+    case FindingKind::not_finite: return "a NaN or an infinity in what claims to be an answer";
+    case FindingKind::nonconverged: return "the solver says itself that it has no answer";
+    case FindingKind::false_contact: return "overlapping, it says; the bodies are apart";
+    case FindingKind::missed_contact: return "apart, it says; the bodies overlap";
+    case FindingKind::wrong_branch: return "a common normal, but not the one of lowest overlap";
+    case FindingKind::misaligned:
+      return "no solution of its own problem: normals not opposite, line not along them, or not the certified normal";
+    case FindingKind::off_surface: return "points off their surfaces";
+    case FindingKind::overlap_error: return "not the certified overlap";
+    case FindingKind::point_error: return "not the certified points";
+    case FindingKind::asymmetric: return "changes when the bodies are exchanged, moved or measured in another unit";
+    case FindingKind::nondeterministic: return "changes from call to call";
+    case FindingKind::slow: return "took more than 2000 evaluations, or did not come back";
+    case FindingKind::none: break;
+  }
+  return "breaks no law";
+}
+
+std::span<const Law> laws() {
+  return all_laws;
+}
+
+Judgement judge(const Evidence& e) {
+  Judgement out;
+  out.finding = first_broken(e);
+  out.decided = is_decided(out.finding, e.reference);
+  if (out.decided && !(out.finding.severity > 1)) out.finding = {};
+  // Where it is not proved what is lowest a right answer breaks no law, but not every wrong one does.
+  out.judged = is_judgeable(e) && (e.problem != Problem::common_normal || e.reference.global == Claim::proved);
+  const Finding verdict = law::verdict_is_right(e);
+  out.wrong_aside = e.answer.status != Status::converged && e.answer.verdict != Verdict::undecided &&
+                    verdict.severity - verdict.doubt > 1;
+  const Evidence cn{e.pair, Problem::common_normal, e.answer, e.reference, e.reference.common_normal, {}, false};
+  const Solution& common_normal = law::nearest(cn);
+  const bool is_known = names_all_lowest(e.reference);
+  if (is_known && law::has_definite_normal(common_normal) && e.answer.normal.allFinite())
+    out.angle_error_deg =
+        law::angle_between(e.answer.normal.cast<Real50>(), common_normal.normal) * (180 / std::acos(-1.0));
+  if (!out.judged || (e.problem == Problem::common_normal && !is_known)) return out;
+  const Solution& truth = law::nearest(e);
+  const double size = size_of(e.pair);
+  out.overlap = static_cast<double>(truth.overlap);
+  out.overlap_error = std::abs(static_cast<double>(Real50(e.answer.overlap) - truth.overlap)) / size;
+  out.point_error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
+                             static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm())) /
+                    size;
+  return out;
+}
+
+Judge::Judge(const Pair& pair, ReferenceSource source)
+    : pair_(pair), source_(std::move(source)), references_{source_.common_normal(pair, Effort::bounds)} {}
+
+Verdict Judge::certified_verdict() {
+  for (const Effort effort : efforts)
+    if (reference(effort).verdict != Verdict::undecided) return reference(effort).verdict;
+  return Verdict::undecided;
+}
+
+const Reference& Judge::reference(Effort effort) {
+  const auto index = static_cast<std::size_t>(effort);
+  while (references_.size() <= index)
+    references_.push_back(source_.common_normal(pair_, static_cast<Effort>(references_.size())));
+  return references_[index];
+}
+
+const Solution& Judge::solution(Problem problem, const Reference& reference) {
+  if (problem == Problem::common_normal) return reference.common_normal;
+  std::optional<Solution>& slot = others_[static_cast<std::size_t>(problem)];
+  if (!slot) slot = source_.other(pair_, problem);
+  return *slot;
+}
+
+const reference::SolutionSet& Judge::all_solutions(const Reference& found) {
+  if (!all_solutions_)
+    all_solutions_ = reference::enclose_solutions(pair_, found.common_normal.normal, law::allowed_multiple);
+  return *all_solutions_;
+}
+
+const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
+  if (!nearby_) nearby_ = reference::nearby_answers(pair_, found.common_normal, law::allowed_multiple);
+  return *nearby_;
+}
+
+Judgement Judge::judge(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, Effort effort) {
+  const Reference& against = reference(effort);
+  return plumb::judge({pair_, by.problem, answer, against, solution(by.problem, against), by.solve_again, by.is_own,
+                       [&]() -> const reference::SolutionSet& { return all_solutions(against); },
+                       [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims});
+}
+
+bool Judge::is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy) {
+  Judgement out;
+  for (const Effort effort : efforts) {
+    out = judge(by, answer, accuracy, effort);
+    // A finer level than the one that was asked for is worth no proof: right is what is known to be.
+    if (out.decided || (effort >= reference().effort && by.accuracy.is_coarser_than(accuracy))) break;
+  }
+  return out.decided && out.finding.kind == FindingKind::none;
+}
+
+/// Coarser levels hold what is right by the finer ones.
+std::size_t Judge::right_from(const JudgedBy& by, const Contact<double>& answer, const Finding& as_asked) {
+  if (by.accuracy.is_rounding() && as_asked.kind == FindingKind::none) return 0;
+  if (answer.status != Status::converged) return right_at_no_level;
+  std::size_t level = by.accuracy.is_rounding() ? 1 : 0;
+  while (level < right_at_no_level && !is_right(by, answer, accuracy_levels[level].accuracy)) ++level;
+  return level;
+}
+
+Judgement Judge::judge(const JudgedBy& by, const Contact<double>& answer) {
+  Judgement out;
+  for (const Effort effort : efforts) {
+    out = judge(by, answer, by.accuracy, effort);
+    if (out.decided) break;
+  }
+  out.right_from = right_from(by, answer, out.finding);
+  return out;
+}
+
+}  // namespace plumb

@@ -1,0 +1,282 @@
+// plumb scene and plumb scenes: what they print and write, the one line on stderr, the exit code.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "corpus/scene/run_folder.hpp"
+#include "properties/tests/corpus/programs.hpp"
+#include "properties/tests/scene_files/scene_sample.hpp"
+#include "solver/scene/named.hpp"
+
+namespace plumb::scene {
+namespace {
+
+class SceneCommand : public Commands {
+ protected:
+  void SetUp() override {
+    Commands::SetUp();
+    (void)file("s.json", sample_scene());
+  }
+  /// The last line of a run's summary.
+  [[nodiscard]] std::string hash(const std::string& arguments) const {
+    const std::string out = plumb("scene s.json " + arguments).out;
+    const std::size_t at = out.rfind("hash ");
+    return at == std::string::npos ? out : out.substr(at + 5, 16);
+  }
+};
+
+const std::string at_rest = R"({"format": "plumb/scene-1", "name": "still", "bodies": [)"
+                            R"({"shape": {"superellipsoid": {"semi_axes": [1, 1, 1]}}, "position": [0, 0, 0.5],)"
+                            R"( "orientation": {"quaternion_wxyz": [1, 0, 0, 0]}, "fixed": true},)"
+                            R"( {"shape": {"superellipsoid": {"semi_axes": [1, 1, 1]}}, "position": [1.5, 0, 3],)"
+                            R"( "orientation": {"quaternion_wxyz": [1, 0, 0, 0]}, "fixed": true},)"
+                            R"( {"shape": {"superellipsoid": {"semi_axes": [1, 1, 1]}}, "position": [1.5, 0, 1.5],)"
+                            R"( "orientation": {"quaternion_wxyz": [1, 0, 0, 0]}, "fixed": true}],)"
+                            R"( "walls": [{"point": [0, 0, 0], "normal": [0, 0, 2]}],)"
+                            R"( "run": {"duration": 1, "outputs": {"write": ["WORD"]}}})";
+
+std::string still_scene(const std::string& word) {
+  std::string text = at_rest;
+  return text.replace(text.find("WORD"), 4, word);
+}
+
+TEST_F(SceneCommand, ThePlanSaysWhatRunsAndWhy) {
+  const Ran ran = plumb("scene s.json --plan");
+  EXPECT_EQ(ran.code, 0);
+  for (const char* text : {"sample: 3 bodies, 1 walls; ", "gravity       on ", "cohesion      off", "not asked for",
+                           "needs contacts, points, spin, normal_force", "time step ", "broad phase "})
+    EXPECT_NE(ran.out.find(text), std::string::npos) << text << "\n" << ran.out;
+  EXPECT_EQ(ran.out.find("hash"), std::string::npos);
+}
+
+TEST_F(SceneCommand, ThePlanAsJsonHasEveryEffect) {
+  const Json plan = lines_of(plumb("scene s.json --plan --json").out).at(0);
+  EXPECT_EQ(plan["effects"].size(), effects().size());
+  for (const Json& effect : plan["effects"]) {
+    EXPECT_TRUE(effect.contains("why"));
+    EXPECT_EQ(effect.contains("memory"), effect["on"].get<bool>()) << effect;
+    EXPECT_FALSE(effect.contains("share"));
+  }
+  EXPECT_EQ(plan["analysis"], "motion");
+  EXPECT_GT(plan["time_step"]["value"].get<double>(), 0);
+  EXPECT_EQ(plan["turning"]["bodies"], 3);
+}
+
+TEST_F(SceneCommand, ARunMeasuresTheShareOfEachEffect) {
+  const Json run = lines_of(plumb("scene s.json --json").out).at(0);
+  double sum = 0;
+  for (const Json& effect : run["plan"]["effects"]) sum += effect.value("share", 0.0);
+  for (const auto& [owner, costs] : run["plan"]["others"].items()) sum += costs.value("share", 0.0);
+  EXPECT_NEAR(sum, 1, 1e-9);
+  EXPECT_EQ(run["complete"], true);
+  EXPECT_EQ(run["totals"]["failed"], 0);
+  EXPECT_EQ(run["totals"]["steps"], run["plan"]["steps"]);
+  EXPECT_TRUE(run["energy"]["first"].contains("total"));
+}
+
+TEST_F(SceneCommand, TheHashIsThatOfAnyNumberOfThreads) {
+  const std::string one = hash("--threads 1");
+  EXPECT_EQ(one.size(), 16U);
+  EXPECT_EQ(hash("--threads 2"), one);
+  EXPECT_EQ(hash("--threads 3"), one);
+  EXPECT_EQ(hash("--out a --record"), one);
+  EXPECT_NE(hash("--accuracy 0.01"), one);
+}
+
+TEST_F(SceneCommand, WithoutAFolderNothingIsWritten) {
+  EXPECT_EQ(plumb("scene s.json").code, 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(path_), fs::directory_iterator()), 1);
+}
+
+TEST_F(SceneCommand, OutputsParseBack) {
+  ASSERT_EQ(plumb("scene s.json --out a").code, 0);
+  const Json run = json("a/run.json");
+  EXPECT_EQ(run["complete"], true);
+  const std::size_t frames = 11;
+  const auto contacts = lines_of(read("a/contacts.jsonl")), touching = lines_of(read("a/touching.jsonl"));
+  ASSERT_EQ(contacts.size(), frames);
+  ASSERT_EQ(touching.size(), frames);
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < frames; ++k) {
+    EXPECT_NEAR(contacts[k]["time"].get<double>(), 0.05 * static_cast<double>(k), 1e-9);
+    found += contacts[k]["contacts"].size();
+    EXPECT_EQ(contacts[k]["contacts"].size(), touching[k]["touching"].size() + touching[k]["walls"].size());
+    for (const Json& contact : contacts[k]["contacts"]) {
+      EXPECT_TRUE(contact.contains("bodies") != contact.contains("wall")) << contact;
+      EXPECT_GT(contact["overlap"].get<double>(), 0);
+      EXPECT_EQ(contact["point"].size(), 3U);
+      EXPECT_TRUE(contact["force"].is_number());
+    }
+  }
+  EXPECT_GT(found, 3U);
+  EXPECT_EQ(parse_scene(read("a/scene.json"), "a").scene.bodies.size(), 3U);
+}
+
+TEST_F(SceneCommand, TheDumpHasAColumnForEachName) {
+  ASSERT_EQ(plumb("scene s.json --out a").code, 0);
+  std::istringstream in(read("a/dump.lammpstrj"));
+  std::vector<std::string> names;
+  int frames = 0, rows = 0;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    const std::vector<std::string> parts{std::istream_iterator<std::string>(words), {}};
+    if (line.starts_with("ITEM: ATOMS")) {
+      names.assign(parts.begin() + 2, parts.end());
+      ++frames;
+    } else if (parts.size() > 6) {
+      ++rows;
+      EXPECT_EQ(parts.size(), names.size());
+    }
+  }
+  EXPECT_EQ(frames, 11);
+  EXPECT_EQ(rows, 33);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+}
+
+TEST_F(SceneCommand, PlaybackHasTheFormatOfThePage) {
+  ASSERT_EQ(plumb("scene s.json --out a").code, 0);
+  const auto lines = lines_of(read("a/playback.jsonl"));
+  ASSERT_EQ(lines.size(), 13U);
+  const Json& head = lines.front();
+  EXPECT_EQ(head["format"], "plumb/playback-1");
+  EXPECT_EQ(head["bodies"][1]["semi_axes"], Json::parse("[1.0, 0.8, 0.6]"));
+  EXPECT_EQ(head["bodies"][0]["exponents"], Json::parse("[4.0, 4.0]"));
+  EXPECT_EQ(head["walls"].size(), 1U);
+  EXPECT_EQ(head["accuracy"], 0.001);
+  for (std::size_t k = 1; k + 1 < lines.size(); ++k) {
+    EXPECT_EQ(lines[k]["position"].size(), 9U);
+    EXPECT_EQ(lines[k]["orientation"].size(), 12U);
+    EXPECT_EQ(lines[k]["wall"].size(), 3U);
+    EXPECT_TRUE(lines[k]["energy"].contains("total"));
+    for (const Json& contact : lines[k]["contacts"]) EXPECT_EQ(contact.size(), 10U);
+  }
+  const Json run = json("a/run.json");
+  EXPECT_EQ(lines.back()["end"]["hash"], run["hash"]);
+  EXPECT_EQ(lines.back()["end"]["steps"], run["totals"]["steps"]);
+}
+
+TEST_F(SceneCommand, VtkIndexesNameTheirFiles) {
+  ASSERT_EQ(plumb("scene s.json --out a").code, 0);
+  for (const char* what : {"bodies", "contacts"}) {
+    const std::string index = read(fmt::format("a/vtk/{}.pvd", what));
+    EXPECT_TRUE(index.ends_with("</Collection>\n</VTKFile>\n"));
+    int files = 0;
+    for (std::size_t at = 0; (at = index.find("file=\"", at)) != std::string::npos; ++files) {
+      at += 6;
+      const std::string frame = read("a/vtk/" + index.substr(at, index.find('"', at) - at));
+      EXPECT_TRUE(frame.ends_with("</VTKFile>\n"));
+    }
+    EXPECT_EQ(files, 11);
+  }
+  const std::string bodies = read("a/vtk/bodies_0000000000.vtp");
+  for (const char* name : {"semi_axes", "exponents", "axes", "roundness_phi", "quaternion_wxyz", "velocity"})
+    EXPECT_NE(bodies.find(fmt::format("Name=\"{}\"", name)), std::string::npos) << name;
+}
+
+TEST_F(SceneCommand, StillBodiesAreAnAnalysis) {
+  (void)file("t.json", still_scene("touching"));
+  const Json touching = lines_of(plumb("scene t.json --json").out).at(0)["found"];
+  EXPECT_EQ(touching["touching"], Json::parse("[[0, 2], [1, 2]]"));
+  EXPECT_EQ(touching["walls"], Json::parse("[[0, 0]]"));
+  EXPECT_NE(plumb("scene t.json").out.find("3 touching\n  0 2\n  0 wall 0\n  1 2\n"), std::string::npos);
+  (void)file("c.json", still_scene("contacts"));
+  const Json contacts = lines_of(plumb("scene c.json --json").out).at(0)["found"]["contacts"];
+  ASSERT_EQ(contacts.size(), 3U);
+  EXPECT_NEAR(contacts[2]["overlap"].get<double>(), 0.5, 1e-9);
+  EXPECT_FALSE(contacts[0].contains("force"));
+  EXPECT_EQ(plumb("scene c.json --out b").code, 0);
+  EXPECT_EQ(lines_of(read("b/contacts.jsonl")).at(0)["contacts"], contacts);
+}
+
+TEST_F(SceneCommand, UnusableScenesAndUsageAreOneLineAndTwo) {
+  (void)file("bad.json", sample_scene_with("10000", "-1"));
+  expect_refusal("scene bad.json", "bad.json: effects.linear.stiffness: must be a number, 0 or more");
+  expect_refusal("scene bad.json --plan", "bad.json: effects.linear.stiffness: must be a number, 0 or more");
+  expect_refusal("scene - <bad.json", "standard input: effects.linear.stiffness: must be a number, 0 or more");
+  (void)file("none.json", sample_scene_of(R"({"friction": {"coefficient": 1}})"));
+  expect_refusal("scene none.json",
+                 "none.json: effects.friction: is a share of a normal force, and there is none: add linear or hertz");
+  expect_refusal("scene nowhere.json", "nowhere.json: No such file or directory");
+  expect_refusal("scene s.json --force lift", "plumb scene: --force: lift is no effect (--help tells more)");
+  expect_refusal("scene s.json --accuracy 2",
+                 "plumb scene: --accuracy: must be a number between 0 and 1 (--help tells more)");
+  for (const char* arguments : {"scene", "scene s.json --resume", "scene s.json --record", "scene s.json --threads 0",
+                                "scene s.json --checkpoint 0", "scene s.json --accuracy much"}) {
+    const Ran ran = plumb(std::string(arguments) + " 2>&1 >/dev/null");
+    EXPECT_EQ(ran.code, 2) << arguments;
+    EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+  }
+}
+
+TEST_F(SceneCommand, WhatCannotBeWrittenIsOneLineAndTwo) {
+  (void)file("b", "a file");
+  expect_refusal("scene s.json --out b", "b: Not a directory");
+  const Ran full = plumb("scene s.json 2>&1 >/dev/full");
+  EXPECT_EQ(full.code, 2);
+  EXPECT_EQ(full.out, "standard output: No space left on device\n");
+}
+
+// A step far too long for the drag: the run stops where a body is nowhere any more, and says so.
+TEST_F(SceneCommand, ARunThatDivergesIsAFinding) {
+  std::string text = sample_scene_of(R"({"gravity": {"acceleration": [0, 0, -10]}, "drag": {"viscosity": 1000}})");
+  const std::string duration = R"("duration": 0.5)";
+  text.replace(text.find(duration), duration.size(), R"("duration": 5000, "time_step": 1)");
+  (void)file("far.json", text);
+  const Ran ran = plumb("scene far.json --out far 2>&1 >/dev/null");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_TRUE(ran.out.starts_with("far.json: run.time_step: body ") &&
+              ran.out.ends_with(" is too long for the forces\n"))
+      << ran.out;
+  EXPECT_EQ(json("far/run.json")["complete"], false);
+  EXPECT_NE(plumb("scene far.json --plan").out.find("times as long as what the effects allow"), std::string::npos);
+}
+
+TEST_F(SceneCommand, AFolderIsOneRunsAtATime) {
+  (void)file("s.json", sample_scene());
+  ASSERT_EQ(plumb("scene s.json --out run").code, 0);
+  {
+    const FolderLock first(path_ / "run");
+    std::string holder = read("run/.plumb-lock");
+    holder.pop_back();
+    EXPECT_TRUE(holder.starts_with(fmt::format("process {} on ", ::getpid()))) << holder;
+    expect_refusal("scene s.json --out run --resume", "run: another run is writing there (" + holder + ")");
+  }
+  EXPECT_EQ(plumb("scene s.json --out run --resume").code, 0);
+}
+
+TEST_F(SceneCommand, ForcedEffectsAreOn) {
+  (void)file("bare.json", sample_scene_of(R"({"linear": {"stiffness": 10000}})"));
+  const Json plan = lines_of(plumb("scene bare.json --plan --json --force gravity --force cohesion").out).at(0);
+  for (const Json& effect : plan["effects"])
+    if (effect["name"] == "gravity" || effect["name"] == "cohesion") {
+      EXPECT_TRUE(effect["on"].get<bool>() && effect["why"].get<std::string>().starts_with("forced on")) << effect;
+    }
+}
+
+TEST(SceneFiles, AreTheNamedScenes) {
+  for (const NamedScene& named : named_scenes()) {
+    const std::string path = fmt::format("{}/corpus/scenes/{}.json", PLUMB_SOURCE_DIR, named.name);
+    EXPECT_EQ(format_scene(read_scene(path)),
+              format_scene({named.make(named.bodies), {{"named_scene", named.name}}, {}}))
+        << "plumb scenes " << named.name << " > " << path;
+  }
+}
+
+TEST_F(SceneCommand, NamedScenesAreListedAndWritten) {
+  const Ran list = plumb("scenes");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(list.out.begin(), list.out.end(), '\n')), named_scenes().size());
+  for (const NamedScene& named : named_scenes()) {
+    const std::string text = plumb(fmt::format("scenes {}", named.name)).out;
+    const SceneFile read = parse_scene(text, "named");
+    EXPECT_EQ(format_scene(read) + "\n", text) << named.name;
+    EXPECT_EQ(read.scene.name, named.name);
+  }
+  EXPECT_EQ(parse_scene(plumb("scenes pile --bodies 7").out, "pile").scene.bodies.size(), 7U);
+  expect_refusal("scenes nobody", "nobody: is no named scene (plumb scenes lists them)");
+  expect_refusal("scenes impact --bodies 3", "--bodies: is fixed in impact");
+}
+
+}  // namespace
+}  // namespace plumb::scene

@@ -1,0 +1,257 @@
+// plumb bench: the time of one cold solve, by every method and every peer, over fixed sets of pairs.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "corpus/command/command.hpp"
+#include "corpus/command/interrupt.hpp"
+#include "reports/bench/bench_batch.hpp"
+#include "reports/bench/bench_measure.hpp"
+#include "reports/bench/bench_sets.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb::reports {
+namespace {
+
+constexpr std::string_view yardstick = "peer_libccd_epa";
+
+struct Options {
+  std::vector<std::string> sets;
+  std::string pairs, method = "all", out;
+  std::int64_t count = 1000;
+  std::uint64_t seed = 1;
+  bool json = false, print = false, count_only = false, warm = false, batch = false;
+  int repeat = 5, times = 1;
+};
+
+void declare(CommandLine& app, Options& options) {
+  app.add_option("--set", options.sets, "spheroid, ellipsoid, exponents-8, exponents-40; default: all of them")
+      ->delimiter(',');
+  app.add_option("--pairs", options.pairs, "cases of a file, .jsonl or one, in the place of the sets");
+  app.add_option("--method", options.method, "NAME,.. or all (plumb methods lists them)")->capture_default_str();
+  app.add_option("--cases", options.count, "pairs of each set")->capture_default_str()->check(refuse_count);
+  declare_seed(app, options.seed, "same seed, same pairs");
+  app.add_option("--repeat", options.repeat, "time each pair so often; the least counts")
+      ->capture_default_str()
+      ->in_range(1, 1000);
+  app.add_flag("--json", options.json, "one JSON object a line in the place of the table");
+  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+  app.add_flag("--print", options.print, "print the cases of the sets, one a line, and time nothing");
+  app.add_flag("--count-only", options.count_only, "one method over one set without a clock, for callgrind");
+  app.add_option("--times", options.times, "with --count-only: passes over the set")
+      ->capture_default_str()
+      ->in_range(0, 1'000'000);
+  app.add_flag("--batch", options.batch, "with --count-only: all pairs in one batch, in the place of a method");
+  app.add_flag("--warm", options.warm, "with --count-only: solve moved pairs from the answers before the move");
+}
+
+struct Named {
+  std::string name, of;
+  std::vector<Case> cases;
+};
+
+std::vector<PairSet> sets_asked(const Options& options) {
+  if (options.sets.empty() && !options.pairs.empty()) return {};
+  return find_sets(pair_sets(), options.sets);
+}
+
+Named drawn(const PairSet& set, const Options& options) {
+  return {std::string(set.name), fmt::format("{}, overlap ratio 1e-3..5e-2, seed {}", set.of, options.seed),
+          draw(set, static_cast<std::size_t>(options.count), options.seed)};
+}
+
+Named read(const std::string& file) {
+  Named out{file, "from this file", {}};
+  each_case(file, [&](const Case& c, int) { out.cases.push_back(c); });
+  return out;
+}
+
+/// Hands over each set that was asked for, until Ctrl-C.
+template <class Work>
+void each_set(const Options& options, const Work& work) {
+  if (!options.pairs.empty()) work(read(options.pairs));
+  for (const PairSet& set : sets_asked(options)) {
+    const Named named = drawn(set, options);
+    if (interrupted()) break;
+    work(named);
+  }
+}
+
+Job cold_job(const Named& set, const Solver& solver) {
+  Job job{solver, false, {}};
+  for (const Case& c : set.cases) job.tasks.push_back({c.pair, {}});
+  return job;
+}
+
+/// Each pair moved a little, with the answer from before; cold where that did not converge.
+Job warm_job(const Named& set, const Solver& solver, std::uint64_t seed) {
+  Job job{solver, true, {}};
+  for (std::size_t i = 0; i < set.cases.size(); ++i) {
+    const Pair& pair = set.cases[i].pair;
+    const Contact<double> before = solver.solve(pair, {}, nullptr);
+    job.tasks.push_back({moved(pair, seed, i), {}});
+    if (before.status == Status::converged) job.tasks.back().last = before;
+  }
+  return job;
+}
+
+// The C door has no `last`.
+bool takes_last(const Solver& solver) {
+  return find_method(solver.name) != nullptr;
+}
+
+std::vector<Job> jobs_of(const Named& set, const std::vector<Solver>& solvers, std::uint64_t seed) {
+  std::vector<Job> jobs;
+  for (const Solver& solver : solvers) {
+    jobs.push_back(cold_job(set, solver));
+    if (takes_last(solver)) jobs.push_back(warm_job(set, solver, seed));
+  }
+  return jobs;
+}
+
+/// To the cold yardstick of the same set in the same run; NaN where that was not measured.
+double ratio(const Measurement& measured, const std::vector<Measurement>& all) {
+  for (const Measurement& other : all)
+    if (other.method == yardstick && !other.warm) return measured.median_ns / other.median_ns;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// How long a refusal takes is no answer to how long an answer does.
+bool answers(const Measurement& measured) {
+  return measured.not_converged < 1;
+}
+
+Json to_json(const Named& set, const Measurement& m, const std::vector<Measurement>& all) {
+  Json line{{"set", set.name},
+            {"of", set.of},
+            {"pairs", m.pairs},
+            {"method", m.method},
+            {"start", m.warm ? "warm" : "cold"},
+            {"not_converged", m.not_converged}};
+  if (!answers(m)) return line;
+  line["median_ns"] = m.median_ns;
+  line["p99_ns"] = m.p99_ns;
+  if (const double r = ratio(m, all); r > 0) line["ratio_to_" + std::string(yardstick)] = r;
+  if (m.most_iterations > 0) line["iterations"] = {{"median", m.median_iterations}, {"max", m.most_iterations}};
+  return line;
+}
+
+std::string times_text(const Measurement& m, double ratio) {
+  return fmt::format("{:>9.3f} us{:>11.3f} us{:>9.1f}{:>9}", m.median_ns * 1e-3, m.p99_ns * 1e-3,
+                     m.p99_ns / m.median_ns, ratio > 0 ? fmt::format("{:.4f}", ratio) : "-");
+}
+
+/// The peers count no iterations.
+std::string iterations_text(const Measurement& m) {
+  return m.most_iterations > 0 ? fmt::format("{:.0f}/{:.0f}", m.median_iterations, m.most_iterations) : "-";
+}
+
+void print_table(const Named& set, const std::vector<Measurement>& all) {
+  print_line(fmt::format("{}: {} pairs, {}", set.name, set.cases.size(), set.of));
+  print_line(fmt::format("  {:<27}{:<5}{:>11}{:>14}{:>9}{:>9}{:>10}{:>12}", "method", "start", "median", "p99",
+                         "p99/med", "/EPA", "iter", "not conv.%"));
+  for (const Measurement& m : all)
+    print_line(fmt::format("  {:<27}{:<4}{:>44}{:>10}{:>12.1f}", m.method, m.warm ? "warm" : "cold",
+                           answers(m) ? times_text(m, ratio(m, all)) : "no answer ", iterations_text(m),
+                           100 * m.not_converged));
+}
+
+/// The batch beside the loop that it is to beat.
+void print_batches(const std::vector<BatchMeasurement>& all) {
+  for (const BatchMeasurement& m : all)
+    print_line(fmt::format("  {:<27}cold{:>9.3f} us a pair, {:.2f} x auto in a loop, {:.1f} % handed to auto",
+                           fmt::format("batch, {}", m.set), m.ns * 1e-3, m.ratio, 100 * m.alone));
+}
+
+Json to_json(const Named& set, const BatchMeasurement& m) {
+  return {{"set", set.name},       {"of", set.of}, {"pairs", set.cases.size()}, {"method", "batch"}, {"start", "cold"},
+          {"instructions", m.set}, {"ns", m.ns},   {"ratio_of_auto", m.ratio},  {"alone", m.alone}};
+}
+
+std::vector<Pair> pairs_of(const Named& set) {
+  std::vector<Pair> pairs;
+  for (const Case& c : set.cases) pairs.push_back(c.pair);
+  return pairs;
+}
+
+/// Only where `auto` is measured as well.
+std::vector<BatchMeasurement> batches(const Named& set, const std::vector<Solver>& solvers, int repeats) {
+  const auto is_auto = [](const Solver& solver) { return solver.name == "auto"; };
+  if (std::none_of(solvers.begin(), solvers.end(), is_auto)) return {};
+  return measure_batches(pairs_of(set), repeats);
+}
+
+int count_batch(const Options& options) {
+  each_set(options, [&](const Named& set) {
+    solve_batches(pairs_of(set), options.times);
+    print_line(
+        fmt::format("{} x {} solves by batch, {}", options.times, set.cases.size(), name(best_instruction_set())));
+  });
+  return exit_done;
+}
+
+int print_cases(const Options& options) {
+  each_set(options, [](const Named& set) {
+    for (const Case& c : set.cases) print_line(format_case(c));
+  });
+  return exit_done;
+}
+
+/// Each call is timed from outside.
+std::vector<Solver> solvers_here(const std::string& names) {
+  std::vector<Solver> solvers = find_solvers(names);
+  for (Solver& solver : solvers) solver = in_process(solver);
+  return solvers;
+}
+
+int count(const Options& options) {
+  const std::vector<Solver> solvers = solvers_here(options.method);
+  if (solvers.size() != 1 || options.sets.size() + (options.pairs.empty() ? 0 : 1) != 1)
+    throw InputFailure("plumb bench", 0, "--count-only", "needs one --method, and one --set or --pairs");
+  each_set(options, [&](const Named& set) {
+    const Job job = options.warm ? warm_job(set, solvers[0], options.seed) : cold_job(set, solvers[0]);
+    for (int pass = 0; pass < options.times && !interrupted(); ++pass)
+      for (const Task& task : job.tasks) solve(job.solver, task);
+    print_line(fmt::format("{} x {} {} solves by {}", options.times, job.tasks.size(), options.warm ? "warm" : "cold",
+                           job.solver.name));
+  });
+  return exit_done;
+}
+
+int bench(const Options& options) {
+  const std::vector<Solver> solvers = solvers_here(options.method);
+  std::string lines;
+  each_set(options, [&](const Named& set) {
+    const std::vector<Measurement> all = measure(jobs_of(set, solvers, options.seed), options.repeat);
+    const std::vector<BatchMeasurement> of_batch = batches(set, solvers, options.repeat);
+    if (interrupted()) return;
+    if (!options.json) print_table(set, all);
+    if (!options.json) print_batches(of_batch);
+    const auto put = [&](const Json& line) {
+      if (options.json) print_line(write_json(line));
+      lines += write_json(line) + "\n";
+    };
+    for (const Measurement& m : all) put(to_json(set, m, all));
+    for (const BatchMeasurement& m : of_batch) put(to_json(set, m));
+    flush_output();
+  });
+  if (!options.out.empty()) write_file(options.out, lines);
+  return exit_done;
+}
+
+int run(const Options& options) {
+  if (options.print) return print_cases(options);
+  if (options.count_only) return options.batch ? count_batch(options) : count(options);
+  return bench(options);
+}
+
+}  // namespace
+}  // namespace plumb::reports
+
+int main(int argc, char** argv) {
+  plumb::reports::Options options;
+  plumb::CommandLine app("The time of one solve, cold and warm, by every method and peer, over fixed sets of pairs.",
+                         "plumb bench");
+  plumb::reports::declare(app, options);
+  return plumb::run_command(app, argc, argv, [&] { return plumb::reports::run(options); });
+}

@@ -1,0 +1,106 @@
+#include "reports/document/issue.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "corpus/json/fields.hpp"
+#include "properties/laws/judged_answer.hpp"
+
+namespace plumb::reports {
+namespace {
+
+std::string list(const Vec3<double>& v) {
+  return v.allFinite() ? write_json(vector_json(v)) : "none";
+}
+
+std::string number(double x) {
+  return std::isfinite(x) ? shortest(x) : "none";
+}
+
+std::string body_row(int i, const Body& body) {
+  const auto [w, x, y, z] = body.quaternion;
+  return fmt::format("| {} | {} | {}, {} | {} | [{}, {}, {}, {}] |\n", i, list(body.shape.semi_axes),
+                     shortest(body.shape.n1), shortest(body.shape.n2), list(body.position), shortest(w), shortest(x),
+                     shortest(y), shortest(z));
+}
+
+std::string pair_text(const Pair& pair) {
+  return "Surfaces (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1 in body axes; the quaternion (w, x, y, z) takes body "
+         "axes to the "
+         "world.\n\n| body | semi-axes a, b, c | n1, n2 | position | quaternion |\n|---|---|---|---|---|\n" +
+         body_row(1, pair.body1) + body_row(2, pair.body2);
+}
+
+struct Told {
+  double overlap;
+  Vec3<double> normal, point1, point2;
+};
+
+std::string told_text(const Told& expected, const Told& got) {
+  std::string out = "\n| | expected | got |\n|---|---|---|\n";
+  out += fmt::format("| overlap (negative: apart) | {} | {} |\n", number(expected.overlap), number(got.overlap));
+  const std::array<std::pair<const char*, Vec3<double> Told::*>, 3> rows{
+      {{"normal, from body 1 to body 2", &Told::normal},
+       {"point on body 1", &Told::point1},
+       {"point on body 2", &Told::point2}}};
+  for (const auto& [words, which] : rows)
+    out += fmt::format("| {} | {} | {} |\n", words, list(expected.*which), list(got.*which));
+  return out;
+}
+
+std::string python_list(double a, double b, double c) {
+  return fmt::format("[{}, {}, {}]", shortest(a), shortest(b), shortest(c));
+}
+
+std::string python_body(const Body& body) {
+  const auto [w, x, y, z] = body.quaternion;
+  const Vec3<double>&a = body.shape.semi_axes, &at = body.position;
+  return fmt::format("({}, {}, {}, [{}, {}, {}, {}], {})", python_list(a[0], a[1], a[2]), shortest(body.shape.n1),
+                     shortest(body.shape.n2), shortest(w), shortest(x), shortest(y), shortest(z),
+                     python_list(at[0], at[1], at[2]));
+}
+
+/// Five lines that define the depth along a direction, then the bodies and the two directions.
+std::string by_hand(const Pair& pair, const Vec3<double>& expected, const Vec3<double>& got) {
+  std::string out =
+      "\nBy hand: o(n) is how far body 2 has to go along the unit vector n until a plane across n parts the bodies. "
+      "The overlap is the "
+      "least of it over all n, so a direction with a lower o(n) shows that the other is not the normal.\n\n```python\n"
+      "import numpy as np\n"
+      "turn = lambda q, v: v + 2 * np.cross(q[1:], np.cross(q[1:], v) + q[0] * v) / np.dot(q, q)\n"
+      "def h(body, n): a, n1, n2, q, x = body; p, r = n1 / (n1 - 1), n2 / (n2 - 1); u = abs(np.array(a) * "
+      "turn(np.array([q[0], -q[1], "
+      "-q[2], -q[3]]), n)); return ((u[0]**r + u[1]**r)**(p / r) + u[2]**p)**(1 / p)\n"
+      "o = lambda n: h(one, n) + h(two, -n) - n @ (np.array(two[4]) - np.array(one[4]))\n";
+  out += fmt::format("one, two = {}, {}\n", python_body(pair.body1), python_body(pair.body2));
+  for (const auto& [word, n] : {std::pair{"expected", expected}, std::pair{"got", got}})
+    if (n.allFinite())
+      out += fmt::format("n = np.array({}); print(\"{}\", o(n / np.linalg.norm(n)))\n", python_list(n[0], n[1], n[2]),
+                         word);
+  return out + "```\n";
+}
+
+}  // namespace
+
+Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
+  Judge judge(c.pair);
+  const JudgedAnswer judged = solve_and_judge(judge, c.pair, solver, accuracy);
+  const Finding& finding = judged.judgement.finding;
+  if (finding.kind == FindingKind::none) return {};
+  const bool is_common_normal = solver.abilities.problem == Problem::common_normal;
+  const Solution& truth = judge.solution(solver.abilities.problem);
+  const Told expected{static_cast<double>(truth.overlap), truth.normal.cast<double>(), truth.point1.cast<double>(),
+                      truth.point2.cast<double>()};
+  const Told got{judged.answer.overlap, judged.answer.normal, judged.answer.point1, judged.answer.point2};
+  const std::string who = solver.abilities.name.empty() ? solver.name : solver.abilities.name;
+  std::string text =
+      fmt::format("# {} {}: {}\n\n{}.\n\n", who, solver.abilities.version, name(finding.kind), finding.detail);
+  if (const double off = judged.judgement.angle_error_deg; is_common_normal && off > 0)
+    text += fmt::format("The normal is {:.3g} degrees from the right one.\n\n", off);
+  text += pair_text(c.pair) + told_text(expected, got);
+  if (is_common_normal) text += by_hand(c.pair, expected.normal, got.normal);
+  return {text, true};
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,30 @@
+#include "reports/document/json_lines.hpp"
+
+#include <optional>
+
+#include "corpus/case/case.hpp"
+#include "corpus/json/object_reader.hpp"
+
+namespace plumb::reports {
+
+void for_each_line(const std::filesystem::path& file, const std::function<void(const Field&)>& take) {
+  ObjectReader objects(file.string(), ObjectReader::Layout::by_content);
+  while (const std::optional<std::string> text = objects.next()) {
+    try {
+      const Json line = read_json(*text);
+      take(Field(line));
+    } catch (const FieldError& e) {
+      throw InputFailure(file.string(), objects.line(), e.field, e.what());
+    }
+  }
+}
+
+void take_run(Json& out, const Field& line) {
+  const Field host = line.member("host");
+  out["commit"] = host.member("commit").text();
+  out["host"] = Json::object();
+  for (const char* name : {"system", "machine", "compiler", "flags"}) out["host"][name] = host.member(name).text();
+  out["command"] = line.member("command").text();
+}
+
+}  // namespace plumb::reports

@@ -1,0 +1,142 @@
+#include "solver/lammps/pair_arguments.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace plumb::scene {
+namespace {
+
+/// The words that are still to be read.
+struct Words {
+  std::span<const std::string> left;
+
+  double number(const std::string& name) {
+    if (left.empty()) throw SceneError(name, "needs a number after it");
+    const double number = number_of(name, left.front());
+    left = left.subspan(1);
+    return number;
+  }
+};
+
+/// Reads the field of that name.
+struct FieldReader {
+  std::string name, wanted;
+  Words& words;
+  bool is_found = false;
+
+  void operator()(const char* field, double& value, Range range) {
+    if (field != wanted) return;
+    is_found = true;
+    value = words.number(name);
+    if (!is_within(range, value)) throw SceneError(name, scene::words(range));
+  }
+  void operator()(const char* field, Vec3<double>& value, Range /*any*/) {
+    if (field != wanted) return;
+    is_found = true;
+    for (double& x : value) x = words.number(name);
+  }
+  void operator()(const char* /*field*/, std::vector<WallMotion>& /*motions*/, Range /*any*/) {}
+};
+
+/// Why an effect is none of the pair style's; empty where it is.
+std::string_view why_not(std::string_view effect) {
+  if (effect == Gravity::name) return "is fix gravity's";
+  if (effect == MovingWalls::name) return "are fix plumb/wall's: velocity, amplitude, frequency";
+  if (effect == Conduction::name) return "is not supported here: run the scene by plumb scene";
+  return {};
+}
+
+/// Whether there is such a field, which is read then.
+bool read_field(const std::string& name, Effects& effects, Words& words) {
+  bool is_found = false;
+  each_effect(effects, [&](auto& effect) {
+    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
+    const std::string prefix = std::string(Parameters::name) + ".";
+    if (!name.starts_with(prefix)) return;
+    if (const auto why = why_not(Parameters::name); !why.empty())
+      throw SceneError(std::string(Parameters::name), std::string(why));
+    if (!effect) effect.emplace();
+    FieldReader reader{name, name.substr(prefix.size()), words};
+    Parameters::each_field(*effect, reader);
+    is_found = reader.is_found;
+  });
+  return is_found;
+}
+
+/// The first field of each effect is what it is about.
+void require_first_fields(const Effects& effects, const std::set<std::string>& given) {
+  each_effect(effects, [&](const auto& effect) {
+    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
+    if (!effect) return;
+    std::string first;
+    Parameters::each_field(*effect, [&](const char* field, const auto& /*value*/, Range /*range*/) {
+      if (first.empty()) first = std::string(Parameters::name) + "." + field;
+    });
+    if (!given.contains(first)) throw SceneError(first, "is required with the other fields of its effect");
+  });
+}
+
+/// The shortest decimal that reads back to the same double.
+std::string shortest(double x) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
+}
+
+/// Writes fields one after the other.
+struct FieldWriter {
+  std::string_view effect;
+  std::string& out;
+
+  void operator()(const char* field, double value, Range /*range*/) const {
+    out += " " + std::string(effect) + "." + field + " " + shortest(value);
+  }
+  void operator()(const char* field, const Vec3<double>& value, Range /*any*/) const {
+    out += " " + std::string(effect) + "." + field;
+    for (const double x : value) out += " " + shortest(x);
+  }
+  void operator()(const char* /*field*/, const std::vector<WallMotion>& /*motions*/, Range /*any*/) const {}
+};
+
+}  // namespace
+
+double number_of(const std::string& name, const std::string& word) {
+  double number = 0;
+  const char* const end = word.data() + word.size();
+  const auto [last, error] = std::from_chars(word.data(), end, number);
+  if (error != std::errc() || last != end || !std::isfinite(number))
+    throw SceneError(name, "'" + word + "' is no number");
+  return number;
+}
+
+PairArguments parse_pair_arguments(std::span<const std::string> words) {
+  PairArguments out;
+  std::set<std::string> given;
+  Words rest{words};
+  while (!rest.left.empty()) {
+    const std::string name = rest.left.front();
+    rest.left = rest.left.subspan(1);
+    if (!given.insert(name).second) throw SceneError(name, "stands there twice");
+    if (name == "accuracy") {
+      out.accuracy = rest.number(name);
+      if (!(out.accuracy > 0 && out.accuracy < 1)) throw SceneError(name, "must be a number between 0 and 1");
+    } else if (!read_field(name, out.effects, rest)) {
+      throw SceneError(name, "is no field of an effect");
+    }
+  }
+  require_first_fields(out.effects, given);
+  return out;
+}
+
+std::string pair_arguments_text(const PairArguments& arguments) {
+  std::string out = "accuracy " + shortest(arguments.accuracy);
+  each_effect(arguments.effects, [&](const auto& effect) {
+    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
+    if (effect && why_not(Parameters::name).empty())
+      Parameters::each_field(*effect, FieldWriter{Parameters::name, out});
+  });
+  return out;
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,335 @@
+#include "solver/lammps/pair_plumb_cn.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "solver/lammps/fix_plumb_nve.hpp"
+#include "solver/lammps/fix_plumb_wall.hpp"
+#include "solver/scene/body/mass.hpp"
+
+namespace plumb::lammps {
+namespace {
+
+using LAMMPS_NS::tagint;
+
+/// An atom's custom vector of that name, or -1.
+int vector_of(LAMMPS_NS::Atom& atom, const char* name) {
+  int is_double = 0, columns = 0;
+  const int found = atom.find_custom(name, is_double, columns);
+  return is_double == 1 && columns == 0 ? found : -1;
+}
+
+/// All fixes of a kind, in the order of the script.
+template <class Kind>
+std::vector<Kind*> fixes_of(const LAMMPS_NS::Modify& modify) {
+  std::vector<Kind*> out;
+  for (int k = 0; k < modify.nfix; ++k)
+    if (auto* fix = dynamic_cast<Kind*>(modify.fix[k])) out.push_back(fix);
+  return out;
+}
+
+Vec3<double> vector_at(const double* x) {
+  return {x[0], x[1], x[2]};
+}
+
+}  // namespace
+
+PairPlumbCn::PairPlumbCn(LAMMPS_NS::LAMMPS* lammps) : Pair(lammps) {
+  single_enable = 0;
+  restartinfo = 0;
+  respa_enable = 0;
+  one_coeff = 1;
+  no_virial_fdotr_compute = 1;
+}
+
+PairPlumbCn::~PairPlumbCn() {
+  if (allocated == 0) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+void PairPlumbCn::settings(int count, char** words) {
+  try {
+    arguments_ = scene::parse_pair_arguments(std::vector<std::string>(words, words + count));
+  } catch (const scene::SceneError& refusal) {
+    error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
+  }
+}
+
+void PairPlumbCn::coeff(int count, char** words) {
+  if (count != 2 || std::strcmp(words[0], "*") != 0 || std::strcmp(words[1], "*") != 0)
+    error->all(FLERR, std::string("pair_coeff: plumb/cn takes `pair_coeff * *`: its effects hold for all atoms"));
+  const int types = atom->ntypes;
+  if (allocated == 0) {
+    memory->create(setflag, types + 1, types + 1, "pair:setflag");
+    memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+    allocated = 1;
+  }
+  for (int i = 1; i <= types; ++i)
+    for (int j = 1; j <= types; ++j) setflag[i][j] = 1;
+}
+
+void PairPlumbCn::require(bool holds, const char* reason) const {
+  if (!holds) error->all(FLERR, fmt::format("pair_style plumb/cn: {}", reason));
+}
+
+void PairPlumbCn::init_style() {
+  shapes_ = EllipsoidBonus(*atom);
+  require(shapes_.is_there(), "needs atom_style ellipsoid");
+  require(atom->tag_enable != 0, "needs atom IDs");
+  require(force->newton_pair == 0, "needs `newton off`: each process sums the forces of its own atoms");
+  require(comm->ghost_velocity != 0, "needs `comm_modify vel yes`");
+  require(force->ftm2v == 1, "needs units in which force = mass acceleration: lj, si, cgs, micro or nano");
+  require(update->whichflag == 1, "cannot minimize");
+  require(std::strcmp(update->integrate_style, "verlet") == 0, "needs run_style verlet");
+  const auto motions = fixes_of<FixPlumbNve>(*modify);
+  require(motions.size() == 1, "needs one fix plumb/nve");
+  motion_ = motions.front();
+  find_shapes();
+  make_part();
+  weigh_atoms();
+  measure_types();
+  neighbor->request(this, instance_me);
+}
+
+void PairPlumbCn::find_shapes() {
+  n1_ = vector_of(*atom, "n1");
+  n2_ = vector_of(*atom, "n2");
+  density_ = vector_of(*atom, "density");
+  require(n1_ >= 0 && n2_ >= 0 && density_ >= 0, "needs fix property/atom d_n1 d_n2 d_density ghost yes");
+}
+
+void PairPlumbCn::make_part() {
+  scene::PartSettings settings{arguments_.effects, {}, update->dt, arguments_.accuracy};
+  scene::MovingWalls moving;
+  for (const FixPlumbWall* fix : fixes_of<FixPlumbWall>(*modify)) {
+    moving.motions.push_back(fix->motion());
+    moving.motions.back().wall = static_cast<int>(settings.walls.size());
+    settings.walls.push_back(fix->wall());
+  }
+  if (!moving.motions.empty()) settings.effects.moving_walls = moving;
+  try {
+    part_ = std::make_unique<scene::Part>(settings);
+  } catch (const scene::SceneError& refusal) {
+    error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
+  }
+  motion_->keep_only(part_->history_names());
+  is_stale_ = true;
+}
+
+/// A body's mass follows from its shape; read_data gave that of an ellipsoid.
+void PairPlumbCn::weigh_atoms() {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const scene::SceneBody one = body(i);
+    atom->rmass[i] = one.density * scene::mass_properties(one.body.shape).volume;
+  }
+}
+
+void PairPlumbCn::measure_types() {
+  std::vector<double> here(index(atom->ntypes) + 1);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    double& radius = here[index(atom->type[i])];
+    radius = std::max(radius, scene::bounding_radius(body(i).body.shape));
+  }
+  radius_.resize(here.size());
+  MPI_Allreduce(here.data(), radius_.data(), static_cast<int>(here.size()), MPI_DOUBLE, MPI_MAX, world);
+}
+
+double PairPlumbCn::init_one(int type1, int type2) {
+  return radius_[index(type1)] + radius_[index(type2)] + part_->range();
+}
+
+scene::SceneBody PairPlumbCn::body(int i) const {
+  scene::SceneBody out;
+  if (atom->ellipsoid[i] < 0) error->one(FLERR, fmt::format("pair_style plumb/cn: atom {} has no shape", atom->tag[i]));
+  const auto axes = shapes_.semi_axes(i);
+  out.body.shape = {vector_at(axes.data()), atom->dvector[n1_][i], atom->dvector[n2_][i]};
+  out.density = atom->dvector[density_][i];
+  out.is_fixed = is_fixed(i);
+  const plumb::Pair alone{out.body, out.body};
+  if (const InputError wrong = find_input_error(alone); !wrong.reason.empty())
+    error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: {}: {}{}", atom->tag[i], wrong.field, wrong.reason,
+                                  i < atom->nlocal ? "" : "; fix property/atom needs `ghost yes`"));
+  if (!(std::isfinite(out.density) && out.density > 0))
+    error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: d_density must be a positive number", atom->tag[i]));
+  return out;
+}
+
+bool PairPlumbCn::is_fixed(int i) const {
+  return (atom->mask[i] & motion_->groupbit) == 0;
+}
+
+bool PairPlumbCn::is_owned(std::uint32_t body) const {
+  return body < atom_of_body_.size() && atom_of_body_[body] < atom->nlocal;
+}
+
+double PairPlumbCn::key_of(std::uint32_t body) const {
+  if (body < atom_of_body_.size()) return static_cast<double>(atom->tag[atom_of_body_[body]]);
+  return -1.0 - static_cast<double>(body - atom_of_body_.size());
+}
+
+std::vector<PairPlumbCn::AtomPair> PairPlumbCn::listed_pairs() const {
+  std::vector<AtomPair> out;
+  for (int k = 0; k < list->inum; ++k) {
+    const int i = list->ilist[k];
+    for (int n = 0; n < list->numneigh[i]; ++n) {
+      const int j = list->firstneigh[i][n] & NEIGHMASK;
+      if (!is_fixed(i) || !is_fixed(j)) out.emplace_back(i, j);
+    }
+  }
+  return out;
+}
+
+void PairPlumbCn::number_bodies(const std::vector<AtomPair>& listed) {
+  body_of_atom_.assign(index(atom->nlocal + atom->nghost), -1);
+  atom_of_body_.clear();
+  const auto take = [&](int i) {
+    if (std::exchange(body_of_atom_[index(i)], 0) < 0) atom_of_body_.push_back(i);
+  };
+  for (int i = 0; i < atom->nlocal; ++i) take(i);
+  for (const auto& [i, j] : listed) take(j);
+  std::ranges::sort(atom_of_body_, {}, [&](int i) { return std::pair(atom->tag[i], i); });
+  for (std::size_t k = 0; k < atom_of_body_.size(); ++k) body_of_atom_[index(atom_of_body_[k])] = static_cast<int>(k);
+}
+
+std::vector<std::array<std::uint32_t, 2>> PairPlumbCn::contact_pairs(const std::vector<AtomPair>& listed) const {
+  std::vector<std::array<std::uint32_t, 2>> out;
+  for (const auto& [i, j] : listed) {
+    const auto a = static_cast<std::uint32_t>(body_of(i)), b = static_cast<std::uint32_t>(body_of(j));
+    out.push_back({std::min(a, b), std::max(a, b)});
+  }
+  const std::size_t walls = fixes_of<FixPlumbWall>(*modify).size();
+  for (int i = 0; i < atom->nlocal; ++i)
+    for (std::size_t wall = 0; wall < walls && !is_fixed(i); ++wall)
+      out.push_back({static_cast<std::uint32_t>(body_of(i)), static_cast<std::uint32_t>(atom_of_body_.size() + wall)});
+  std::ranges::sort(out);
+  return out;
+}
+
+/// A contact is known by its atoms' IDs, so that no atom may have two images of another for neighbours.
+void PairPlumbCn::refuse_two_images() const {
+  std::vector<std::pair<std::uint32_t, double>> seen;
+  for (const auto& [a, b] : part_->world().contacts.pairs) {
+    if (is_owned(a)) seen.emplace_back(a, key_of(b));
+    if (is_owned(b)) seen.emplace_back(b, key_of(a));
+  }
+  std::ranges::sort(seen);
+  if (std::ranges::adjacent_find(seen) != seen.end())
+    error->one(
+        FLERR,
+        std::string("pair_style plumb/cn: an atom and two images of another are neighbours: the box is too small"));
+}
+
+void PairPlumbCn::renew() {
+  const auto listed = listed_pairs();
+  number_bodies(listed);
+  std::vector<scene::SceneBody> bodies;
+  for (const int i : atom_of_body_) {
+    bodies.push_back(body(i));
+    if (scene::bounding_radius(bodies.back().body.shape) > radius_[index(atom->type[i])])
+      error->one(
+          FLERR,
+          fmt::format("pair_style plumb/cn: atom {} is larger than those of its type were at the start of the run",
+                      atom->tag[i]));
+  }
+  part_->renew(bodies, contact_pairs(listed));
+  refuse_two_images();
+  recall();
+  is_stale_ = false;
+}
+
+void PairPlumbCn::recall() {
+  const auto& pairs = part_->world().contacts.pairs;
+  const std::size_t width = part_->history_width();
+  for (std::size_t c = 0; c < pairs.size(); ++c) {
+    const auto [a, b] = pairs[c];
+    const std::uint32_t mine = is_owned(a) ? a : b;
+    const double other = key_of(mine == a ? b : a);
+    const std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
+    for (std::size_t at = 0; at < memory.size(); at += width + 1)
+      if (memory[at] == other) part_->set_history(c, std::span(memory).subspan(at + 1, width));
+  }
+}
+
+void PairPlumbCn::remember() {
+  is_stale_ = true;
+  motion_->forget_all();
+  std::vector<double> row(part_->history_width());
+  const auto& pairs = part_->world().contacts.pairs;
+  for (std::size_t c = 0; c < pairs.size(); ++c) {
+    if (!part_->has_history(c)) continue;
+    part_->history(c, row);
+    const auto [a, b] = pairs[c];
+    for (const auto& [mine, other] : {std::pair(a, b), std::pair(b, a)}) {
+      if (!is_owned(mine)) continue;
+      std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
+      memory.push_back(key_of(other));
+      memory.insert(memory.end(), row.begin(), row.end());
+    }
+  }
+}
+
+void PairPlumbCn::place_bodies() {
+  for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
+    const int i = atom_of_body_[k];
+    part_->place(k, vector_at(atom->x[i]), vector_at(atom->v[i]), shapes_.quaternion(i), vector_at(atom->angmom[i]));
+  }
+}
+
+void PairPlumbCn::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  // As a run begins LAMMPS asks for it whether or not anything reads it.
+  if (vflag_either != 0 && update->setupflag == 0 && !std::exchange(has_warned_, true) && comm->me == 0)
+    error->warning(FLERR, std::string("pair_style plumb/cn has no virial: pressures are without its forces"));
+  if (is_stale_) renew();
+  place_bodies();
+  const double step = update->setupflag != 0 ? 0 : update->dt;
+  part_->press(static_cast<double>(update->ntimestep) * update->dt, step);
+  add_forces();
+  if (eflag_atom != 0) share_energy();
+  if (eflag_global == 0) return;
+  const auto& pairs = part_->world().contacts.pairs;
+  eng_vdwl += part_->energy([&](std::size_t contact) { return is_owned(pairs[contact][0]); });
+}
+
+/// Half of a contact's for each of its atoms; a wall has none, and its contact's is all the atom's.
+void PairPlumbCn::share_energy() {
+  const auto& pairs = part_->world().contacts.pairs;
+  const std::vector<double> energies = part_->energies();
+  for (std::size_t c = 0; c < pairs.size(); ++c) {
+    const double share = pairs[c][1] < atom_of_body_.size() ? 0.5 : 1;
+    for (const std::uint32_t body : pairs[c])
+      if (is_owned(body)) eatom[atom_of_body_[body]] += share * energies[c];
+  }
+}
+
+void PairPlumbCn::add_forces() const {
+  const scene::State& state = part_->world().state;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    Eigen::Map<Vec3<double>>(atom->f[i]) += state.force->vector(body_of(i));
+    Eigen::Map<Vec3<double>>(atom->torque[i]) += state.torque->vector(body_of(i));
+  }
+}
+
+void PairPlumbCn::close() {
+  const scene::State& state = part_->world().state;
+  for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
+    state.force->vector(k) = vector_at(atom->f[atom_of_body_[k]]);
+    state.torque->vector(k) = vector_at(atom->torque[atom_of_body_[k]]);
+  }
+  part_->close();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    Eigen::Map<Vec3<double>>(atom->f[i]) = state.force->vector(body_of(i));
+    Eigen::Map<Vec3<double>>(atom->torque[i]) = state.torque->vector(body_of(i));
+  }
+}
+
+long long PairPlumbCn::failed_contacts() const {
+  const long long here = part_->totals().failed;
+  long long all = 0;
+  MPI_Allreduce(&here, &all, 1, MPI_LONG_LONG, MPI_SUM, world);
+  return all;
+}
+
+}  // namespace plumb::lammps

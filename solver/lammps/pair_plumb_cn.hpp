@@ -1,0 +1,80 @@
+// pair_style plumb/cn: contacts of ellipsoids and superquadrics by `auto`, with the forces of the scene library's effects.
+//
+// Each process has a part of the scene (solver/scene/part.hpp): its own atoms and the ghosts that they may touch, in the order of their
+// IDs. A contact across a border is solved on both sides, from the same numbers to the same bits, so that no force has to be sent and
+// a run's bits are those of any number of processes.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "solver/lammps/ellipsoid_bonus.hpp"
+#include "solver/lammps/pair_arguments.hpp"
+#include "solver/scene/part.hpp"
+
+namespace plumb::lammps {
+
+class FixPlumbNve;
+
+class PairPlumbCn : public LAMMPS_NS::Pair {
+ public:
+  explicit PairPlumbCn(LAMMPS_NS::LAMMPS* lammps);
+  PairPlumbCn(const PairPlumbCn&) = delete;
+  PairPlumbCn& operator=(const PairPlumbCn&) = delete;
+  ~PairPlumbCn() override;
+
+  void compute(int eflag, int vflag) override;
+  void settings(int count, char** words) override;
+  void coeff(int count, char** words) override;
+  void init_style() override;
+  double init_one(int type1, int type2) override;
+
+  // For fix plumb/nve, which comes after all forces but the dashpots'.
+
+  /// Forces of bodies and dashpots, onto the atoms; those of the ghosts have been sent.
+  void close();
+  [[nodiscard]] bool has_closing() const { return part_->has_closing(); }
+  /// What the contacts remember, to the atoms and back.
+  void remember();
+  void recall();
+  /// The body that an atom of this process is, in bodies().
+  [[nodiscard]] std::size_t body_of(int atom) const { return static_cast<std::size_t>(body_of_atom_[index(atom)]); }
+  [[nodiscard]] const scene::Bodies& bodies() const { return part_->world().bodies; }
+  /// Contacts whose solver did not converge, over all processes.
+  [[nodiscard]] long long failed_contacts() const;
+
+ private:
+  using AtomPair = std::pair<int, int>;
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  void require(bool holds, const char* reason) const;
+  void find_shapes();
+  void make_part();
+  void weigh_atoms();
+  void measure_types();
+  void renew();
+  [[nodiscard]] std::vector<AtomPair> listed_pairs() const;
+  void number_bodies(const std::vector<AtomPair>& listed);
+  [[nodiscard]] scene::SceneBody body(int atom) const;
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> contact_pairs(const std::vector<AtomPair>& listed) const;
+  void refuse_two_images() const;
+  void place_bodies();
+  void add_forces() const;
+  void share_energy();
+  [[nodiscard]] bool is_fixed(int atom) const;
+  [[nodiscard]] bool is_owned(std::uint32_t body) const;
+  /// The atom's ID, or for a wall -1, -2, ..
+  [[nodiscard]] double key_of(std::uint32_t body) const;
+
+  scene::PairArguments arguments_;
+  std::unique_ptr<scene::Part> part_;
+  FixPlumbNve* motion_ = nullptr;
+  EllipsoidBonus shapes_;
+  int n1_ = -1, n2_ = -1, density_ = -1;  ///< which of the atoms' custom vectors
+  std::vector<double> radius_;            ///< of each type, from 1
+  std::vector<int> atom_of_body_, body_of_atom_;
+  bool is_stale_ = true, has_warned_ = false;
+};
+
+}  // namespace plumb::lammps

@@ -1,0 +1,189 @@
+// Bodies of the templates of automatic.hpp; included only where they are instantiated.
+#pragma once
+
+#include "solver/method/auto/ellipsoid/ellipsoid_contact.hpp"
+#include "solver/method/auto/surface/surface_descent.hpp"
+#include "solver/method/automatic.hpp"
+#include "solver/method/common.hpp"
+#include "solver/method/derivatives.hpp"
+#include "solver/standard_arithmetic.hpp"
+
+namespace plumb {
+namespace detail {
+
+[[nodiscard]] inline bool is_ellipsoid(const Superellipsoid<double>& shape) {
+  return shape.n1 == 2 && shape.n2 == 2;
+}
+
+template <class S>
+[[nodiscard]] bool has_charts(const Contact<S>* last) {
+  return last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
+}
+
+/// The mean of the normals at the last points; zero, or short, where there is none.
+template <class S>
+[[nodiscard]] Vector3<S> warm_direction(const EllipsoidPair<S>& pair, const Contact<S>* last) {
+  if (!has_charts(last)) return {S(0), S(0), S(0)};
+  return sum(normals_at(pair, both(Vector3<S>::of(last->chart1), Vector3<S>::of(Vec3<S>(-last->chart2)))));
+}
+
+/// What both forms found, in the pair's frame.
+template <class S>
+struct Found {
+  Status status;
+  S overlap;
+  Vector3<S> normal, point1, point2, chart1, chart2;
+  int iterations, evaluations;
+  bool overlaps;  ///< whatever the overlap: both bodies hold one point
+};
+
+/// What differs along the surfaces: curvature and derivatives, of a contact that is found.
+template <class S>
+void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, const Pair& pair) {
+  const PlacedPair<S> placed = place<S>(pair);
+  const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
+  const PlacedContact<S> at{found.overlap,
+                            found.normal.eigen(),
+                            {x1, x2 - placed.body2.centre},
+                            {placed_curvature<S>(placed.body1, x1), placed_curvature<S>(placed.body2, x2)}};
+  if (want.curvature) out.curvature = {to_world<S>(placed, at.curvature[0]), to_world<S>(placed, at.curvature[1])};
+  if (!want.derivatives) return;
+  out.derivatives = pose_derivatives<S>(at);
+  const S unit = placed.to_world_length(S(1));
+  const auto none_unless_finite = [](Mat3<S>& m) {
+    if (!m.allFinite()) m.setConstant(std::numeric_limits<S>::quiet_NaN());
+  };
+  for (PoseDerivative<S>& of_body : *out.derivatives) {
+    of_body.overlap_by_turn *= unit;
+    of_body.normal_by_shift /= unit;
+    none_unless_finite(of_body.normal_by_shift);
+    none_unless_finite(of_body.normal_by_turn);
+  }
+}
+
+/// Whether the scalar has lengths like the pair's: float has no 1e100, and no 1e-100.
+template <class S>
+[[nodiscard]] bool has_length(const PairFrame<S>& frame, const S& size) {
+  if constexpr (std::is_same_v<InputScalar<S>, S>) return true;
+  const S length = frame.to_world_length(size);
+  return length >= std::numeric_limits<S>::min() && length < std::numeric_limits<S>::infinity();
+}
+
+/// The points are half the overlap from the contact point: of most contacts the full test is saved. NaN: not asked for, or none.
+template <class S>
+[[nodiscard]] bool is_surely_finite(const Contact<S>& c) {
+  using std::abs;
+  const Vec3<S>& x = c.contact_point;
+  return abs(c.overlap) + abs(x[0]) + abs(x[1]) + abs(x[2]) < std::numeric_limits<S>::max() / S(8);
+}
+
+template <class S>
+[[nodiscard]] Contact<S> contact_of(const Found<S>& found, const Want& want, const PairFrame<S>& frame, const S& size,
+                                    const Pair& pair) {
+  Contact<S> out;
+  out.method = "auto";
+  out.status = has_length<S>(frame, size) ? found.status : Status::not_finite;
+  out.iterations = found.iterations;
+  out.evaluations = found.evaluations;
+  const S undecided = S(undecided_multiple) + S(want.tolerance) / epsilon<S>();  // a residual that was allowed counts
+  out.verdict =
+      found.overlaps ? Verdict::overlapping : verdict_of<S>(found.overlap, size, static_cast<double>(undecided));
+  out.chart1 = found.chart1.eigen();
+  out.chart2 = found.chart2.eigen();
+  if (want.overlap) out.overlap = frame.to_world_length(found.overlap);
+  if (want.normal) out.normal = found.normal.eigen();
+  if (want.points) {
+    const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
+    out.point1 = frame.to_world_point(x1, pair);
+    out.point2 = frame.to_world_point(x2, pair);
+    out.contact_point = frame.to_world_point((x1 + x2) / S(2), pair);
+  }
+  if ((want.curvature || want.derivatives) && found.status == Status::converged)
+    set_second_order<S>(out, found, want, pair);
+  if (want.curvature || want.derivatives || !is_surely_finite(out)) finish<S>(out, want);
+  return out;
+}
+
+/// Whether both bodies hold the middle of two of their points: they overlap then, whatever else is true.
+template <class S>
+[[nodiscard]] bool share_middle(const Pair& pair, const Vector3<S>& point1, const Vector3<S>& point2) {
+  const PlacedPair<S> placed = place<S>(pair);
+  const Vec3<S> middle = ((point1 + point2) * S(0.5)).eigen();
+  const auto holds = [&](const PlacedBody<S>& body) {
+    return gauge<S>(body.shape, body.to_body(middle)) < S(1) - power_noise<S>(placed) * S(16) * epsilon<S>();
+  };
+  return holds(placed.body1) && holds(placed.body2);
+}
+
+template <class S>
+[[nodiscard]] Found<S> solve_ellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
+                                        const Contact<S>* last) {
+  const EllipsoidPair<S> pair = ellipsoid_pair(framed);
+  const Vector3<S> warm = warm_direction(pair, last);
+  const bool is_warm = largest(warm) > S(0.5);
+  EllipsoidContact<S> found = is_warm ? local_contact(pair, want, warm) : cold_contact(pair, want);
+  const auto point2 = [&] { return pair.c - second(found.at.touch.p); };
+  const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, first(found.at.touch.p), point2());
+  if (!is_answered) found = lowest_contact(bodies, pair, want, found, is_warm);
+  const Touch<S>& touch = found.at.touch;
+  return {is_answered ? Status::converged : found.status,
+          found.overlap,
+          found.normal,
+          first(touch.p),
+          point2(),
+          first(touch.u),
+          second(touch.u) * S(-1),
+          found.iterations,
+          found.evaluations,
+          is_answered};
+}
+
+template <class S>
+[[nodiscard]] Found<S> solve_superellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
+                                             const Contact<S>* last) {
+  const auto exponents = [&](double Superellipsoid<double>::* n) {
+    return both<S>(S(bodies.body1.shape.*n), S(bodies.body2.shape.*n));
+  };
+  const SuperellipsoidPair<S> pair =
+      superellipsoid_pair(framed, exponents(&Superellipsoid<double>::n1), exponents(&Superellipsoid<double>::n2));
+  const bool is_warm = has_charts(last);
+  Vector3<Both<S>> warm;
+  if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
+  SurfaceContact<S> found = local_contact(bodies, pair, want, is_warm ? &warm : nullptr);
+  const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, found.point1, found.point2);
+  if (!is_answered) found = lowest_contact(bodies, pair, want, found);
+  return {is_answered ? Status::converged : found.status,
+          found.overlap,
+          found.normal,
+          found.point1,
+          found.point2,
+          first(found.chart),
+          second(found.chart),
+          found.iterations,
+          found.evaluations,
+          is_answered};
+}
+
+}  // namespace detail
+
+template <class S>
+Contact<S> automatic(const Pair& pair, const Want& want, const Contact<S>* last) {
+  const StandardArithmetic mode;
+  return automatic_in_callers_mode<S>(pair, want, last);
+}
+
+/// Not inlined, so that nothing of it leaves the mode that is in force around the call.
+template <class S>
+[[gnu::noinline]] Contact<S> automatic_in_callers_mode(const Pair& pair, const Want& want, const Contact<S>* last) {
+  const PairFrame<S> frame(pair);
+  const FramedPair<S> framed = framed_pair<S>(pair, frame);
+  const bool are_ellipsoids = detail::is_ellipsoid(pair.body1.shape) && detail::is_ellipsoid(pair.body2.shape);
+  const auto solve = are_ellipsoids ? detail::solve_ellipsoids<S> : detail::solve_superellipsoids<S>;
+  return detail::contact_of<S>(solve(pair, framed, want, last), want, frame, framed.size, pair);
+}
+
+#define PLUMB_INSTANTIATE_AUTOMATIC(S)                                                           \
+  template Contact<S> automatic_in_callers_mode<S>(const Pair&, const Want&, const Contact<S>*); \
+  template Contact<S> automatic<S>(const Pair&, const Want&, const Contact<S>*);
+
+}  // namespace plumb

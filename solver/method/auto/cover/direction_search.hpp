@@ -1,0 +1,221 @@
+// The last resort of `auto`: a search over all directions for a common normal lower than the one at hand.
+//
+// f(v) = max over both bodies of v.(p1 - p2) is o(v/|v|) |v|: convex, of degree 1, and g(v) = p1 - p2 is its gradient.
+// s(v) = f(v) - o |v| with o > 0 the level at hand; what is sought is a direction with s < 0.
+//
+// Half      the bodies are their own mirror images through their centres, so that o(-n) = o(n) + 2 n.c: the lowest common normal
+//           has n.c >= 0, and only such directions are looked at (c from body 1's centre to body 2's)
+// Cells     a quadtree on the faces of a cube of directions, level by level (direction_cells.hpp)
+// Excluded  where a witness (incumbent.hpp) says so at a cell's four corners, or a mixture of several does (mixture_bound.hpp)
+// Turned    where o changes as directions turn about an axis of revolution (rotation_derivative.hpp): a common normal has no such slope
+// Explained in a square about a known common normal n on which s is convex, for f is curved by more than the level there
+//           (curvature_bound.hpp): s lies above its tangent plane at n, (o(n) - o) n.v
+// Else      o is evaluated at the cell's middle, or where the witnesses are the lowest, which in narrow grooves of o is
+//           another matter; then the cell is divided. A local solve starts there where o is lower, and at every third level
+//           anyway: what it finds becomes known
+//
+// What it does not promise. Its proofs are made in the scalar's own rounding, not in intervals: those are reference/'s
+// business. The number of evaluations is limited: an answer is not called converged where cells are left, or above any o
+// that was seen on the way.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "solver/method/auto/cover/direction_cells.hpp"
+#include "solver/method/auto/cover/incumbent.hpp"
+#include "solver/method/auto/cover/mixture_bound.hpp"
+#include "solver/method/auto/cover/rotation_derivative.hpp"
+
+namespace plumb {
+
+/// `limit`: of evaluations, as for Lowest.
+template <class S, class Form, class Answer, int limit = last_limit>
+class DirectionSearch {
+ public:
+  DirectionSearch(const Form& form, const S& size, const Answer& first, const std::optional<TurnSlope<S>>& turn)
+      : form_(form), found_(form, size, first, limit), turn_(turn) {
+    const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
+    forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
+  }
+
+  /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
+  [[nodiscard]] Answer lowest() {
+    if (const Answer first = found_.best(); found_.is_found()) take(first);
+    while (!is_complete() && found_.may_go_on()) look_at_next();
+    found_.solve_lower();
+    return found_.answer(is_complete() && !is_too_deep_);
+  }
+  [[nodiscard]] const Answer& best() const { return found_.best(); }
+
+ private:
+  using Found = Lowest<S, Form, Answer>;
+  using Game = WitnessGame<S>;
+  using Corners = typename Game::Corners;
+  using Cell = DirectionCell<S>;
+  static_assert(std::is_same_v<Corners, std::array<Vector3<S>, Cell::parts>>);
+
+  static constexpr int deepest = std::min(Cell::deepest, std::numeric_limits<S>::digits - 2);  // 2^-26 of a face
+  static constexpr int first_game = 3;               // of wider cells no mixture says more than one witness
+  static constexpr int first_groove = 8;             // narrower cells are cut more than once
+  static constexpr int few_cuts = 3, most_cuts = 8;  // evaluations in a cell, in one that can't be divided
+  static constexpr int last_witnesses = 6;           // more save evaluations, and no time
+  static constexpr std::size_t kept_witnesses = 8;   // a power of two
+  static constexpr int solve_each = 3;               // levels between two local solves
+  static constexpr int most_known = 16;
+  static constexpr int most_fruitless = 4;    // solves in a row that find what is known
+  static constexpr int patience = 2;          // levels from a solve in vain to the next
+  static constexpr double known_reach = 4;    // half edges of a cell
+  static constexpr int first_insisting = 4;   // level: of wider cells a start may be far from the minimum
+  static constexpr int last_insisting = 700;  // a descent below
+  static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Game::most_witnesses));
+
+  struct Known {
+    Vector3<S> normal;
+    DirectionSquare<S> explained{};  ///< by a level that only falls: s is the more convex for it
+    bool is_measured = false;
+  };
+
+  [[nodiscard]] bool is_complete() const {
+    return (next_face_ == Cell::faces && waiting_.is_empty()) || found_.is_settled();
+  }
+
+  void look_at_next() {
+    if (next_face_ < Cell::faces) return look_at({0, 0, next_face_++, 0}, nullptr);
+    const Cell cell = waiting_.next();
+    look_at(cell, &waiting_.witness());
+  }
+
+  /// `above`: a witness of the cell above, none for a face.
+  void look_at(const Cell& cell, const Vector3<S>* above) {
+    const Corners corners = cell.corners();
+    if (is_mirrored(corners) || is_excluded(corners, above) || is_explained(corners)) return;
+    if (turn_ && turn_->has_one_sign(corners)) return;
+    if (becomes_excluded(cell, corners, above) || is_explained(corners)) return;
+    const Vector3<S> middle = cell.middle();
+    const bool is_due = cell.level > 0 && cell.level % solve_each == 0 && fruitless_ < most_fruitless;
+    if (is_due && !is_known_near(cell, middle)) explore_from(middle);
+    if (cell.level < deepest) return waiting_.push(cell, last_seen(0));
+    solve_from(middle, Tries::several);
+    is_too_deep_ = is_too_deep_ || !is_explained(corners);
+  }
+
+  [[nodiscard]] bool is_mirrored(const Corners& corners) const {
+    return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(v, forwards_) <= S(0); });
+  }
+
+  [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>& witness) const {
+    const S height = found_.excluded_height();
+    return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(witness, v) >= height; });
+  }
+
+  /// By what was seen of the cell above, or by one of the last.
+  [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>* above) const {
+    if (above != nullptr && is_excluded(corners, *above)) return true;
+    for (int back = 0; back < std::min(seen_count_, last_witnesses); ++back)
+      if (is_excluded(corners, last_seen(back))) return true;
+    return false;
+  }
+
+  /// So many witnesses before the last one, last_witnesses at most.
+  [[nodiscard]] const Vector3<S>& last_seen(int back) const { return seen_[place_of(seen_count_ - 1 - back)]; }
+  [[nodiscard]] static std::size_t place_of(int seen) { return static_cast<std::size_t>(seen) % kept_witnesses; }
+
+  /// Sees more of the cell; whether nothing in it is lower. Ends as well where o is lower than that of any common normal
+  /// known, and where what the witnesses do not exclude is between the corners alone, which dividing brings closer.
+  [[nodiscard]] bool becomes_excluded(const Cell& cell, const Corners& corners, const Vector3<S>* above) {
+    if (cell.level < first_game) return !see(cell.middle(), cell.level) && is_excluded(corners, last_seen(0));
+    Game game = witnesses_with(*above);
+    const int cuts = cell.level < first_groove ? 1 : cell.level < deepest ? few_cuts : most_cuts;
+    for (int cut = 0; cut <= cuts; ++cut) {
+      const auto [mixture, place] = game.play(corners, found_.excluded_height());
+      if (is_excluded(corners, mixture)) return true;
+      const bool is_enough = cut == cuts || !found_.may_go_on();
+      if (is_enough || (cut > 0 && game.reaches(found_.excluded_height(), place))) return false;
+      if (see(place, cell.level)) return false;
+      if (is_excluded(corners, last_seen(0))) return true;
+      game.add(last_seen(0));
+    }
+    return false;
+  }
+
+  [[nodiscard]] Game witnesses_with(const Vector3<S>& above) const {
+    Game out;
+    out.add(above);
+    if (found_.is_found()) out.add(found_.witness(found_.best()));
+    for (int back = 0; back < std::min(seen_count_, last_witnesses); ++back) out.add(last_seen(back));
+    return out;
+  }
+
+  /// Evaluates o along v; whether it is lower than that of any common normal known. Solves from there then, unless that was in
+  /// vain a short while ago.
+  bool see(const Vector3<S>& v, int level) {
+    const Vector3<S> g = found_.farthest(v);
+    seen_[place_of(seen_count_++)] = found_.witness(v, g);
+    if (!found_.sees_lower(v, g)) return false;
+    if (level < next_solve_) return true;
+    const bool is_worth_more = level >= first_insisting && found_.best().evaluations < last_insisting;
+    next_solve_ = solve_from(v, is_worth_more ? Tries::several : Tries::one) ? 0 : level + patience;
+    return true;
+  }
+
+  [[nodiscard]] bool is_explained(const Corners& corners) {
+    for (int k = 0; k < known_count_; ++k) {
+      Known& known = known_[static_cast<std::size_t>(k)];
+      if (!known.is_measured) known.explained = convex_square<S>(form_.support_shapes(), known.normal, found_.level());
+      known.is_measured = true;
+      if (std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return known.explained.holds(v); }))
+        return true;
+    }
+    return false;
+  }
+
+  /// Whether the common normal found is the lowest so far.
+  bool solve_from(const Vector3<S>& v, Tries tries) {
+    const Answer found = found_.solve(v, tries);
+    return found.status == Status::converged && take(found);
+  }
+
+  bool take(const Answer& found) {
+    remember(found);
+    const bool is_lower = found_.take(found);
+    const bool is_backwards =
+        dot(found.normal, form_.centre()) < -found_.rounding() && found_.may_go_on();  // then -n is as much lower
+    if (is_backwards && found.overlap <= found_.best().overlap) solve_from(found.normal * S(-1), Tries::several);
+    return is_lower;
+  }
+
+  /// A local solve would find that one again.
+  [[nodiscard]] bool is_known_near(const Cell& cell, const Vector3<S>& v) const {
+    const Vector3<S> n = v * (S(1) / length(v));
+    return std::any_of(known_.begin(), known_.begin() + known_count_,
+                       [&](const Known& known) { return largest(known.normal - n) < S(known_reach) * cell.half(); });
+  }
+
+  void explore_from(const Vector3<S>& v) {
+    const int known = known_count_;
+    solve_from(v, Tries::one);
+    fruitless_ = known_count_ > known ? 0 : fruitless_ + 1;
+  }
+
+  void remember(const Answer& found) {
+    const S same = by_precision<S>(1e-6, 1e-3);
+    for (int k = 0; k < known_count_; ++k)
+      if (largest(known_[static_cast<std::size_t>(k)].normal - found.normal) < same) return;
+    if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)].normal = found.normal;
+  }
+
+  const Form& form_;
+  Found found_;
+  std::optional<TurnSlope<S>> turn_;
+  Vector3<S> forwards_;
+  std::array<Known, most_known> known_;
+  int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;
+  std::array<Vector3<S>, kept_witnesses> seen_;  ///< the last; number k has the place k modulo their number
+  DirectionQueue<S, limit> waiting_;             ///< a cell that is divided costs an evaluation or more
+  int next_face_ = 0;
+  int next_solve_ = 0;  ///< the level of the next local solve where o is lower
+  bool is_too_deep_ = false;
+};
+
+}  // namespace plumb

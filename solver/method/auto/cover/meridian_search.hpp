@@ -1,0 +1,124 @@
+// The search of direction_search.hpp for two bodies of revolution about parallel axes, or all but parallel ones (parallel_axes_bound.hpp).
+//
+// The lowest o around a circle of latitude has a closed form, so that latitudes alone are looked at. Where both are of
+// revolution about one line that holds both centres (common_axis.hpp) the lowest common normals are a ring, or the line.
+//
+// Cells     halves of halves of the half circle's four straight pieces: the axis + t across, and across + t the axis, t in [0, 1],
+//           and the same of the axis backwards but where o is the same all around a circle: the half towards the other body
+//           is the lower one then
+// Excluded  where a witness (parallel_axes_bound.hpp) says so at a cell's two ends, to rounding. In one dimension that is all it takes: cells
+//           about the minimum end where they are shorter than the square root of the rounding
+// Else      the cell is halved. Where o is lower at its middle, the root of its slope between its ends is the start of a local
+//           solve: from afar those creep where o is all but constant, for a body 1e5 times the other's size
+// Too deep  flats across the axes: o jumps within the tilt, and latitudes do not tell. The search of all directions may
+#pragma once
+
+#include <array>
+
+#include "solver/method/auto/cover/incumbent.hpp"
+#include "solver/method/auto/cover/parallel_axes_bound.hpp"
+
+namespace plumb {
+
+template <class S, class Form, class Answer>
+class MeridianSearch {
+ public:
+  MeridianSearch(const Form& form, const S& size, const Answer& first, int limit, const BandPair<S>& bands)
+      : bands_(bands), found_(form, size, first, limit), ball_(bands.is_parallel() ? found_.ball() : S(0)) {}
+
+  [[nodiscard]] Answer lowest() {
+    for (int piece = bands_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
+    while (!is_complete() && found_.may_go_on() && !is_too_deep_) look_at(open_[--open_count_]);
+    found_.solve_lower();
+    return found_.answer(is_complete() && !is_too_deep_);
+  }
+  [[nodiscard]] const Answer& best() const { return found_.best(); }
+
+ private:
+  static constexpr int deepest = std::numeric_limits<S>::digits - 5;
+  static constexpr int most_cuts = 40;
+
+  using Witness = typename BandPair<S>::Witness;
+
+  struct Cell {
+    int piece, level;
+    S middle;
+    Witness witness;  ///< of the cell above
+  };
+
+  [[nodiscard]] static Latitude<S> latitude(int piece, const S& t) {
+    const S side = piece < 2 ? S(1) : S(-1);
+    return piece % 2 == 0 ? Latitude<S>{S(1), side * t} : Latitude<S>{t, side};
+  }
+
+  [[nodiscard]] bool is_complete() const { return open_count_ == 0 || found_.is_settled(); }
+
+  void push(const Cell& cell) { open_[open_count_++] = cell; }
+
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): a copy, for its place is taken by its halves
+  void look_at(const Cell cell) {
+    using std::ldexp;
+    const S half = ldexp(S(0.5), -cell.level);
+    const Latitude<S> from = latitude(cell.piece, cell.middle - half), to = latitude(cell.piece, cell.middle + half);
+    if (bands_.is_backwards(from, to) || (cell.level > 0 && is_excluded(from, to, cell.witness))) return;
+    const Latitude<S> middle = latitude(cell.piece, cell.middle);
+    const Witness witness = bands_.witness(middle, ball_);
+    const Vector3<S> v = bands_.lowest(middle, witness);
+    if (is_excluded(from, to, witness)) return;
+    if (found_.sees_lower(v, found_.farthest(v)))
+      if (const auto start = descended(cell.piece, cell.middle - half, cell.middle + half))
+        found_.solve_from(*start, Tries::several);
+    if (cell.level == deepest) {
+      is_too_deep_ = true;
+      return;
+    }
+    push({cell.piece, cell.level + 1, cell.middle - half / 2, witness});
+    push({cell.piece, cell.level + 1, cell.middle + half / 2, witness});
+  }
+
+  /// The direction of lowest o at t of a piece, and the slope of that o along t, times any positive factor.
+  struct Seen {
+    Vector3<S> v;
+    S slope;
+  };
+
+  [[nodiscard]] Seen seen_at(int piece, const S& t) {
+    found_.count();
+    const Latitude<S> at = latitude(piece, t), end = latitude(piece, t + S(1));
+    const Witness witness = bands_.witness(at, S(0));
+    const Latitude<S> gradient = bands_.gradient(at, witness), along{end.x - at.x, end.z - at.z};
+    return {bands_.lowest(at, witness), dot(gradient, along) * dot(at, at) - dot(gradient, at) * dot(along, at)};
+  }
+
+  /// The direction where o is the lowest of a piece's cell, by regula falsi on its slope, cuts of a tenth at least; none where
+  /// that is at an end, for another cell has it then.
+  [[nodiscard]] std::optional<Vector3<S>> descended(int piece, S from, S to) {
+    Seen at_from = seen_at(piece, from), at_to = seen_at(piece, to);
+    if (at_from.slope > S(0) || at_to.slope < S(0)) return std::nullopt;
+    for (int cuts = 0; cuts < most_cuts && to - from > epsilon<S>() && found_.may_go_on(); ++cuts) {
+      const S share = at_from.slope / (at_from.slope - at_to.slope);
+      const S cut = cuts % 3 == 2 ? S(0.5) : share > S(0.1) ? std::min(share, S(0.9)) : S(0.1);
+      const S middle = from + (to - from) * cut;
+      const Seen seen = seen_at(piece, middle);
+      if (seen.slope > S(0))
+        to = middle, at_to = seen, at_from.slope /= 2;
+      else
+        from = middle, at_from = seen, at_to.slope /= 2;
+    }
+    return at_from.v;
+  }
+
+  [[nodiscard]] bool is_excluded(const Latitude<S>& from, const Latitude<S>& to, const Witness& witness) const {
+    const S height = found_.excluded_level() - ball_;
+    return witness.height(from) >= height * from.length() && witness.height(to) >= height * to.length();
+  }
+
+  const BandPair<S>& bands_;
+  Lowest<S, Form, Answer> found_;
+  S ball_;
+  std::array<Cell, deepest + 5> open_;  ///< depth first: a cell a level, the last two, and the other pieces
+  std::size_t open_count_ = 0;
+  bool is_too_deep_ = false;
+};
+
+}  // namespace plumb

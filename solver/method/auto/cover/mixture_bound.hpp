@@ -1,0 +1,142 @@
+// Whether some mixture of witnesses shows that no direction of a cell is lower: a matrix game.
+//
+// Bodies and their Minkowski sum are convex, so that a mixture of witnesses (incumbent.hpp) is a witness. The best one is the
+// highest at the corner where it is the lowest: that is a game of witnesses against corners, whose other half is the place in
+// the cell where the best of the witnesses is the lowest, and where a new one tells most. Between two flats, where one witness
+// lies on either side of a groove of o, no single one excludes a cell on it; a mixture of two does.
+//
+// The corners' linear program (max sum p, sum over corners of p h <= 1 for each witness, h > 0 the heights) has a start, p = 0,
+// and 4 unknowns: the simplex method on a condensed tableau, a row a witness. Whether what it ends on excludes is for
+// the caller's own test of the mixture to say; rounding costs mixtures, not truth.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "solver/method/vector3.hpp"
+#include "solver/scalar.hpp"
+
+namespace plumb {
+
+template <class S>
+class WitnessGame {
+ public:
+  static constexpr std::size_t corner_count = 4, most_witnesses = 16;
+  using Corners = std::array<Vector3<S>, corner_count>;  ///< unit
+
+  void add(const Vector3<S>& witness) { witnesses_[count_++] = witness; }
+
+  struct Outcome {
+    Vector3<S> mixture;  ///< of witnesses
+    Vector3<S> place;    ///< of corners, of any length: where no witness reaches the height, or the lowest
+  };
+
+  /// Ends where it is clear that no mixture is as high as `height` at every corner.
+  [[nodiscard]] Outcome play(const Corners& corners, const S& height) {
+    set_up(corners);
+    const S wanted = (height - lowest_) * scale_ + S(1);
+    for (int pivots = 0; pivots < most_pivots && total_ * wanted <= S(1); ++pivots) {
+      const std::size_t column = entering(), row = leaving(column);
+      if (!(objective_[column] > tiny()) || row == count_) break;
+      pivot(row, column);
+    }
+    return outcome(corners);
+  }
+
+  /// Whether one of them shows that o along v is as high as that.
+  [[nodiscard]] bool reaches(const S& height, const Vector3<S>& v) const {
+    const S least = height * length(v);
+    return std::any_of(witnesses_.begin(), witnesses_.begin() + static_cast<std::ptrdiff_t>(count_),
+                       [&](const Vector3<S>& witness) { return dot(witness, v) >= least; });
+  }
+
+ private:
+  static constexpr int most_pivots = 24;
+  static constexpr double least_gain = 1e-12,
+                          least_gain_in_float = 1e-5;  // and pivot: the tableau's numbers are about 1
+  [[nodiscard]] static S tiny() { return by_precision<S>(least_gain, least_gain_in_float); }
+  using Row = std::array<S, corner_count>;
+
+  /// Heights between 1 and 2.
+  void set_up(const Corners& corners) {
+    S highest = lowest_ = dot(witnesses_[0], corners[0]);
+    for (std::size_t j = 0; j < count_; ++j)
+      for (std::size_t k = 0; k < corner_count; ++k) {
+        const S height = rows_[j][k] = dot(witnesses_[j], corners[k]);
+        lowest_ = std::min(lowest_, height);
+        highest = std::max(highest, height);
+      }
+    scale_ = highest > lowest_ ? S(1) / (highest - lowest_) : S(1);
+    for (std::size_t j = 0; j < count_; ++j) {
+      for (S& height : rows_[j]) height = (height - lowest_) * scale_ + S(1);
+      right_[j] = S(1);
+      of_row_[j] = corner_count + j;
+    }
+    for (std::size_t k = 0; k < corner_count; ++k) of_column_[k] = k;
+    objective_.fill(S(1));
+    total_ = S(0);
+  }
+
+  [[nodiscard]] std::size_t entering() const {
+    return static_cast<std::size_t>(std::max_element(objective_.begin(), objective_.end()) - objective_.begin());
+  }
+
+  /// None, `count_`, only by rounding: the heights are positive, so that every unknown has a limit.
+  [[nodiscard]] std::size_t leaving(std::size_t column) const {
+    std::size_t best = count_;
+    for (std::size_t j = 0; j < count_; ++j) {
+      const S& entry = rows_[j][column];
+      if (!(entry > tiny())) continue;
+      if (best == count_ || right_[j] * rows_[best][column] < right_[best] * entry) best = j;
+    }
+    return best;
+  }
+
+  void pivot(std::size_t row, std::size_t column) {
+    const S inverse = S(1) / rows_[row][column];
+    Row pivot_row = rows_[row];
+    pivot_row[column] = S(1);
+    for (S& value : pivot_row) value *= inverse;
+    const S right = right_[row] * inverse;
+    for (std::size_t j = 0; j < count_; ++j) right_[j] -= eliminate(rows_[j], pivot_row, column) * right;
+    total_ += eliminate(objective_, pivot_row, column) * right;
+    rows_[row] = pivot_row;
+    right_[row] = right;
+    std::swap(of_row_[row], of_column_[column]);
+  }
+
+  /// What the pivot row was taken off by.
+  [[nodiscard]] static S eliminate(Row& row, const Row& pivot_row, std::size_t column) {
+    const S factor = std::exchange(row[column], S(0));
+    for (std::size_t k = 0; k < corner_count; ++k) row[k] -= factor * pivot_row[k];
+    return factor;
+  }
+
+  [[nodiscard]] Outcome outcome(const Corners& corners) const {
+    const Vector3<S> none{S(0), S(0), S(0)};
+    Outcome out{none, none};
+    S shares(0);
+    for (std::size_t k = 0; k < corner_count; ++k)
+      if (of_column_[k] >= corner_count && objective_[k] < S(0)) {
+        out.mixture = out.mixture - witnesses_[of_column_[k] - corner_count] * objective_[k];
+        shares -= objective_[k];
+      }
+    out.mixture = shares > S(0) ? out.mixture * (S(1) / shares) : witnesses_[0];
+    for (std::size_t j = 0; j < count_; ++j)
+      if (of_row_[j] < corner_count) out.place = out.place + corners[of_row_[j]] * right_[j];
+    return out;
+  }
+
+  std::array<Vector3<S>, most_witnesses> witnesses_;
+  std::size_t count_ = 0;
+  std::array<Row, most_witnesses> rows_;  ///< the tableau
+  std::array<S, most_witnesses> right_;
+  Row objective_;
+  S total_;
+  std::array<std::size_t, most_witnesses> of_row_;  ///< corner k is k, witness j is 4 + j
+  std::array<std::size_t, corner_count> of_column_;
+  S lowest_, scale_;  ///< of the heights
+};
+
+}  // namespace plumb

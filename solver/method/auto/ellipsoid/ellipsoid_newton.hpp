@@ -1,0 +1,129 @@
+// Newton's iteration on the direction form of two ellipsoids (ellipsoids.hpp).
+//
+// Floor   p follows n with H, so that the rounding of n alone moves it by epsilon |H|: epsilon a^2 / c on a flat side. Where
+//         that is too much (needles, discs) the last steps are taken on the points: u is moved instead of n, and the normal
+//         at u is well conditioned there.
+// Error   of o a few epsilon (h1 + h2 + |c|); of normal and points that times their condition numbers.
+#pragma once
+
+#include "solver/method/auto/ellipsoid/ellipsoid_steps.hpp"
+#include "solver/scalar.hpp"
+
+namespace plumb {
+
+/// A common normal of two ellipsoids in the pair's frame. u and p of `at` are the answer's; its n is not a unit vector.
+template <class S>
+struct EllipsoidContact {
+  Status status = Status::stalled;
+  DirectionPoint<S> at;
+  Vector3<S> normal;  ///< unit
+  S overlap;
+  int iterations = 0;
+  int evaluations = 0;
+};
+
+template <class S>
+class EllipsoidNewton {
+ public:
+  /// `axis`: unit, the line about which both bodies are of revolution; zero where there is none.
+  EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
+      : pair_(pair), axis_(axis), is_ring_(largest(axis) > S(0)),
+        limit_(std::min(want.iteration_limit, newton::most_iterations)), stops_early_(limit_ < want.iteration_limit),
+        is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.size),
+        floor_(S(is_ring_ ? newton::ring_multiple : newton::noise_multiple) * epsilon<S>() * pair.size) {}
+
+  /// From any direction but zero.
+  void solve(EllipsoidContact<S>& out, const Vector3<S>& start) {
+    evaluate(out, start);
+    out.status = Status::converged;
+    while (!is_small_enough(out.at)) {
+      if (is_yes_or_no_ && is_apart(out.at)) break;
+      if (!(out.at.error < std::numeric_limits<S>::infinity()))
+        out.status = Status::not_finite;
+      else if (out.iterations >= limit_)
+        out.status = stops_early_ ? Status::stalled : Status::iteration_limit;
+      if (out.status != Status::converged) break;
+      ++out.iterations;
+      if (descend(out)) break;
+    }
+    finish(out);
+  }
+
+ private:
+  [[gnu::always_inline]] void evaluate(EllipsoidContact<S>& out, const Vector3<S>& n) const {
+    ++out.evaluations;
+    out.at = direction_point(pair_, n);
+  }
+
+  /// Any direction with o < 0 separates the bodies.
+  [[nodiscard]] bool is_apart(const DirectionPoint<S>& at) const {
+    return overlap_at(pair_, at) < -S(newton::surely_apart) * epsilon<S>() * pair_.size;
+  }
+
+  [[nodiscard, gnu::always_inline]] bool is_small_enough(const DirectionPoint<S>& at) const {
+    if (at.error <= std::max(floor_, asked_)) return true;
+    return at.error <= newton::near<S>() * pair_.size &&
+           at.error <= S(newton::noise_multiple) * epsilon<S>() * reach(pair_, at);
+  }
+
+  /// One step, shortened until o is lower where o can tell. True after a last one.
+  [[nodiscard, gnu::always_inline]] bool descend(EllipsoidContact<S>& out) const {
+    using std::sqrt;
+    const Symmetric3<Both<S>> h = radii(pair_, out.at.touch);
+    Vector3<S> step =
+        is_ring_ ? newton_step(held(sum(h), out.at, axis_), out.at, newton::tie_on_ring) : newton_step(sum(h), out.at);
+    S turn = squared_turn(pair_, out.at, step);
+    if (turn < newton::last_turn<S>() * newton::last_turn<S>() && lands(sum(h), out.at, step))
+      return follow(out.at, step), true;
+    const S longest = S(newton::longest_turn * newton::longest_turn);
+    if (turn > longest) {
+      step = step * sqrt(longest / turn);
+      turn = longest;
+    }
+    if (turn < newton::short_turn<S>() * newton::short_turn<S>()) return evaluate(out, out.at.n + step), false;
+    const S here = overlap_at(pair_, out.at);
+    const Vector3<S> n = out.at.n;
+    evaluate(out, n + step);
+    while (turn > newton::short_turn<S>() * newton::short_turn<S>() && !(overlap_at(pair_, out.at) <= here)) {
+      step = step * S(newton::shorter);
+      turn *= S(newton::shorter * newton::shorter);
+      evaluate(out, n + step);
+    }
+    return false;
+  }
+
+  /// Whether the slope after a step is zero to rounding, to first order: not where the matrix was made convex.
+  [[nodiscard]] bool lands(const Symmetric3<S>& h, const DirectionPoint<S>& at, const Vector3<S>& step) const {
+    return landing_error(h, at, step) <= floor_;
+  }
+
+  /// Newton on the points. Two steps from the direction form's floor reach theirs.
+  [[gnu::noinline]] void settle(EllipsoidContact<S>& out) const {
+    Settling<S> now = settling(pair_, out.at);
+    for (int i = 0; i < newton::most_settling && now.error > floor_; ++i) {
+      ++out.evaluations;
+      out.at.touch.u = moved_points(pair_, out.at, now, is_ring_ ? &axis_ : nullptr);
+      now = settling(pair_, out.at);
+    }
+    out.normal = now.n;
+    if (!(now.error <= S(newton::settled_multiple) * floor_)) out.status = Status::stalled;
+  }
+
+  void finish(EllipsoidContact<S>& out) const {
+    using std::sqrt;
+    out.overlap = overlap_at(pair_, out.at);
+    out.normal = out.at.n * sqrt(out.at.inverse_square);
+    if (out.status != Status::converged || (is_yes_or_no_ && is_apart(out.at))) return;
+    if (out.at.error > std::max(floor_, asked_)) settle(out);
+  }
+
+  const EllipsoidPair<S>& pair_;
+  const Vector3<S> axis_;
+  bool is_ring_;
+  int limit_;
+  bool stops_early_;
+  bool is_yes_or_no_;
+  S asked_, floor_;
+};
+
+}  // namespace plumb

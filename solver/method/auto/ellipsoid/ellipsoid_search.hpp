@@ -1,0 +1,158 @@
+// The last resort of `auto` for two ellipsoids: a search over their two support heights for the lowest o.
+//
+// On directions n whose h1 = |A1 n| is in [a, a'] the root's chord over the squares is not above it,
+//     h1 >= (|A1 n|^2 + a a') / (a + a')
+// and the same of h2 in [b, b']. With M = A1'A1 / (a + a') + A2'A2 / (b + b') all such n have
+//     o(n) >= a a' / (a + a') + b b' / (b + b') + n.M n - n.c
+// whose minimum over ALL unit n is known (sphere_minimum.hpp). Outside of [a, a'] the chord is above the root, so that the bound is below the
+// lowest o by the chords' loss alone, the square of a cell's width: no more where the lowest common normals are a ring,
+// or all but one, or mirror images of each other, for those have the same two heights.
+//
+// Cells     rectangles of heights, the one of the lowest bound first
+// Excluded  where the bound is not below the level
+// Else      o is evaluated at the bound's direction, a local solve starts there where it is lower, and the cell is cut at that
+//           direction's height
+//
+// What it does not promise: as for direction_search.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "solver/method/auto/cover/incumbent.hpp"
+#include "solver/method/auto/ellipsoid/ellipsoids.hpp"
+#include "solver/method/auto/ellipsoid/sphere_minimum.hpp"
+
+namespace plumb {
+
+template <class S, class Form, class Answer>
+class EllipsoidSearch {
+ public:
+  EllipsoidSearch(const Form& form, const Answer& first, int limit, const EllipsoidPair<S>& pair)
+      : pair_(pair), found_(form, pair.size, first, limit) {}
+
+  [[nodiscard]] Answer lowest() {
+    push(whole());
+    while (!is_complete() && found_.may_go_on()) look_at(pop().ends);
+    found_.solve_lower();
+    return found_.answer(is_complete());
+  }
+  [[nodiscard]] const Answer& best() const { return found_.best(); }
+
+ private:
+  using Found = Lowest<S, Form, Answer>;
+
+  // Each that is looked at becomes two, by one more height.
+  static constexpr std::size_t most_cells = last_limit + 2, most_heights = last_limit + 4;
+  static constexpr double least_share = 0.25;  // of a cell's width on either side of a cut
+
+  /// Of one body's heights.
+  struct Range {
+    S low, high;
+
+    /// Of the root's chord over the squares.
+    [[nodiscard]] S slope() const { return S(1) / (low + high); }
+    /// How far the chord is below the root; less than 0 outside.
+    [[nodiscard]] S loss(const S& height) const { return (height - low) * (high - height) * slope(); }
+    [[nodiscard]] S cut(const S& height) const {
+      const S least = (high - low) * S(least_share);
+      return std::clamp(height, S(low + least), S(high - least));
+    }
+  };
+
+  struct Rectangle {
+    Range of1, of2;
+  };
+
+  /// Where heights_ has the ends of a rectangle.
+  using Place = std::uint16_t;
+  struct Ends {
+    Place low1, high1, low2, high2;
+  };
+
+  /// Small, for there may be many and they are on the stack: the rest is computed again where a cell is looked at.
+  struct Cell {
+    S bound;
+    Ends ends;
+  };
+
+  /// A direction along which a bound would be reached.
+  struct Seen {
+    Vector3<S> n;
+    Touch<S> there;
+    S height1, height2;
+  };
+
+  [[nodiscard]] bool is_complete() const {
+    return count_ == 0 || found_.is_settled() || cells_[0].bound >= found_.excluded_level();
+  }
+
+  [[nodiscard]] Ends whole() {
+    using std::max;
+    using std::min;
+    const Vector3<Both<S>>& a = pair_.semi_axes;
+    const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
+    return {add(first<S>(least)), add(first<S>(longest)), add(second<S>(least)), add(second<S>(longest))};
+  }
+
+  [[nodiscard]] Place add(const S& height) {
+    heights_[height_count_] = height;
+    return static_cast<Place>(height_count_++);
+  }
+
+  [[nodiscard]] Rectangle rectangle(const Ends& ends) const {
+    return {{heights_[ends.low1], heights_[ends.high1]}, {heights_[ends.low2], heights_[ends.high2]}};
+  }
+
+  [[nodiscard]] Seen see(const Rectangle& cell) const {
+    Seen out;
+    const SphereMinimum<S> least(sum(pair_.square * both<S>(cell.of1.slope(), cell.of2.slope())), pair_.c * S(0.5));
+    out.n = least.direction();
+    out.there = touch(pair_, out.n);  // the square of a needle's map has lost the digits of its short axes
+    out.height1 = first<S>(out.there.h);
+    out.height2 = second<S>(out.there.h);
+    return out;
+  }
+
+  [[nodiscard]] static bool is_higher(const Cell& a, const Cell& b) { return a.bound > b.bound; }
+
+  void push(const Ends& ends) {
+    const Rectangle cell = rectangle(ends);
+    const Seen seen = see(cell);
+    const S bound =
+        sum<S>(seen.there.h) - dot(seen.n, pair_.c) - cell.of1.loss(seen.height1) - cell.of2.loss(seen.height2);
+    if (bound >= found_.excluded_level()) return;
+    cells_[count_++] = {bound, ends};
+    std::push_heap(cells_.begin(), end(), is_higher);
+  }
+
+  [[nodiscard]] Cell pop() {
+    std::pop_heap(cells_.begin(), end(), is_higher);
+    return cells_[--count_];
+  }
+
+  [[nodiscard]] auto end() { return cells_.begin() + static_cast<std::ptrdiff_t>(count_); }
+
+  void look_at(const Ends& ends) {
+    const Rectangle cell = rectangle(ends);
+    const auto [n, there, height1, height2] = see(cell);
+    found_.count();
+    if (found_.sees_lower(n, sum(there.p) - pair_.c)) found_.solve_from(n, Tries::several);
+    Ends low = ends, high = ends;
+    if (cell.of1.loss(height1) > cell.of2.loss(height2))
+      low.high1 = high.low1 = add(cell.of1.cut(height1));
+    else
+      low.high2 = high.low2 = add(cell.of2.cut(height2));
+    push(low);
+    push(high);
+  }
+
+  const EllipsoidPair<S>& pair_;
+  Found found_;
+  std::array<Cell, most_cells> cells_;
+  std::array<S, most_heights> heights_;
+  std::size_t count_ = 0, height_count_ = 0;
+};
+
+}  // namespace plumb

@@ -1,0 +1,128 @@
+// What Newton's iteration on two ellipsoids computes; when it does what is ellipsoid_newton.hpp's, and for packs of pairs
+// batch/ellipsoid_pack.hpp's.
+#pragma once
+
+#include "solver/method/auto/ellipsoid/ellipsoids.hpp"
+#include "solver/scalar.hpp"
+
+namespace plumb {
+
+namespace newton {
+inline constexpr double noise_multiple = 2;  // of epsilon: rounding of p1 + p2 - c
+inline constexpr double longest_turn = 0.8;  // 0.7 .. 1 do as well; at 1.5 needles take 19 steps instead of 12
+inline constexpr double shorter = 0.3;       // a step that does not lower o is cut to this
+inline constexpr double tie = 0.01;          // of o: the eigenvalue along a ring or between ties, made positive
+inline constexpr double tie_on_ring = 1e-9;  // the same where the ring is held anyway
+inline constexpr double ring_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
+inline constexpr double surely_apart = 16;   // epsilon, relative: o is below zero whatever its rounding
+inline constexpr int most_iterations = 100;  // what is not at rest by then takes what the search may spend
+inline constexpr int most_settling = 3;
+inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
+
+/// From here on o is too flat to tell what is lower.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S short_turn() {
+  return by_precision<S>(1e-4, 1e-2);
+}
+/// Its square, the error of the linear step, is below rounding.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S last_turn() {
+  using std::sqrt;
+  if constexpr (std::numeric_limits<S>::digits > std::numeric_limits<double>::digits + 11)  // beyond x86's long double
+    return S(0.06) * sqrt(epsilon<S>());
+  return by_precision<S>(1e-9, 1e-4);
+}
+/// Error, relative to the size, from which its floor is asked for.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S near() {
+  return by_precision<S>(1e-8, 1e-4);
+}
+}  // namespace newton
+
+/// |H1| + |H2| for a unit normal: by how much the points follow it.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S reach(const EllipsoidPair<S>& pair, const DirectionPoint<S>& at) {
+  using std::sqrt;
+  const Both<S> traces = (pair.square.trace() - dot(at.touch.p, at.touch.p)) * at.touch.inverse_h;
+  return sum<S>(traces) / sqrt(at.inverse_square);
+}
+
+/// H1 + H2 with a second derivative about `axis` as well, where o has none: there is nothing to be gained along a ring.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Symmetric3<S> held(const Symmetric3<S>& h, const DirectionPoint<S>& at,
+                                                            const Vector3<S>& axis) {
+  return h + square(cross(axis, at.n)) * (h.trace() * at.inverse_square);
+}
+
+/// `tie`: the share of o that an eigenvalue of about 0 becomes.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at,
+                                                                double tie = newton::tie) {
+  const StepMatrix<S> m = step_matrix(h, at);
+  Adjugate<S> inverse = adjugate(m.matrix);
+  const auto positive = is_positive(m.matrix, inverse);
+  if (any_of(!positive)) {
+    const S shift = blend(positive, S(0), convexifying_shift(m, inverse.determinant, S(at.ratio * S(tie))));
+    inverse = adjugate(m.matrix.shifted(shift));
+  }
+  return inverse.matrix * at.slope * (S(-1) / inverse.determinant);
+}
+
+/// The square of the angle by which a step turns n or a body's u, whichever is more (rad, for small ones).
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S squared_turn(const EllipsoidPair<S>& pair, const DirectionPoint<S>& at,
+                                                        const Vector3<S>& step) {
+  using std::max;
+  const Vector3<Both<S>> q = pair.map * twice(step);
+  const Both<S> turns = dot(q, q) * at.touch.inverse_h * at.touch.inverse_h;
+  return max(max(S(dot(step, step) * at.inverse_square), first<S>(turns)), second<S>(turns));
+}
+
+/// The slope after a step, to first order: not where the matrix was made convex.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S landing_error(const Symmetric3<S>& h, const DirectionPoint<S>& at,
+                                                         const Vector3<S>& step) {
+  return largest(at.slope + h * step - step * at.ratio);
+}
+
+/// A last step, so short that h follows it linearly. The points have yet to settle.
+template <class S>
+[[gnu::always_inline]] inline void follow(DirectionPoint<S>& at, const Vector3<S>& step) {
+  at.n = at.n + step;
+  at.touch.h += dot(at.touch.p, twice(step));
+}
+
+/// How far the points u1 and u2 are from a common normal; n1 + d = n2 + d + twist is the new normal of both.
+template <class S>
+struct Settling {
+  Vector3<S> n, slope, twist;
+  S error;
+};
+
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Settling<S> settling(const EllipsoidPair<S>& pair, DirectionPoint<S>& at) {
+  using std::max;
+  at.touch.p = pair.map.transposed_times(at.touch.u);
+  const Vector3<Both<S>> normals = normals_at(pair, at.touch.u);
+  const Vector3<S> n = first(normals), twist = n - second(normals), gradient = sum(at.touch.p) - pair.c;
+  const Vector3<S> slope = gradient - n * dot(n, gradient);
+  return {n, slope, twist, max(length(slope), S(length(twist) * pair.size))};
+}
+
+/// The points u1 and u2 after a Newton step; `axis`: as for `held`, or none.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> moved_points(const EllipsoidPair<S>& pair,
+                                                                       DirectionPoint<S>& at, const Settling<S>& now,
+                                                                       const Vector3<S>* axis = nullptr) {
+  using std::sqrt;
+  const Vector3<S> twist = now.twist * (S(1) / sqrt(at.inverse_square)), none{S(0), S(0), S(0)};
+  const Symmetric3<Both<S>> h = radii(pair, at.touch);
+  at.slope = now.slope + second(h * twice(twist));
+  const Vector3<S> step =
+      axis == nullptr ? newton_step(sum(h), at) : newton_step(held(sum(h), at, *axis), at, newton::tie_on_ring);
+  const Vector3<Both<S>> d = pair.map * (twice(step) + both(none, twist)) * at.touch.inverse_h;
+  const Vector3<Both<S>> u = at.touch.u + d - at.touch.u * dot(at.touch.u, d);
+  return u * (Both<S>(S(1)) / sqrt(dot(u, u)));
+}
+
+}  // namespace plumb

@@ -1,0 +1,58 @@
+// A pair in its own frame, as place() of pose.hpp makes it and with the same bits, both bodies side by side.
+#pragma once
+
+#include "solver/method/auto/surface/per_body.hpp"
+#include "solver/pose.hpp"
+
+namespace plumb {
+
+template <class S>
+struct FramedPair {
+  Vector3<Both<S>> semi_axes;
+  Matrix3<Both<S>> rotation;
+  Vector3<S> c;  ///< from body 1's centre to body 2's
+  S size;        ///< the longest semi-axis, in [1, 2)
+};
+
+/// |o| up to this many epsilon of the size leaves the verdict open: what rounding may do to it (properties/laws/allowance.hpp).
+inline constexpr double undecided_multiple = 8;
+
+/// Of a quaternion with a largest component near 1: rotation() of pose_impl.hpp.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Matrix3<T> rotation_of(const T& w, const T& x, const T& y, const T& z) {
+  const T ww = w * w, xx = x * x, yy = y * y, zz = z * z, norm = ww + xx + yy + zz;
+  const auto two_times = [](const T& a) { return a + a; };
+  const auto row = [&](const T& a, const T& b, const T& c) { return Vector3<T>{a / norm, b / norm, c / norm}; };
+  return {row(ww + xx - yy - zz, two_times(x * y - w * z), two_times(x * z + w * y)),
+          row(two_times(x * y + w * z), ww - xx + yy - zz, two_times(y * z - w * x)),
+          row(two_times(x * z - w * y), two_times(y * z + w * x), ww - xx - yy + zz)};
+}
+
+namespace detail {
+
+/// Divided by a power of two.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline std::array<S, 4> near_one(const std::array<double, 4>& quaternion) {
+  double largest = 0;
+  for (const double component : quaternion) largest = std::max(largest, std::abs(component));
+  const PowerOfTwo<double> unit(-exponent_above(largest));
+  return {S(unit(quaternion[0])), S(unit(quaternion[1])), S(unit(quaternion[2])), S(unit(quaternion[3]))};
+}
+
+}  // namespace detail
+
+template <class S>
+[[nodiscard, gnu::always_inline]] inline FramedPair<S> framed_pair(const Pair& pair, const PairFrame<S>& frame) {
+  const std::array<S, 4> q1 = detail::near_one<S>(pair.body1.quaternion),
+                         q2 = detail::near_one<S>(pair.body2.quaternion);
+  const auto component = [&](std::size_t k) { return both<S>(q1[k], q2[k]); };
+  const auto axes = [&](const Body& body) { return Vector3<S>::of(frame.to_semi_axes(body)); };
+  FramedPair<S> out;
+  out.semi_axes = both(axes(pair.body1), axes(pair.body2));
+  out.rotation = rotation_of<Both<S>>(component(0), component(1), component(2), component(3));
+  out.c = Vector3<S>::of(frame.to_centre(pair));
+  out.size = frame.size(pair);
+  return out;
+}
+
+}  // namespace plumb

@@ -1,0 +1,151 @@
+// One level of a superellipsoid's nest: a point of the plane curve |a|^nu + |b|^nu = 1 and the curve's gradient there, of both
+// bodies at once.
+//
+// c = (ca, cb)   the point, |c|_nu = 1
+// g = (ga, gb)   the gradient of |.|_nu there, g = sign(c) |c|^(nu-1); c.g = 1
+// k = (ka, kb)   dg/dc = (nu-1) |c|^(nu-2)
+// tangent        dc = (-gb, ga), dg = (-ka gb, kb ga)
+// nu >= 2. An exponent below 2 is its dual's level with the roles of point and normal exchanged (`dual`): nu = n/(n-1), g is
+// then the point and c the normal. So c is the coordinate of the balanced chart (shape/chart.hpp), and both maps are smooth.
+//
+// t = smaller / larger of |ca|, |cb| and u = t^(nu-1), the same of g, are kept rather than c: near a flat's middle t is
+// small and u vanishes, near an edge u is the one that moves. A step is taken in t where t < t*, in u beyond, with t* where
+// du/dt = 1: the variable s(t) = t up to t*, t* + u - u* from there on, is as smooth as a step needs and nowhere stiff. Newton
+// in t alone, or in u alone, diverges on a third of the pairs with exponents above 8.
+#pragma once
+
+#include <cmath>
+
+#include "solver/method/auto/surface/per_body.hpp"
+
+namespace plumb {
+
+/// What a level's exponent determines.
+template <class S>
+struct LevelShape {
+  Both<S> nu, nu_minus_1, inverse /* 1 / (nu-1) */, inverse_nu;
+  Both<S> switch_t, switch_u;  ///< t* and u*; 0 for nu = 2, where t = u
+  Mask<S> dual, is_two;
+  bool all_two;  ///< never of several pairs: which of two forms a pair takes is not to depend on its neighbours
+};
+
+template <class S>
+[[nodiscard]] inline LevelShape<S> level_shape(const Both<S>& nu, const Mask<S>& dual) {
+  LevelShape<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false};
+  out.all_two = has_one_pair<S> && all_of(out.is_two);
+  if (out.all_two) return out;
+  // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
+  const Both<S> above = nu - S(2);
+  const Mask<S> near = above < by_precision<S>(1e-6, 1e-3);
+  const Both<S> t = exp(-log(out.nu_minus_1) / select<S>(near, S(1), above));
+  out.switch_t = select<S>(out.is_two, S(0), select<S>(near, S(0.36787944117144233), t));
+  out.switch_u = out.switch_t * out.inverse;
+  return out;
+}
+
+/// Of the exponents n > 1 of both bodies.
+template <class S>
+[[nodiscard]] inline LevelShape<S> level_of_exponents(const Both<S>& n) {
+  const Mask<S> dual = n < S(2);
+  return level_shape<S>(select<S>(dual, n / (n - S(1)), n), dual);
+}
+
+/// The same with nu pulled down to at most `cap`: a rounder body.
+template <class S>
+[[nodiscard]] inline LevelShape<S> capped(const LevelShape<S>& level, const S& cap) {
+  if (!any_of(level.nu > cap)) return level;
+  return level_shape<S>(select<S>(level.nu > cap, Both<S>(cap), level.nu), level.dual);
+}
+
+template <class S>
+struct LevelPoint {
+  Both<S> t, u;
+  Both<S> ca, cb, ga, gb, ka, kb;
+  Both<S> sign_a, sign_b;
+  Mask<S> b_is_larger;
+};
+
+namespace detail {
+
+/// A zero: its powers stay finite.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S smallest_ratio() {
+  return by_precision<S>(1e-140, 1e-15);
+}
+
+/// Sets the rest from the ratio: of g where `is_u`, of c elsewhere. Signs and `b_is_larger` are set.
+template <class S>
+[[gnu::always_inline]] inline void set_ratio(const LevelShape<S>& level, Both<S> ratio, Mask<S> is_u,
+                                             LevelPoint<S>& out) {
+  is_u = is_u && !(ratio < smallest_ratio<S>());  // a zero is one of c: a zero of g would have a finite curvature
+  ratio = max(ratio, Both<S>(smallest_ratio<S>()));
+  Both<S> larger;
+  if (has_one_pair<S> && level.all_two) {
+    out.t = out.u = ratio;
+    larger = S(1) / sqrt(S(1) + ratio * ratio);
+  } else {
+    const Both<S> power = select<S>(is_u, level.inverse, level.nu_minus_1);
+    const Both<S> other = exp(max(log(ratio) * power, Both<S>(by_precision<S>(-690, -80))));
+    out.t = select<S>(is_u && !level.is_two, other, ratio);
+    out.u = select<S>(is_u || level.is_two, ratio, other);
+    larger = exp(-log(S(1) + out.t * out.u) * level.inverse_nu);
+  }
+  const Both<S> gradient = S(1) / ((S(1) + out.t * out.u) * larger), slope = level.nu_minus_1 * gradient / larger;
+  const Both<S> c_small = out.t * larger, g_small = out.u * gradient, k_small = slope * out.u / out.t;
+  const Mask<S>& b = out.b_is_larger;
+  out.ca = select<S>(b, c_small, larger) * out.sign_a;
+  out.cb = select<S>(b, larger, c_small) * out.sign_b;
+  out.ga = select<S>(b, g_small, gradient) * out.sign_a;
+  out.gb = select<S>(b, gradient, g_small) * out.sign_b;
+  out.ka = select<S>(b, k_small, slope);
+  out.kb = select<S>(b, slope, k_small);
+}
+
+}  // namespace detail
+
+/// The level at a vector of any length in g where `is_g`, in c elsewhere.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline LevelPoint<S> level_at(const LevelShape<S>& level, const Both<S>& a,
+                                                                const Both<S>& b, const Mask<S>& is_g) {
+  const Both<S> size_a = abs(a), size_b = abs(b);
+  LevelPoint<S> out;
+  out.b_is_larger = size_a < size_b;
+  out.sign_a = sign<S>(a);
+  out.sign_b = sign<S>(b);
+  const Both<S> larger = max(max(size_a, size_b), Both<S>(detail::smallest_ratio<S>()));
+  detail::set_ratio<S>(level, min(size_a, size_b) / larger, is_g, out);
+  return out;
+}
+
+/// The level after `old` has moved to c and g (any length, each linear in the step). `switch_t`: t* of `level`, or infinite
+/// where only c is to be followed.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline LevelPoint<S>
+level_moved(const LevelShape<S>& level, const Both<S>& switch_t, const LevelPoint<S>& old, const Both<S>& ca,
+            const Both<S>& cb, const Both<S>& ga, const Both<S>& gb) {
+  const Mask<S> by_g = old.t >= switch_t;
+  const Both<S> a = select<S>(by_g, ga, ca) * old.sign_a, b = select<S>(by_g, gb, cb) * old.sign_b;
+  const Both<S> was_larger = select<S>(old.b_is_larger, b, a), was_smaller = select<S>(old.b_is_larger, a, b);
+  const Both<S> least = max(S(0.02) * abs(was_smaller), Both<S>(detail::smallest_ratio<S>()));
+  const Both<S> ratio = was_smaller / max(was_larger, least), offset = switch_t - level.switch_u;
+  const Both<S> s = select<S>(by_g, ratio + offset, ratio), size = abs(s);
+  const Mask<S> is_t = size <= switch_t;
+  Both<S> value = select<S>(is_t, size, size - offset);
+  const Mask<S> passed_diagonal = value > S(1);
+  value = select<S>(passed_diagonal, S(1) / value, value);
+  const Both<S> turn = sign<S>(s);
+  LevelPoint<S> out;
+  out.b_is_larger = old.b_is_larger != passed_diagonal;
+  out.sign_a = select<S>(old.b_is_larger, old.sign_a * turn, old.sign_a);
+  out.sign_b = select<S>(old.b_is_larger, old.sign_b, old.sign_b * turn);
+  detail::set_ratio<S>(level, value, !is_t, out);
+  return out;
+}
+
+/// A level turned by half a turn where `factor` is -1.
+template <class S>
+inline void turn_round(LevelPoint<S>& at, const Both<S>& factor) {
+  for (Both<S>* value : {&at.ca, &at.cb, &at.ga, &at.gb, &at.sign_a, &at.sign_b}) *value *= factor;
+}
+
+}  // namespace plumb

@@ -1,0 +1,90 @@
+// What Newton's iteration on surface points is made of, for one pair (surface_newton.hpp) and for each of a pack
+// (batch/surface_pack.hpp): its system, what it makes of a step, and how it ends.
+#pragma once
+
+#include <algorithm>
+
+#include "solver/method/auto/surface/surface_equations.hpp"
+
+namespace plumb {
+
+/// Of the equations at f, both halves relative to what their rounding is relative to.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S residual(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& f) {
+  using std::max;
+  return max(f.twist, S(f.slope / pair.reach));
+}
+
+/// Whether Newton's iteration has ended: a residual below `tolerance`, or one of rounding alone, which falls by less than a fifth a
+/// step. Below 12 epsilon, for the laws allow 16 of the points as they are handed out, which rounds once more. On a needle's flat tip it
+/// falls to a third a step, and by half at last: corpus/cases/regressions/needles-in-line-16-eps.json.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline auto is_at_rest(const S& now, const S& last, const S& tolerance) {
+  return now < tolerance || (now < S(12.0) * epsilon<S>() && now * S(1.25) >= last);
+}
+
+/// Newton's system at f. `bend()` is the least second derivative of o, without its own part: where o is above it, the step
+/// descends, and saddles and maxima do not attract.
+template <class S, class Bend>
+[[nodiscard, gnu::always_inline]] inline std::array<Equation4<S>, 4>
+descending_system(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& f, const S& tolerance,
+                  const Bend& bend) {
+  S o = f.overlap;
+  const auto deep = o > pair.rolling_ball;
+  if (any_of(deep)) o = blend(deep && o > bend(), S(0.0), o);
+  std::array<Equation4<S>, 4> m = newton_system(f, o);
+  const auto still = f.twist < tolerance;
+  for (std::size_t k = 0; k < 2; ++k) m[k].right = blend(still, S(0.0), m[k].right);
+  return m;
+}
+
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S squared_length(const std::array<S, 4>& x) {
+  return x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3];
+}
+
+/// Without infinities and NaN.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline std::array<S, 4> cleaned(std::array<S, 4> x) {
+  using std::max, std::min;
+  const auto clean = squared_length(x) < by_precision<S>(1e200, 1e30);
+  if (all_of(clean)) return x;
+  for (S& component : x) {
+    const S most(1e3), clamped = min(max(component, S(-most)), most);
+    component = blend(clean, component, blend(component == component, clamped, S(0.0)));
+  }
+  return x;
+}
+
+/// What a step is multiplied by: it is cut to length 1.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S cut_of(const std::array<S, 4>& x) {
+  using std::max, std::sqrt;
+  return S(1.0) / sqrt(max(squared_length(x), S(1.0)));
+}
+
+/// Whether the last step may be tried.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline auto is_close(const SurfaceEquations<S>& f, const S& residual) {
+  return f.opposite && residual < by_precision<S>(1e-7, 3e-4);
+}
+
+/// The last step, along the tangents, without new powers: taken, of those `where`, if max(step^2, turn^2) nu^2 < 0.05 epsilon
+/// room, which bounds how far the normal of the moved point is from the moved normal. `to` has the equations there, and the
+/// derivatives of f. True where the residual at `to` is below `tolerance`.
+template <class S, class M>
+[[nodiscard, gnu::always_inline]] inline M follow(const SuperellipsoidPair<S>& pair, const Surfaces<S>& at,
+                                                  const SurfaceEquations<S>& f, const std::array<S, 4>& x,
+                                                  const S& tolerance, const M& where, SurfaceEquations<S>& to) {
+  using std::max;
+  const Followed<S> moved = followed(at, both<S>(x[0], x[2]), both<S>(x[1], x[3]));
+  const S top = pair.greatest_nu, square = max(hmax(moved.squared_turn), squared_length(x));
+  const M is_short = where && square * top * top < S(0.05) * epsilon<S>() * hmin(room_to_fold(pair, at));
+  if (none_of(is_short)) return is_short;
+  to.dnormal = f.dnormal;
+  to.dpoint = f.dpoint;
+  set_values<S>(pair, moved.point, pair.rotation * moved.normal * inverse_length<S>(moved.normal), to);
+  return is_short && residual(pair, to) < tolerance;
+}
+
+}  // namespace plumb

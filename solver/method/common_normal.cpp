@@ -1,9 +1,0 @@
-#include "solver/method/common_normal.hpp"
-
-#include "solver/method/common_normal_impl.hpp"
-
-namespace plumb {
-
-PLUMB_INSTANTIATE_COMMON_NORMAL(double)
-
-}  // namespace plumb

@@ -1,9 +1,0 @@
-#include "solver/method/geometric_potential.hpp"
-
-#include "solver/method/geometric_potential_impl.hpp"
-
-namespace plumb {
-
-PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(double)
-
-}  // namespace plumb

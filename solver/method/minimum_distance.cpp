@@ -1,9 +1,0 @@
-#include "solver/method/minimum_distance.hpp"
-
-#include "solver/method/minimum_distance_impl.hpp"
-
-namespace plumb {
-
-PLUMB_INSTANTIATE_MINIMUM_DISTANCE(double)
-
-}  // namespace plumb

@@ -1,0 +1,183 @@
+// What effects work on: the bodies, the state, the contacts, and the list of passes that is one step.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <functional>
+
+#include "solver/scene/body/columns.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace plumb::scene {
+
+/// What does not change, one entry a body and, after the bodies, one a wall (shape and orientation of which nobody reads).
+struct Bodies {
+  std::size_t count = 0;  ///< without walls
+  std::size_t walls = 0;
+  std::vector<Superellipsoid<double>> shape;
+  std::vector<char> is_sphere;
+  std::vector<double> radius;                          ///< of a ball about the centre that holds the body
+  std::vector<double> mass;                            ///< also of what is fixed; walls: infinite
+  std::vector<double> inverse_mass;                    ///< 0 where nothing moves it
+  std::vector<Vec3<double>> inertia, inverse_inertia;  ///< principal, body axes; inverse 0 where nothing turns it
+  std::vector<double> sphere_radius;                   ///< of equal volume
+  std::vector<std::uint32_t> movable, turning;
+  std::vector<Vec3<double>> wall_normal;  ///< unit, out of the wall
+  [[nodiscard]] std::size_t all() const { return count + walls; }
+  [[nodiscard]] bool is_wall(std::uint32_t i) const { return i >= count; }
+};
+
+/// What moves. Columns of what no effect and no output asks for are nullptr.
+struct State {
+  Column* position = nullptr;          ///< 3; a point of a wall
+  Column* velocity = nullptr;          ///< 3; at the middle of the step while forces are computed
+  Column* orientation = nullptr;       ///< 4: quaternion (w, x, y, z)
+  Column* angular_momentum = nullptr;  ///< 3, world axes
+  Column* angular_velocity = nullptr;  ///< 3, world axes, made from the momentum
+  Column* force = nullptr;             ///< 3
+  Column* torque = nullptr;            ///< 3, about the centre
+
+  [[nodiscard]] Eigen::Quaterniond orientation_of(std::size_t body) const {
+    const auto q = orientation->entry(body);
+    return {q[0], q[1], q[2], q[3]};
+  }
+};
+
+/// The contact list: pairs that may touch (body 2 has the higher index, a wall is body 2), and those of them that do.
+struct Contacts {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<std::uint32_t> touching;  ///< indices in pairs, rising: overlap > -range
+  std::vector<std::uint32_t> pressing;  ///< those of them that overlap
+  std::vector<std::uint32_t> parted;    ///< those that overlapped in the step before, and no longer do
+  double range = 0;
+  Column* is_pressing = nullptr;  ///< 1 or 0
+  Column* chart = nullptr;        ///< 6: where the solver starts next time
+  Column* overlap = nullptr;      ///< 1
+  Column* normal = nullptr;       ///< 3, from body 1 to body 2
+  Column* point = nullptr;        ///< 3: where the force acts
+  Column* curvature = nullptr;    ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
+  Column* arm1 = nullptr;         ///< 3: (point - centre) x normal, exactly 0 for spheres
+  Column* arm2 = nullptr;
+  Column* yield1 =
+      nullptr;  ///< 3: the inverse inertia, world axes, times the arm: how a body turns by an impulse along the normal
+  Column* yield2 = nullptr;
+  Column* inverse_mass = nullptr;  ///< 1 / the mass that an impulse along the normal feels
+  Column* radius = nullptr;        ///< 1: 1 / (1/r1 + 1/r2) of the distances to the centres; r2 of a wall is infinite
+  Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
+  Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
+  double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
+};
+
+/// From the bodies' centres to the point of contact; 0 of a wall, which nothing turns.
+struct Levers {
+  Vec3<double> r1, r2;
+};
+
+/// One step of work on all bodies or on all contacts.
+struct Pass {
+  std::string_view owner;
+  std::function<void()> run;
+  std::chrono::steady_clock::duration spent{};
+};
+
+/// What an effect stores, for who asks: nothing of a step.
+struct StoredEnergy {
+  std::string_view owner;
+  std::function<double()> energy;
+};
+
+struct World {
+  double time = 0, time_step = 0;
+  Bodies bodies;
+  Columns columns;
+  State state;
+  Contacts contacts;
+  Column* boxes = nullptr;  ///< of the contact list (neighbours.hpp); none where the list holds for good
+
+  /// In the order of a step, each in that of effects(): what moves by itself, forces of contacts, forces of bodies, and forces
+  /// that go by the velocities to which all others lead.
+  std::vector<Pass> movers, contact_passes, body_passes, closing_passes;
+  std::vector<StoredEnergy> energies;
+  /// What sets an effect's columns once they have their size.
+  std::vector<std::function<void(const Scene&)>> starts;
+
+  [[nodiscard]] bool has_turning() const { return state.torque != nullptr; }
+
+  [[nodiscard]] Levers levers(std::size_t contact) const;
+  /// The velocity of body 2's point of contact as body 1's sees it, where bodies turn.
+  [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact, const Levers& levers) const;
+  /// Its component along the normal; negative: they approach. Of spheres, turning does nothing to it, exactly.
+  [[nodiscard]] double normal_velocity(std::size_t contact) const;
+  /// How it changes by the forces so far: of the bodies, not of the normal.
+  [[nodiscard]] double normal_acceleration(std::size_t contact) const;
+  /// Angular velocity of body 2 as body 1 sees it.
+  [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
+  /// Adds a force on body 2 at the point of contact, and its opposite on body 1.
+  void push(std::size_t contact, const Vec3<double>& force, const Levers& levers);
+  /// The same of a force along the normal, with the arms of the normal.
+  void push_along_normal(std::size_t contact, double size);
+  /// Adds a couple on body 2, and its opposite on body 1.
+  void turn(std::size_t contact, const Vec3<double>& couple);
+};
+
+inline Levers World::levers(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const Vec3<double> point = contacts.point->vector(contact);
+  return {point - state.position->vector(i),
+          bodies.is_wall(j) ? Vec3<double>::Zero() : Vec3<double>(point - state.position->vector(j))};
+}
+
+inline Vec3<double> World::relative_velocity(std::size_t contact, const Levers& levers) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const Vec3<double> spin1 = state.angular_velocity->vector(i), spin2 = state.angular_velocity->vector(j);
+  return state.velocity->vector(j) - state.velocity->vector(i) + spin2.cross(levers.r2) - spin1.cross(levers.r1);
+}
+
+inline double World::normal_velocity(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const double shift = (state.velocity->vector(j) - state.velocity->vector(i)).dot(contacts.normal->vector(contact));
+  if (!has_turning()) return shift;
+  return shift + (state.angular_velocity->vector(j).dot(contacts.arm2->vector(contact)) -
+                  state.angular_velocity->vector(i).dot(contacts.arm1->vector(contact)));
+}
+
+inline double World::normal_acceleration(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  const Vec3<double> shift =
+      bodies.inverse_mass[j] * state.force->vector(j) - bodies.inverse_mass[i] * state.force->vector(i);
+  const double along = shift.dot(contacts.normal->vector(contact));
+  if (!has_turning()) return along;
+  return along + (state.torque->vector(j).dot(contacts.yield2->vector(contact)) -
+                  state.torque->vector(i).dot(contacts.yield1->vector(contact)));
+}
+
+inline void World::push_along_normal(std::size_t contact, double size) {
+  const auto [i, j] = contacts.pairs[contact];
+  const Vec3<double> force = size * contacts.normal->vector(contact);
+  state.force->vector(i) -= force;
+  state.force->vector(j) += force;
+  if (contacts.arm1 == nullptr) return;
+  state.torque->vector(i) -= size * contacts.arm1->vector(contact);
+  state.torque->vector(j) += size * contacts.arm2->vector(contact);
+}
+
+inline Vec3<double> World::relative_turn(std::size_t contact) const {
+  const auto [i, j] = contacts.pairs[contact];
+  return state.angular_velocity->vector(j) - state.angular_velocity->vector(i);
+}
+
+inline void World::push(std::size_t contact, const Vec3<double>& force, const Levers& levers) {
+  const auto [i, j] = contacts.pairs[contact];
+  state.force->vector(i) -= force;
+  state.force->vector(j) += force;
+  state.torque->vector(i) -= levers.r1.cross(force);
+  state.torque->vector(j) += levers.r2.cross(force);
+}
+
+inline void World::turn(std::size_t contact, const Vec3<double>& couple) {
+  const auto [i, j] = contacts.pairs[contact];
+  state.torque->vector(i) -= couple;
+  state.torque->vector(j) += couple;
+}
+
+}  // namespace plumb::scene

@@ -1,0 +1,160 @@
+#include "solver/scene/contact/neighbours.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+
+namespace plumb::scene {
+namespace {
+
+namespace geometry = boost::geometry;
+using Point = geometry::model::point<double, 3, geometry::cs::cartesian>;
+using Box = geometry::model::box<Point>;
+using Entry = std::pair<Box, std::uint32_t>;
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+constexpr double share_of_radius =
+    0.05;  // of the margin; twice that builds half the lists and solves a tenth more pairs
+constexpr double steps_ahead = 20;
+
+Vec3<double> low_of(const Column& boxes, std::size_t i) {
+  return Vec3<double>::Map(boxes.entry(i).data());
+}
+Vec3<double> high_of(const Column& boxes, std::size_t i) {
+  return Vec3<double>::Map(boxes.entry(i).data() + 3);
+}
+
+Box box_of(const Column& boxes, std::size_t i) {
+  const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
+  return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+}
+
+bool can_meet(const Bodies& bodies, std::uint32_t i, std::uint32_t j) {
+  return bodies.movable.empty() || bodies.inverse_mass[i] > 0 || bodies.inverse_mass[j] > 0;
+}
+
+/// How far a wall may move before its list is made anew.
+double wall_margin(const World& world) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : world.bodies.movable) least = std::min(least, world.bodies.radius[i]);
+  return world.bodies.movable.empty() ? 0 : share_of_radius * least;
+}
+
+/// How far a body's fat box reaches beyond its own.
+double margin_of(const World& world, std::size_t i) {
+  if (world.bodies.inverse_mass[i] == 0 || world.state.velocity == nullptr) return 0;
+  const double moves = steps_ahead * world.time_step * world.state.velocity->vector(i).norm();
+  return std::clamp(moves, share_of_radius * world.bodies.radius[i], world.bodies.radius[i]);
+}
+
+void add_walls(const World& world, const Column& boxes, Pairs& pairs) {
+  const Bodies& bodies = world.bodies;
+  const double margin = wall_margin(world);
+  for (std::uint32_t i = 0; i < bodies.count; ++i)
+    for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
+      if (!can_meet(bodies, i, static_cast<std::uint32_t>(bodies.count + wall))) break;
+      const Vec3<double> normal = bodies.wall_normal[wall];
+      const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
+      const double middle = normal.dot((low + high) / 2 - low_of(boxes, bodies.count + wall));
+      const double reach = normal.cwiseAbs().dot((high - low) / 2);
+      if (middle <= reach + world.contacts.range / 2 + margin)
+        pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
+    }
+}
+
+/// How far any point of a body's surface can have moved in the last step, at most: sums of magnitudes spare two roots.
+double greatest_motion(const World& world, std::uint32_t i) {
+  const double shift = world.state.velocity->vector(i).cwiseAbs().sum();
+  if (!world.has_turning()) return shift * world.time_step;
+  const double momentum = world.state.angular_momentum->vector(i).cwiseAbs().sum();
+  const double turn = momentum * world.bodies.inverse_inertia[i].maxCoeff() * world.bodies.radius[i];
+  return (shift + turn) * world.time_step;
+}
+
+/// Between the box that a body needs now and its fat one; negative where it has left that, NaN where there is none.
+double room_in_box(const World& world, const Column& boxes, std::uint32_t i) {
+  const Vec3<double> x = world.state.position->vector(i), half = half_extent(world, i);
+  const Vec3<double> below = x - half - low_of(boxes, i), above = high_of(boxes, i) - x - half;
+  const double low = below.minCoeff<Eigen::PropagateNaN>(), high = above.minCoeff<Eigen::PropagateNaN>();
+  return std::isnan(low) ? low : std::min(low, high);
+}
+
+bool walls_stand(const World& world, const Column& boxes) {
+  const Bodies& bodies = world.bodies;
+  if (bodies.walls == 0) return true;
+  const double margin = wall_margin(world);
+  for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
+    const Vec3<double> moved = world.state.position->vector(bodies.count + wall) - low_of(boxes, bodies.count + wall);
+    if (!(bodies.wall_normal[wall].dot(moved) <= margin)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Vec3<double> half_extent(const World& world, std::size_t body) {
+  const Mat3<double> rotation = world.state.orientation_of(body).toRotationMatrix();
+  const Vec3<double> box = rotation.cwiseAbs() * world.bodies.shape[body].semi_axes;
+  return box.cwiseMin(world.bodies.radius[body]).array() + world.contacts.range / 2;
+}
+
+bool are_within(const World& world, Column& boxes) {
+  if (std::isnan(boxes.entry(0)[6])) return false;
+  for (const std::uint32_t i : world.bodies.movable) {
+    double& room = boxes.entry(i)[6];
+    room -= greatest_motion(world, i);
+    if (room >= 0) continue;
+    room = room_in_box(world, boxes, i);
+    if (!(room >= 0)) return false;
+  }
+  return walls_stand(world, boxes);
+}
+
+void fatten(const World& world, Column& boxes) {
+  const Bodies& bodies = world.bodies;
+  for (std::size_t i = 0; i < bodies.all(); ++i) {
+    const Vec3<double> x = world.state.position->vector(i);
+    Vec3<double> half = Vec3<double>::Zero();
+    boxes.entry(i)[6] = 0;
+    if (i < bodies.count) {
+      const double room = margin_of(world, i);
+      half = half_extent(world, i).array() + room;
+      boxes.entry(i)[6] = room;
+    }
+    Vec3<double>::Map(boxes.entry(i).data()) = x - half;
+    Vec3<double>::Map(boxes.entry(i).data() + 3) = x + half;
+  }
+}
+
+Pairs meeting_pairs(const World& world, const Column& boxes) {
+  const Bodies& bodies = world.bodies;
+  std::vector<Entry> entries;
+  entries.reserve(bodies.count);
+  for (std::uint32_t i = 0; i < bodies.count; ++i) entries.emplace_back(box_of(boxes, i), i);
+  const geometry::index::rtree<Entry, geometry::index::linear<16>> tree(entries);  // packed: built at once
+  Pairs pairs;
+  std::vector<Entry> met;
+  for (const auto& [box, i] : entries) {
+    met.clear();
+    tree.query(geometry::index::intersects(box), std::back_inserter(met));
+    for (const auto& [other, j] : met)
+      if (j > i && can_meet(bodies, i, j)) pairs.push_back({i, j});
+  }
+  add_walls(world, boxes, pairs);
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+Pairs all_pairs(const Bodies& bodies) {
+  const bool is_still = bodies.movable.empty();
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < bodies.count; ++i)
+    for (std::uint32_t j = i + 1; j < bodies.all(); ++j)
+      if (is_still || can_meet(bodies, i, j)) pairs.push_back({i, j});
+  return pairs;
+}
+
+}  // namespace plumb::scene
