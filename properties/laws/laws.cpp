@@ -118,11 +118,15 @@ std::span<const Law> laws() {
   return all_laws;
 }
 
-Judgement judge(const Evidence& e) {
-  Judgement out;
-  out.finding = first_broken(e);
+Decision decide(const Evidence& e) {
+  Decision out{first_broken(e)};
   out.decided = is_decided(out.finding, e.reference);
   if (out.decided && !(out.finding.severity > 1)) out.finding = {};
+  return out;
+}
+
+Judgement judge(const Evidence& e) {
+  Judgement out{decide(e)};
   // Where it is not proved what is lowest a right answer breaks no law, but not every wrong one does.
   out.judged = is_judgeable(e) && (e.problem != Problem::common_normal || e.reference.global == Claim::proved);
   const Finding verdict = law::verdict_is_right(e);
@@ -179,20 +183,24 @@ const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
   return *nearby_;
 }
 
-Judgement Judge::judge(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, Effort effort) {
-  const Reference& against = reference(effort);
-  return plumb::judge({pair_, by.problem, answer, against, solution(by.problem, against), by.solve_again, by.is_own,
-                       [&]() -> const reference::SolutionSet& { return all_solutions(against); },
-                       [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims});
+template <class Look>
+auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, const Look& look) {
+  // A finer level than the one that was asked for is worth no proof.
+  const bool is_worth_proving = !by.accuracy.is_coarser_than(accuracy);
+  for (std::size_t dearer = 0;; ++dearer) {
+    const Effort effort = efforts[dearer];
+    const Reference& against = reference(effort);
+    const auto out = look({pair_, by.problem, answer, against, solution(by.problem, against), by.solve_again, by.is_own,
+                           [&]() -> const reference::SolutionSet& { return all_solutions(against); },
+                           [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims});
+    const bool is_enough = out.decided || (!is_worth_proving && effort >= reference().effort);
+    if (is_enough || effort == efforts.back()) return out;
+  }
 }
 
+/// Right is what is known to be.
 bool Judge::is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy) {
-  Judgement out;
-  for (const Effort effort : efforts) {
-    out = judge(by, answer, accuracy, effort);
-    // A finer level than the one that was asked for is worth no proof: right is what is known to be.
-    if (out.decided || (effort >= reference().effort && by.accuracy.is_coarser_than(accuracy))) break;
-  }
+  const Decision out = decided_by(by, answer, accuracy, decide);
   return out.decided && out.finding.kind == FindingKind::none;
 }
 
@@ -206,11 +214,7 @@ std::size_t Judge::right_from(const JudgedBy& by, const Contact<double>& answer,
 }
 
 Judgement Judge::judge(const JudgedBy& by, const Contact<double>& answer) {
-  Judgement out;
-  for (const Effort effort : efforts) {
-    out = judge(by, answer, by.accuracy, effort);
-    if (out.decided) break;
-  }
+  Judgement out = decided_by(by, answer, by.accuracy, [](const Evidence& e) { return plumb::judge(e); });
   out.right_from = right_from(by, answer, out.finding);
   return out;
 }

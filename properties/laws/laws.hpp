@@ -90,10 +90,15 @@ inline constexpr std::string_view law_file = "properties/laws/laws.cpp";
 /// Every law, in the order of precedence.
 [[nodiscard]] std::span<const Law> laws();
 
-/// The verdict of all laws on one answer.
-struct Judgement {
+/// The first law that an answer breaks.
+struct Decision {
   Finding finding;
   bool decided = true;  ///< the reference's digits are enough to say so
+};
+[[nodiscard]] Decision decide(const Evidence& evidence);
+
+/// The verdict of all laws on one answer, and its figures.
+struct Judgement : Decision {
   bool judged = false;  ///< the reference has an answer to the method's own problem (a proved one to a potential's)
   double angle_error_deg = std::numeric_limits<
       double>::quiet_NaN();  ///< to the certified common normal, whatever the method's problem; NaN when unknown
@@ -135,8 +140,10 @@ class Judge {
   }
 
  private:
-  [[nodiscard]] Judgement judge(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy,
-                                Effort effort);
+  /// What `look` sees in the evidence, by the cheapest effort with which it is decided.
+  template <class Look>
+  [[nodiscard]] auto decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy,
+                                const Look& look);
   [[nodiscard]] std::size_t right_from(const JudgedBy& by, const Contact<double>& answer, const Finding& as_asked);
   [[nodiscard]] bool is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy);
   [[nodiscard]] const Reference& reference(Effort effort);

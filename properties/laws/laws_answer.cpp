@@ -304,30 +304,35 @@ Finding overlap_agrees(const Evidence& e) {
 
 namespace {
 
+/// A place that is `error` from the certified one. Where the condition number says too little, the answers to inputs within
+/// rounding are asked, or the certified set, from which it is `in_set` off.
+template <class SeverityInSet>
+Finding place_agrees(const Evidence& e, double error, double rounding, const SeverityInSet& in_set,
+                     std::string detail) {
+  const Solution& truth = nearest(e);
+  const double condition = truth.condition.points, slack = points_slack(e, truth.condition);
+  if (asks_for_all_solutions(e, condition)) return {FindingKind::point_error, in_set(), {}, std::move(detail)};
+  const double allowed = few_of(condition * scale_of(e, truth)) + rounding + slack;
+  double severity = severity_of(error, allowed);
+  if (severity > 1) severity = std::min(severity, severity_of(error, rounding + nearby_of(e, truth).points + slack));
+  if (severity > 1 && may_be_in_the_set(e, condition)) severity = std::min(severity, in_set());
+  return {FindingKind::point_error, severity, {}, std::move(detail), doubt_of(e, truth.points_radius, allowed)};
+}
+
 /// One point, between the certified ones; where these are a set, no further from them than the set reaches.
 Finding middle_agrees(const Evidence& e) {
   const Solution& truth = nearest(e);
-  const double slack = points_slack(e, truth.condition);
+  const double rounding = 2 * point_rounding(e.pair);
   const auto off = [&](const auto& point1, const auto& point2) {
     const Vec3<Wide> from = point1.template cast<Wide>(), to = point2.template cast<Wide>();
     return off_segment(e.answer.contact_point.cast<Wide>(), from, to);
   };
   const auto severity_in_set = [&] {
     const reference::SolutionSet& all = e.all_solutions();
-    const double allowed = all.points_radius + 2 * point_rounding(e.pair) + slack;
-    return severity_of(off(all.point1, all.point2), allowed);
-  };
-  const auto found = [&](double severity, double error, double doubt) -> Finding {
-    return {FindingKind::point_error, severity, {}, fmt::format("the contact point is {:.3g} off", error), doubt};
+    return severity_of(off(all.point1, all.point2), all.points_radius + rounding + points_slack(e, truth.condition));
   };
   const double error = off(truth.point1, truth.point2);
-  if (asks_for_all_solutions(e, truth.condition.points)) return found(severity_in_set(), error, 0);
-  const double allowed = few_of(truth.condition.points * scale_of(e, truth)) + 2 * point_rounding(e.pair) + slack;
-  double severity = severity_of(error, allowed);
-  if (severity > 1)
-    severity = std::min(severity, severity_of(error, 2 * point_rounding(e.pair) + nearby_of(e, truth).points + slack));
-  if (severity > 1 && may_be_in_the_set(e, truth.condition.points)) severity = std::min(severity, severity_in_set());
-  return found(severity, error, doubt_of(e, truth.points_radius, allowed));
+  return place_agrees(e, error, rounding, severity_in_set, fmt::format("the contact point is {:.3g} off", error));
 }
 
 }  // namespace
@@ -335,22 +340,11 @@ Finding middle_agrees(const Evidence& e) {
 Finding points_agree(const Evidence& e) {
   if (!has_points(e)) return {};
   const Solution& truth = nearest(e);
-  if (asks_for_all_solutions(e, truth.condition.points))
-    return {FindingKind::point_error, points_severity_in_set(e), {}, "the points of no input within rounding"};
-  const double slack = points_slack(e, truth.condition);
-  const double allowed = few_of(truth.condition.points * scale_of(e, truth)) + point_rounding(e.pair) + slack;
   const double error = std::max(static_cast<double>((e.answer.point1.cast<Real50>() - truth.point1).norm()),
                                 static_cast<double>((e.answer.point2.cast<Real50>() - truth.point2).norm()));
-  double severity = severity_of(error, allowed);
-  if (severity > 1)
-    severity = std::min(severity, severity_of(error, point_rounding(e.pair) + nearby_of(e, truth).points + slack));
-  if (severity > 1 && may_be_in_the_set(e, truth.condition.points))
-    severity = std::min(severity, points_severity_in_set(e));
-  return {FindingKind::point_error,
-          severity,
-          {},
-          fmt::format("a point off by {:.3g}", error),
-          doubt_of(e, truth.points_radius, allowed)};
+  return place_agrees(
+      e, error, point_rounding(e.pair), [&] { return points_severity_in_set(e); },
+      fmt::format("a point off by {:.3g}", error));
 }
 
 /// Where a force would act, wherever between the points a method has it. Who leaves it out says nothing wrong.
