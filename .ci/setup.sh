@@ -40,6 +40,7 @@ missing_packages() {
     # shellcheck disable=SC2206 # the list is words on purpose
     wanted+=(${plumb_packages[$group]})
   done
+  [[ ${#wanted[@]} -gt 0 ]] || return 0
   comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
     <(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null | sed -n 's/ installed$//p' | sort -u)
 }

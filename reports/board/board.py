@@ -21,6 +21,7 @@ LEVELS = ["rounding", "1e-6rad", "0.01deg", "1deg"]
 DRAWN = 50  # of the flagged, and of the passed answers of a row
 # What is about another pair, or about no answer: one answer does not show it.
 UNSEEN = ("asymmetric", "nondeterministic", "nonconverged", "not_finite", "slow", "crash")
+SETTINGS = {"mujoco.mjs": ["", " 1e-10 100"]}  # a program's arguments, a row for each: its defaults, then tuned
 PROBLEMS = {"geometric_potential": "deepest_points", "geometric_potential_midway": "midway"}
 
 
@@ -35,7 +36,8 @@ def plumb(*arguments, codes=(0, 1)):
 def found_solvers():
     libraries = sorted(glob.glob("build/release/board/*.so")) + sorted(glob.glob(f"{BIN}/peers/*.so"))
     programs = [p for p in sorted(glob.glob("build/board/npm/*.mjs")) if not p.endswith("plumb_solver.mjs")]
-    return [["--solver", path] for path in libraries] + [["--solver-command", f"node {path}"] for path in programs]
+    commands = [f"node {path}{words}" for path in programs for words in SETTINGS.get(os.path.basename(path), [""])]
+    return [["--solver", path] for path in libraries] + [["--solver-command", command] for command in commands]
 
 
 def examined(solvers):

@@ -1,11 +1,13 @@
 // MuJoCo's distance of two ellipsoids, mj_geomDistance: its own GJK and EPA, in double.
+//     node mujoco.mjs [TOLERANCE ITERATIONS]        its own defaults without: ccd_tolerance 1e-6, ccd_iterations 50
 import loadMujoco from 'mujoco-js';
 import { norm, scale, serve, subtract } from './plumb_solver.mjs';
 
-// One model for all pairs: sizes and poses are written where the distance reads them. The defaults, 1e-6 and 50, put spheres' normals 2
-// degrees off; at 200 iterations this build ends by "null function or function signature mismatch".
+// One model for all pairs: sizes and poses are written where the distance reads them. At 200 iterations this build ends by "null
+// function or function signature mismatch".
+const [tolerance = '1e-6', iterations = '50'] = process.argv.slice(2);
 const MODEL = `<mujoco>
-  <option ccd_tolerance="1e-10" ccd_iterations="100"/>
+  <option ccd_tolerance="${tolerance}" ccd_iterations="${iterations}"/>
   <worldbody><geom type="ellipsoid" size="1 1 1"/><geom type="ellipsoid" size="1 1 1"/></worldbody>
 </mujoco>`;
 
@@ -37,9 +39,9 @@ function solve(pair) {
 }
 
 await serve(solve, {
-  name: 'mujoco_wasm',
+  name: process.argv.length > 2 ? `mujoco_wasm, ${tolerance}` : 'mujoco_wasm',
   version: mujoco.mj_versionString(),
   licence: 'Apache-2.0',
   shapes: 'ellipsoids',
-  tolerance: 1e-8,
+  tolerance: Number(tolerance),
 });
