@@ -10,7 +10,7 @@ endforeach()
 
 # The self-check of a foreign solver's adapter: a library for its tests, and the command.
 file(GLOB plumb_doctor_sources CONFIGURE_DEPENDS doctor/*.cpp)
-list(FILTER plumb_doctor_sources EXCLUDE REGEX "/doctor\\.cpp$")
+list(FILTER plumb_doctor_sources EXCLUDE REGEX "_main\\.cpp$")
 add_library(plumb_doctor ${plumb_doctor_sources})
 target_link_libraries(plumb_doctor PUBLIC plumb_corpus plumb_reference plumb_solver PRIVATE plumb_flags fmt::fmt)
 add_executable(plumb-doctor doctor/doctor_main.cpp)

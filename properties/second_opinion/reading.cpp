@@ -88,6 +88,11 @@ void read_problem(Claim& out, const std::string& word) {
   out.is_known_problem = word == "common_normal" || out.problem != Problem::common_normal;
 }
 
+/// Whether the bodies overlap is a question about the pair: the common normal's, whatever problem the answer is of.
+bool is_about_the_verdict(const std::string& finding) {
+  return finding == "missed_contact" || finding == "false_contact";
+}
+
 Claim read(const Json& from) {
   const Json& bodies = required(from, "bodies", "");
   if (!bodies.is_array() || bodies.size() != 2) refuse("bodies", "must be two");
@@ -95,7 +100,7 @@ Claim read(const Json& from) {
   out.pair = {read_body(bodies[0], "bodies[0]."), read_body(bodies[1], "bodies[1].")};
   out.answer = read_answer(required(from, "answer", ""));
   out.finding = required(from, "finding", "").get<std::string>();
-  read_problem(out, from.value("problem", "common_normal"));
+  read_problem(out, is_about_the_verdict(out.finding) ? "common_normal" : from.value("problem", "common_normal"));
   const Json accuracy = from.value("accuracy", Json::object());
   out.accuracy = {accuracy.value("normal", 0.0), accuracy.value("overlap", 0.0), accuracy.value("points", 0.0)};
   leave_out_unclaimed(out, from.value("abilities", Json::object()));

@@ -101,6 +101,16 @@ TEST(closed_form, the_geometric_potential_of_spheres) {
   EXPECT_EQ(verdict(said), "refuted");
 }
 
+/// A small ball within a large one: the points deepest in each other's potential are 0.9 apart, and the balls overlap all the same.
+TEST(closed_form, a_verdict_is_about_the_bodies_whatever_the_problem) {
+  const Json within{body({1, 1, 1}, {0, 0, 0}), body({0.1, 0.1, 0.1}, {0.2, 0, 0})};
+  Json said = claim(within, answer(-0.9, {1, 0, 0}, {1, 0, 0}, {0.1, 0, 0}), "missed_contact");
+  said["problem"] = "deepest_points";
+  EXPECT_EQ(verdict(said), "confirmed");
+  said["answer"]["overlap"] = 0.9;
+  EXPECT_EQ(verdict(said), "refuted");
+}
+
 TEST(closed_form, unusable_input_is_refused_in_one_line) {
   Json said = claim(spheres, of_spheres, "none");
   said["bodies"][1]["shape"]["superellipsoid"]["semi_axes"] = {1, 0, 1};
