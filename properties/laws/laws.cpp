@@ -186,14 +186,14 @@ const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
 template <class Look>
 auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, const Look& look) {
   // A finer level than the one that was asked for is worth no proof.
-  const bool is_worth_proving = !by.accuracy.is_coarser_than(accuracy);
+  const bool is_finer = by.accuracy.is_coarser_than(accuracy) && !accuracy.is_coarser_than(by.accuracy);
   for (std::size_t dearer = 0;; ++dearer) {
     const Effort effort = efforts[dearer];
     const Reference& against = reference(effort);
     const auto out = look({pair_, by.problem, answer, against, solution(by.problem, against), by.solve_again, by.is_own,
                            [&]() -> const reference::SolutionSet& { return all_solutions(against); },
                            [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims});
-    const bool is_enough = out.decided || (!is_worth_proving && effort >= reference().effort);
+    const bool is_enough = out.decided || (is_finer && effort >= reference().effort);
     if (is_enough || effort == efforts.back()) return out;
   }
 }
