@@ -1,4 +1,5 @@
-"""CI's scripts, each in a tree of its own: which units a change touches, which seconds are too many, what a moved checkout is told."""
+"""CI's scripts, each in a tree of its own: which units a change touches, which seconds are too many, which pages are too long, what a
+moved checkout is told."""
 
 import json
 import os
@@ -121,6 +122,76 @@ class Times(InAFolder):
         self.assertRegex((self.top / "log").read_text(), r"^target\ta\.o:sh\t[0-9.]+\t[0-9.]+\n$")
 
 
+class Prose(InAFolder):
+    """A sentence of 35 words is as long as one may be; the words are "w"."""
+
+    def setUp(self):
+        super().setUp()
+        self.copy("prose")
+        self.run_here("git", "init", "--quiet")
+
+    def prose(self, *arguments):
+        ran = self.run_here(".ci/prose", *arguments)
+        return ran.returncode, ran.stdout.splitlines(), ran.stderr.splitlines()
+
+    def holds(self, text):
+        self.write("room/README.md", text)
+        self.assertEqual(self.prose("room/README.md"), (0, ["1 pages: short, and of short sentences"], []))
+
+    def breaks(self, text, *places):
+        self.write("room/README.md", text)
+        code, found, _ = self.prose("room/README.md")
+        self.assertEqual((code, [line.split(" words: ")[0] for line in found]), (1, [f"room/README.md:{place}" for place in places]))
+
+    def test_a_sentence_has_so_many_words(self):
+        self.holds("w " * 34 + "w.\n")
+        self.breaks("w " * 35 + "w.\n", "1: 36")
+        self.holds("w " * 34 + "w. " + "w " * 34 + "w? (" + "w " * 34 + "w.)\n")
+        self.holds("# " + "w " * 35 + "\n\n" + "w " * 35 + "\n" * 2 + "w " * 35)
+
+    def test_a_finding_names_the_line_where_the_sentence_begins_and_its_first_words(self):
+        self.write("room/README.md", "# Title\n\nShort.\nThis one\nis too " + "w " * 40 + "\nlong.\n")
+        self.assertEqual(self.prose("room/README.md"), (1, ["room/README.md:4: 45 words: This one is too w w..."], []))
+
+    def test_an_abbreviation_and_an_ellipsis_end_no_sentence(self):
+        for word in ("e.g.", "Eqs.", "DIR.."):
+            self.breaks(f"{'w ' * 20}{word} {'w ' * 20}\n", "1: 41")
+
+    def test_paragraphs_items_headings_and_cells_stand_by_themselves(self):
+        part = "w " * 20
+        self.holds(f"# {part}\n{part}\n\n{part}\n- {part}\n- {part}\n  - {part}\n1. {part}\n\n| {part} | {part} |\n|---|---|\n| {part} | {part} |\n")
+        self.breaks(f"# {part}{part}\n", "1: 40")
+        self.breaks(f"{part}\n{part}\n\n- {part}\n  {part}\n\n| a | {part}{part} |\n", "1: 40", "4: 40", "7: 40")
+
+    def test_code_is_skipped_and_inline_code_a_formula_or_a_link_is_what_is_read(self):
+        long = "w " * 40
+        self.holds(f"w:\n\n    {long}\n\n    {long}\n\n```\n{long}\n```\n<!-- {long} -->\n\\f[ {long} \\f]\n")
+        self.holds(f"`{long}` \\f$ {long} \\f$ [w](one two \"{long}\") @ref place \"w\"" + " w" * 31)
+        self.breaks("`w` " * 36, "1: 36")
+        self.breaks(f"[{long}](there)", "1: 40")
+        self.breaks(f"w:\n\n    {long}\n\n{long}\n", "5: 40")
+
+    def test_the_front_page_and_a_room_page_have_so_many_lines(self):
+        self.write("README.md", "\n" * 150)
+        self.write("room/README.md", "\n" * 80)
+        self.write("room/other.md", "\n" * 500)
+        self.assertEqual(self.prose()[0], 0)
+        self.write("README.md", "\n" * 151)
+        self.write("room/README.md", "\n" * 81)
+        self.assertEqual(self.prose()[:2], (1, ["README.md:151: 151 lines: at most 150", "room/README.md:81: 81 lines: at most 80"]))
+
+    def test_notes_may_have_long_sentences_and_no_other_page(self):
+        self.write("reports/notes/2026-01-01-why.md", "w " * 40)
+        self.assertEqual(self.prose()[0], 0)
+        self.write("reports/docs/pages/why.md", "w " * 40)
+        self.assertEqual(self.prose()[:2], (1, ["reports/docs/pages/why.md:1: 40 words: w w w w w w..."]))
+
+    def test_what_is_no_page_is_two(self):
+        self.assertEqual(self.prose(), (2, [], [".ci/prose: no page: no Markdown page of the repository"]))
+        for argument in ("--all", "none.md", ".ci/prose"):
+            self.assertEqual(self.prose(argument), (2, [], [f".ci/prose: {argument}: no Markdown page of the repository"]))
+
+
 class Checkout(InAFolder):
     def build(self, **places):
         for preset, place in places.items():
@@ -152,7 +223,7 @@ class Run(InAFolder):
             self.write(f"fuzz/seeds/{target}", "")
             self.program(f"build/fuzz/bin/fuzz-{target}", "echo first; echo last")
             self.program(f"build/release/bin/replay-{target}", "")
-        for path in (".ci/lint", ".ci/times", ".ci/workflows", ".clusterfuzzlite/configure", "reports/gate", "reports/quote",
+        for path in (".ci/lint", ".ci/times", ".ci/workflows", ".ci/prose", ".clusterfuzzlite/configure", "reports/gate", "reports/quote",
                      "build/release/bin/plumb", "bin/clang-format-19"):
             self.program(path, "")
         self.program("properties/run", "echo '100% tests passed'")
@@ -170,7 +241,7 @@ class Run(InAFolder):
         self.assertEqual(ran.returncode, 1)
         self.assertEqual(sorted(ran.stdout.splitlines()[-3:]),
                          ["failed: fuzz-contact with sanitizers", "failed: properties/run", "failed: reports/gate"])
-        self.assertEqual(ran.stdout.count("\n== "), 2 * 21)
+        self.assertEqual(ran.stdout.count("\n== "), 2 * 22)
 
     def test_a_step_that_does_not_come_back_has_failed(self):
         self.program("build/fuzz/bin/fuzz-pair", "kill -9 0")
