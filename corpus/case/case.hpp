@@ -1,4 +1,4 @@
-// Case files, format plumb/case-1: the one reader and writer. Format and meaning: contract in corpus/README.md.
+// Case files, format plumb/case-1: the one reader and writer. Format and meaning: corpus/formats/case.md.
 #pragma once
 
 #include <array>

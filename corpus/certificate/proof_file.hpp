@@ -1,4 +1,4 @@
-// Proof files, format plumb/proof-1: what plumb certify --proof writes and --verify reads. Meaning of the fields: corpus/README.md.
+// Proof files, format plumb/proof-1: what plumb certify --proof writes and --verify reads. Meaning of the fields: corpus/formats/certificate.md.
 #pragma once
 
 #include <string>

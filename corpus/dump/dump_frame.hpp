@@ -1,4 +1,4 @@
-// A frame of a dump of particles (LAMMPS dump custom, LIGGGHTS), as read. Which column means what: corpus/README.md.
+// A frame of a dump of particles (LAMMPS dump custom, LIGGGHTS), as read. Which column means what: corpus/formats/dumps.md.
 #pragma once
 
 #include <cstdint>

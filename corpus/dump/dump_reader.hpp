@@ -1,4 +1,4 @@
-// Dumps of particles as text, one frame after the other: the one reader of them. Formats: corpus/README.md.
+// Dumps of particles as text, one frame after the other: the one reader of them. Formats: corpus/formats/dumps.md.
 #pragma once
 
 #include <functional>

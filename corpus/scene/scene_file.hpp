@@ -1,4 +1,4 @@
-// Scene files, format plumb/scene-1: the one reader and writer. Format and meaning: corpus/README.md, scene-1.schema.json.
+// Scene files, format plumb/scene-1: the one reader and writer. Format and meaning: corpus/formats/scene.md, scene-1.schema.json.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a run writes down as it goes: one file each, and one line or block a frame. Formats: corpus/README.md.
+// What a run writes down as it goes: one file each, and one line or block a frame. Formats: corpus/formats/run.md.
 #pragma once
 
 #include <map>

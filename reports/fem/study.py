@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The study: which method's normal is along the force that two bodies pressed into each other have upon each other.
 
-reports/fem/run calls it. Prints the tables and writes DIR/fem.jsonl, the lines that reports/README.md describes.
+reports/fem/run calls it. Prints the tables and writes DIR/fem.jsonl, the lines that corpus/formats/report.md describes.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-// The parts of the study as tables, and as JSON lines for the page (reports/README.md has their fields).
+// The parts of the study as tables, and as JSON lines for the page (corpus/formats/report.md has their fields).
 #pragma once
 
 #include <string>

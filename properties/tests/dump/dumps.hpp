@@ -1,4 +1,4 @@
-// Dumps as text, written by hand after the formats' documentation (corpus/README.md), and what is read from them.
+// Dumps as text, written by hand after the formats' documentation (corpus/formats/dumps.md), and what is read from them.
 #pragma once
 
 #include <fmt/format.h>
