@@ -1,5 +1,5 @@
 // ellipsoids LIBRARY.so COUNT [triaxial]: a solver behind the C door against the common normal of overlapping ellipsoids, in long
-// double and with no code of plumb's but that header. The page's table (fuzz/peers/README.md) is what it prints.
+// double and with no code of plumb's but that header. The table of reports/notes/2026-11-25-peers.md is what it prints.
 //
 // o(n) = h1(n) + h2(n) - n.c over unit n, h(n) = sqrt(n.S n), S = R diag(a^2) R': the lowest of Newton's ends from 40 starts.
 #include <dlfcn.h>
