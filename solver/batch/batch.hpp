@@ -2,8 +2,9 @@
 //
 //   BatchReport report = solve_batch(pairs, {}, {.status = status, .normal = {nx, ny, nz}});
 //
-// Answers   those of find_method("auto")->solve: the same bits for ellipsoids, the same to rounding for other exponents
-//           (README.md has the bound). A pair that the vector code does not settle is handed to `auto` itself.
+// Answers   those of find_method("auto")->solve: the same bits for ellipsoids; for other exponents the overlap to 8
+//           epsilon of the size or the centre distance, normal and points to that times their condition
+//           numbers. A pair that the vector code does not settle is handed to `auto` itself.
 // Order     each answer depends on its own pair alone, whatever stands beside it
 // Safety    no heap, no locks, no globals, nothing thrown: any number of threads
 #pragma once

@@ -286,7 +286,7 @@ TEST(Automatic, TheRollingBallIsSmallerThanEveryRadiusOfCurvature) {
 }
 
 /// contact_point is the middle of the two points. Between two flats of exponent n it follows a tilt as the points do, by its
-/// power 1/(n-1): the modulus of continuity that README states.
+/// power 1/(n-1): the modulus of continuity that reports/docs/pages/auto.md states.
 TEST(Automatic, TheContactPointFollowsATiltByItsRoot) {
   const Method& method = *find_method("auto");
   for (const double n : {2.5, 4.0, 8.0}) {
