@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cover.hpp"
+#include "search.hpp"
 
 namespace second_opinion {
 

@@ -1,4 +1,4 @@
-#include "cover.hpp"
+#include "search.hpp"
 
 #include <limits>
 #include <queue>
