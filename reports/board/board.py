@@ -15,6 +15,9 @@ import subprocess
 import sys
 import time
 
+sys.path.insert(0, "properties/second_opinion")
+import by_hand  # shares no code with plumb  # noqa: E402
+
 BIN = "build/release/bin"
 OWN = "auto,new_cn,corrected_cn,original_cn,geometric_potential,geometric_potential_midway"
 LEVELS = ["rounding", "1e-6rad", "0.01deg", "1deg"]
@@ -119,9 +122,15 @@ def is_common_normal(row):
     return row["abilities"]["problem"] == "common_normal"
 
 
+def excess(bodies, normal, truth):
+    """What a wrong normal costs: how much further the bodies must go along it until a plane parts them, over the larger one's size."""
+    size = max(max(body["shape"]["superellipsoid"]["semi_axes"]) for body in bodies)
+    return (by_hand.o(bodies, normal) - by_hand.o(bodies, truth)) / size
+
+
 def worst_cases(lines, rows, out):
-    """By method: the answer whose normal is wrong by most, as the judge measured it; its case in a file. Of common-normal solvers alone, for
-    another problem has another normal."""
+    """By method: the answer whose normal costs most; its case in a file. A mirror image that is all but as low is far off and costs nothing. Of
+    common-normal solvers alone, for another problem has another normal."""
     worst = {}
     for line in lines:
         truth = next(a for a in line["answers"] if a["method"] == "auto")
@@ -130,12 +139,12 @@ def worst_cases(lines, rows, out):
         for answer in line["answers"]:
             if answer["finding"] not in ("misaligned", "wrong_branch") or not is_common_normal(rows[answer["method"]]):
                 continue
-            angle = answer.get("angle_error_deg", -1)
-            if angle > worst.get(answer["method"], {}).get("angle", -1):
-                worst[answer["method"]] = {"angle": angle, "case": line["case"], "answer": answer, "truth": truth}
+            cost = excess(line["case"]["bodies"], answer["normal"], truth["normal"])
+            if cost > worst.get(answer["method"], {}).get("cost", -1):
+                worst[answer["method"]] = {"cost": cost, "case": line["case"], "answer": answer, "truth": truth}
     os.makedirs(f"{out}/worst", exist_ok=True)
     for method, found in worst.items():
-        rows[method]["worst"] = found["angle"]
+        rows[method]["worst"] = {"deg": found["answer"].get("angle_error_deg", math.nan), "cost": found["cost"]}
         found["file"] = f"{out}/worst/{re.sub('[^A-Za-z0-9_.+-]', '-', method)}.json"
         case = dict(found["case"], expect={"method": method, "finding": found["answer"]["finding"]})
         with open(found["file"], "w") as file:
@@ -148,13 +157,6 @@ def sentence_of(found, option):
     said = plumb("shrink", found["file"], *option, "--solver-limit", "1", "--json", codes=(0, 1, 2)).splitlines()
     explanation = json.loads(said[0]).get("explanation") if said else None
     return explanation or f"{found['answer']['method']}: {found['answer']['finding']}: {found['answer']['detail']}"
-
-
-def by_hand(found):
-    """The overlap along both normals, without plumb."""
-    numbers = [" ".join(repr(x) for x in found[who]["normal"]) for who in ("answer", "truth")]
-    done = subprocess.run([sys.executable, "properties/second_opinion/by_hand.py", found["file"], *numbers], capture_output=True, text=True)
-    return done.stdout.strip()
 
 
 def motions(rows):
@@ -187,13 +189,13 @@ def hard_set(rows, out, cases):
 
 def table(rows, auto_ns):
     out = ["| solver | version | problem | shapes | tolerance | doctor | judged | to rounding, % [95 %] | to 1e-6 rad | to 0.01 deg | to 1 deg "
-           "| worst, deg | frozen hard set right | motions clean | time over auto | second opinion |", "|---" * 16 + "|"]
+           "| worst, deg (cost) | frozen hard set right | motions clean | time over auto | second opinion |", "|---" * 16 + "|"]
     for method, row in sorted(rows.items(), key=lambda item: -item[1]["right"]["0.01deg"] / max(1, item[1]["judged"])):
         a, hard, second = row["abilities"], row.get("hard"), row["second_opinion"]
         out.append("| " + " | ".join([
             method.removeprefix("solver:"), a.get("version", "-"), a["problem"], a["shapes"], f"{a['tolerance']:g}", row["doctor"], str(row["judged"]),
             *(share(row["right"][level], row["judged"]) for level in LEVELS),
-            f"{row['worst']:.2g}" if row["worst"] is not None else "-",
+            f"{row['worst']['deg']:.3g} ({row['worst']['cost']:.2g})" if row["worst"] else "-",
             f"{hard['right']} of {hard['cases']}" if hard else "-", f"{row['motions']['clean']} of {row['motions']['of']}",
             f"{row['ns'] / auto_ns:.3g}", ", ".join(f"{n} {word}" for word, n in sorted(second.items())) or "-"]) + " |")
     return "\n".join(out)
@@ -208,7 +210,7 @@ def details(rows, worst):
                 f"\n    {json.dumps(found['case']['bodies'])}\n", f"Its normal {found['answer']['normal']}, overlap {found['answer'].get('overlap')};"
                 f" right: normal {found['truth']['normal']}, overlap {found['truth'].get('overlap')}.",
                 "How far the bodies must go along each until a plane parts them (`properties/second_opinion/by_hand.py`):\n",
-                *("    " + line for line in by_hand(found).splitlines())]
+                *(f"    {found[who]['normal']} {by_hand.o(found['case']['bodies'], found[who]['normal'])!r}" for who in ("answer", "truth"))]
     return "\n".join(out)
 
 

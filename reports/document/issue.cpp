@@ -6,6 +6,7 @@
 
 #include "corpus/json/fields.hpp"
 #include "properties/laws/judged_answer.hpp"
+#include "properties/laws/screen.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -81,6 +82,19 @@ std::string by_hand(const Pair& pair, const Vec3<double>& expected, const Vec3<d
   return out + "```\n";
 }
 
+/// How far the normal is off, and what that costs: what a maintainer looks at first.
+std::string normal_text(const Pair& pair, const JudgedAnswer& judged, const Vec3<double>& expected) {
+  const double off = judged.judgement.angle_error_deg;
+  if (!(off > 0) || !judged.answer.normal.allFinite()) return {};
+  const auto depth = [&](const Vec3<double>& n) {
+    return static_cast<double>(depth_along(pair, n.cast<long double>().normalized()));
+  };
+  return fmt::format(
+      "The normal is {:.3g} degrees from the right one. Until a plane parts the bodies, body 2 has to go {:.6g} along "
+      "it, and {:.6g} along the right one.\n\n",
+      off, depth(judged.answer.normal), depth(expected));
+}
+
 }  // namespace
 
 Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
@@ -94,10 +108,9 @@ Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
                       truth.point2.cast<double>()};
   const Told got{judged.answer.overlap, judged.answer.normal, judged.answer.point1, judged.answer.point2};
   const std::string who = solver.abilities.name.empty() ? solver.name : solver.abilities.name;
-  std::string text =
-      fmt::format("# {} {}: {}\n\n{}.\n\n", who, solver.abilities.version, name(finding.kind), finding.detail);
-  if (const double off = judged.judgement.angle_error_deg; is_common_normal && off > 0)
-    text += fmt::format("The normal is {:.3g} degrees from the right one.\n\n", off);
+  std::string text = fmt::format("# {} {}: {}\n\n", who, solver.abilities.version, name(finding.kind));
+  if (is_common_normal) text += normal_text(c.pair, judged, expected.normal);
+  text += finding.detail + ".\n\n";
   text += pair_text(c.pair) + told_text(expected, got);
   if (is_common_normal) text += by_hand(c.pair, expected.normal, got.normal);
   return {text, true};
