@@ -112,6 +112,7 @@ LocalSolution<S> solve_on_charts(const PlacedPair<S>& pair, const Goal<S>& goal,
     here = there;
   }
   out.converged = out.residual <= tolerance;
+  out.there = here;
   return out;
 }
 

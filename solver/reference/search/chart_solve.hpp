@@ -46,6 +46,7 @@ struct LocalSolution {
   ChartPair<S> at;
   S residual = std::numeric_limits<S>::infinity();  ///< |F|, relative to the pair's size
   int iterations = 0;
+  ChartResidual<S> there;  ///< the equations' values at the solution
 };
 
 /// l of the second equation at a chart pair (pair frame).

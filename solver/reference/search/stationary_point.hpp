@@ -26,9 +26,9 @@ template <class S>
   return pow(epsilon<S>(), S(0.8));
 }
 
+/// `f`: the common normal's equations at a chart pair.
 template <class S>
-[[nodiscard]] StationaryPoint<S> point_at(const PlacedPair<S>& pair, const ChartPair<S>& at, const S& residual) {
-  const ChartResidual<S> f = chart_residual<S>(pair, {}, at);
+[[nodiscard]] StationaryPoint<S> point_at(const ChartResidual<S>& f, const ChartPair<S>& at, const S& residual) {
   return {residual < solved_residual<S>(),
           f.normal1,
           f.point1,
@@ -45,7 +45,7 @@ template <class S>
 [[nodiscard]] StationaryPoint<S> polished(const PlacedPair<S>& fine, const LocalSolution<double>& near) {
   if (!(near.residual < usable_residual)) return {};
   const LocalSolution<S> local = refine<S>(fine, {}, near.at);
-  return point_at<S>(fine, local.at, local.residual);
+  return point_at<S>(local.there, local.at, local.residual);
 }
 
 /// Where on two facing surfaces the common normal may be when the direction does not say (flat faces): halfway, across the
@@ -67,7 +67,8 @@ template <class S>
       polished<S>(fine, solve_from_charts<double>(rough, {}, charts_halfway(rough, direction)));
   if (between.solved) return between;
   const Vec3<S> n = direction.template cast<S>().normalized();
-  return point_at<S>(fine, charts_of_direction<S>(fine, n), std::numeric_limits<S>::infinity());
+  const ChartPair<S> at = charts_of_direction<S>(fine, n);
+  return point_at<S>(chart_residual<S>(fine, {}, at), at, std::numeric_limits<S>::infinity());
 }
 
 }  // namespace plumb::reference

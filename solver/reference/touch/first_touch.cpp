@@ -62,7 +62,7 @@ FirstTouch<S> first_touch(const Pair& pair, const Vec3<S>& direction) {
   const PlacedPair<S> placed = place<S>(pair);
   const Vec3<S> line = unit<S>(direction);
   const LocalSolution<S> touch = solve_touch<S>(placed, line);
-  const ChartResidual<S> at = chart_residual<S>(placed, {GoalKind::first_touch, line}, touch.at);
+  const ChartResidual<S>& at = touch.there;
   const Vec3<S> reach = at.point1 - (at.point2 - placed.body2.centre);
   if (!(touch.residual <= accepted_residual<S>()) || !(reach.dot(line) > S(0))) return {};
   // n.reach / n.line rather than |reach|: exact to second order in the points' error.
