@@ -186,7 +186,7 @@ std::shared_ptr<const ReferenceStore> open_store(const std::string& dir) {
 
 ReferenceSource references_of(const std::shared_ptr<const ReferenceStore>& store) {
   if (!store) return {};
-  return {[store](const Pair& pair, Effort effort) { return store->find(pair, effort); },
+  return {[store](const Pair& pair, Effort effort, const Reference*) { return store->find(pair, effort); },
           [store](const Pair& pair, Problem problem) { return store->find_other(pair, problem); }};
 }
 

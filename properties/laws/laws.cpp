@@ -150,7 +150,7 @@ Judgement judge(const Evidence& e) {
 }
 
 Judge::Judge(const Pair& pair, ReferenceSource source)
-    : pair_(pair), source_(std::move(source)), references_{source_.common_normal(pair, Effort::bounds)} {}
+    : pair_(pair), source_(std::move(source)), references_{source_.common_normal(pair, Effort::bounds, nullptr)} {}
 
 Verdict Judge::certified_verdict() {
   for (const Effort effort : efforts)
@@ -161,7 +161,7 @@ Verdict Judge::certified_verdict() {
 const Reference& Judge::reference(Effort effort) {
   const auto index = static_cast<std::size_t>(effort);
   while (references_.size() <= index)
-    references_.push_back(source_.common_normal(pair_, static_cast<Effort>(references_.size())));
+    references_.push_back(source_.common_normal(pair_, static_cast<Effort>(references_.size()), &references_.back()));
   return references_[index];
 }
 

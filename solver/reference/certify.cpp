@@ -29,7 +29,9 @@ S place_of(const Vec3<S>& v) {
 template <class I, class S>
 class Certifier {
  public:
-  explicit Certifier(const Pair& pair) : pair_(pair), on_(pair), minimum_at_(on_), best_(on_.first) {}
+  Certifier(const Pair& pair, const Reference* cheaper)
+      : pair_(pair), cheaper_(has_closed_cover(cheaper) ? cheaper : nullptr),
+        on_(pair, cheaper_ ? &cheaper_->cover.frame : nullptr), minimum_at_(on_), best_(on_.first) {}
 
   Reference run() {
     know(best_);
@@ -137,7 +139,29 @@ class Certifier {
     return true;
   }
 
+  /// Whether all directions are excluded but those of one region, where the one minimum bounds o well enough.
+  [[nodiscard]] static bool has_closed_cover(const Reference* found) {
+    if (found == nullptr || found->cover.regions.size() != 1) return false;
+    return std::all_of(found->cover.tree.begin(), found->cover.tree.end(),
+                       [](Leaf leaf) { return leaf != Leaf::open && leaf != Leaf::bounded; });
+  }
+
+  /// The cheaper effort's cover holds here too: what it excludes is above a level that is no lower than o here, and the one minimum
+  /// of its region is the one that is known now. Whether that is so.
+  bool take_over() {
+    if (cheaper_ == nullptr || minima_.size() != 1) return false;
+    const Min& only = minima_.front();
+    const bool is_as_low = to_world(value_, value_).upper <= cheaper_->overlap.upper;
+    if (!is_as_low || !only.exists || !only.is_tight() || !only.lies_in(cheaper_->cover.regions.front())) return false;
+    bound(lower_of(value_, only.least()));
+    out_.cover = cheaper_->cover;
+    out_.cells = cheaper_->cells;
+    out_.unique = Claim::proved;
+    return true;
+  }
+
   void search() {
+    if (take_over()) return;
     std::vector<KnownMinimum> start;
     for (const Min& m : minima_) start.push_back(known(m));
     const Settle settle = [&](const Vec3<double>& direction) -> Settled {
@@ -338,6 +362,7 @@ class Certifier {
   }
 
   const Pair& pair_;
+  const Reference* const cheaper_;  ///< whose cover is closed; null where there is none
   const Setting<I, S> on_;
   const MinimumLocator<I, S> minimum_at_;
   StationaryPoint<S> best_;                               ///< the lowest direction known
@@ -349,12 +374,12 @@ class Certifier {
 }  // namespace
 
 template <class I, class S>
-Reference certify(const Pair& pair) {
-  return Certifier<I, S>(pair).run();
+Reference certify(const Pair& pair, const Reference* cheaper) {
+  return Certifier<I, S>(pair, cheaper).run();
 }
 
-template Reference certify<DoubleInterval, double>(const Pair&);
-template Reference certify<Interval18, long double>(const Pair&);
-template Reference certify<Interval80, Real50>(const Pair&);
+template Reference certify<DoubleInterval, double>(const Pair&, const Reference*);
+template Reference certify<Interval18, long double>(const Pair&, const Reference*);
+template Reference certify<Interval80, Real50>(const Pair&, const Reference*);
 
 }  // namespace plumb::reference

@@ -5,8 +5,8 @@
 
 namespace plumb::reference {
 
-/// I, S: DoubleInterval, double; Interval18, long double; Interval80, Real50.
+/// I, S: DoubleInterval, double; Interval18, long double; Interval80, Real50. `cheaper`: by fewer digits, with its cover; may be null.
 template <class I, class S>
-[[nodiscard]] Reference certify(const Pair& pair);
+[[nodiscard]] Reference certify(const Pair& pair, const Reference* cheaper);
 
 }  // namespace plumb::reference

@@ -30,14 +30,14 @@ bool names_all_lowest(const Reference& reference) {
   return reference.global == Claim::proved && names_all_ties(reference);
 }
 
-Reference find_reference(const Pair& pair, Effort effort) {
+Reference find_reference(const Pair& pair, Effort effort, const Reference* cheaper) {
   const StandardArithmetic mode;
   using namespace reference;
   Reference out;
   switch (effort) {
-    case Effort::bounds: out = certify<DoubleInterval, double>(pair); break;
-    case Effort::proof: out = certify<Interval18, long double>(pair); break;
-    case Effort::digits: out = certify<Interval80, Real50>(pair); break;
+    case Effort::bounds: out = certify<DoubleInterval, double>(pair, cheaper); break;
+    case Effort::proof: out = certify<Interval18, long double>(pair, cheaper); break;
+    case Effort::digits: out = certify<Interval80, Real50>(pair, cheaper); break;
   }
   out.effort = effort;
   return out;

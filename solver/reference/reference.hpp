@@ -95,8 +95,10 @@ struct Reference {
 /// And that none has a lower overlap.
 [[nodiscard]] bool names_all_lowest(const Reference& reference);
 
-/// Deterministic; takes any legal pair.
-[[nodiscard]] Reference find_reference(const Pair& pair, Effort effort = Effort::digits);
+/// Deterministic; takes any legal pair. `cheaper`: what a cheaper effort proved of the same pair, whose cover is taken over where it
+/// holds; may be null.
+[[nodiscard]] Reference find_reference(const Pair& pair, Effort effort = Effort::digits,
+                                       const Reference* cheaper = nullptr);
 
 /// The 50-digit answer to a problem other than the common normal's, with its proof (touch.hpp): the problem has one answer, within
 /// the bounds and radii. Problem::common_normal: find_reference's.
@@ -104,7 +106,7 @@ struct Reference {
 
 /// Where references come from: computed, or kept from before. Called from several threads at once.
 struct ReferenceSource {
-  std::function<Reference(const Pair&, Effort)> common_normal = find_reference;
+  std::function<Reference(const Pair&, Effort, const Reference* cheaper)> common_normal = find_reference;
   std::function<Solution(const Pair&, Problem)> other = find_problem_reference;
 };
 

@@ -236,7 +236,8 @@ TEST_F(Store, ThreadsMayAskForTheSameAtOnce) {
       threads.emplace_back([&] {
         start.arrive_and_wait();
         mine = true;
-        for (int i = 0; i < 20; ++i) mine = mine && same(references.common_normal(pair_, Effort::bounds), found_);
+        for (int i = 0; i < 20; ++i)
+          mine = mine && same(references.common_normal(pair_, Effort::bounds, nullptr), found_);
       });
   }
   EXPECT_EQ(right, (std::array{true, true, true, true}));
@@ -247,7 +248,7 @@ TEST_F(Store, ThreadsMayAskForTheSameAtOnce) {
 
 TEST_F(Store, WithoutAFolderReferencesAreComputed) {
   EXPECT_EQ(open_store(""), nullptr);
-  EXPECT_TRUE(same(references_of(nullptr).common_normal(pair_, Effort::bounds), found_));
+  EXPECT_TRUE(same(references_of(nullptr).common_normal(pair_, Effort::bounds, nullptr), found_));
   EXPECT_FALSE(fs::exists(dir_));
 }
 

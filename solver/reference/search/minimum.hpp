@@ -50,11 +50,12 @@ struct Setting {
   const FramedPair<DoubleInterval> rough_framed;
   const FramedPair<I> framed;
 
-  explicit Setting(const Pair& pair)
+  /// `earlier`: the frame of a cover that there is already; null where there is none.
+  Setting(const Pair& pair, const Mat3<double>* earlier)
       : rough(place<double>(pair)), fine(place<S>(pair)), enclosed(enclose<I>(pair)),
         first(point_from<S>(rough, fine, start_direction<double>(rough, rough.body2.centre))),
-        frame(frame_about(first.normal.template cast<double>())), rough_framed(enclose<DoubleInterval>(pair), frame),
-        framed(enclosed, frame) {}
+        frame(earlier ? *earlier : frame_about(first.normal.template cast<double>())),
+        rough_framed(enclose<DoubleInterval>(pair), frame), framed(enclosed, frame) {}
 
   static constexpr bool in_doubles = std::is_same_v<I, DoubleInterval>;
 };
@@ -72,6 +73,13 @@ struct Minimum {
 
   [[nodiscard]] bool is_tight() const { return proof.located && high(proof.deficit) < bounds_gap / 2; }
   [[nodiscard]] I least() const { return low_end<I>(I(proof.value - proof.deficit)); }
+  /// Whether the true one does.
+  [[nodiscard]] bool lies_in(const Cell& other) const {
+    if (region.axis != other.axis || region.sign != other.sign) return false;
+    const Vec3<double> middle = other.at(0, 0);
+    const auto is_within = [&](int i) { return high(magnitude<I>(I(box[i] - I(middle[i])))) < other.half; };
+    return is_within((region.axis + 1) % 3) && is_within((region.axis + 2) % 3);
+  }
 
   void widen(const I& reach) {
     for (const int step : {1, 2}) box[(region.axis + step) % 3] += hull<I>(I(-reach), reach);
