@@ -183,6 +183,11 @@ const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
   return *nearby_;
 }
 
+const law::SeenPair& Judge::seen(const Contact<double>& answer) {
+  if (!seen_) seen_ = law::see_both(pair_, answer);
+  return *seen_;
+}
+
 template <class Look>
 auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, const Look& look) {
   // A finer level than the one that was asked for is worth no proof.
@@ -192,7 +197,8 @@ auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const 
     const Reference& against = reference(effort);
     const auto out = look({pair_, by.problem, answer, against, solution(by.problem, against), by.solve_again, by.is_own,
                            [&]() -> const reference::SolutionSet& { return all_solutions(against); },
-                           [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims});
+                           [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims,
+                           [&]() -> const law::SeenPair& { return seen(answer); }});
     const bool is_enough = out.decided || (is_finer && effort >= reference().effort);
     if (is_enough || effort == efforts.back()) return out;
   }
@@ -214,6 +220,7 @@ std::size_t Judge::right_from(const JudgedBy& by, const Contact<double>& answer,
 }
 
 Judgement Judge::judge(const JudgedBy& by, const Contact<double>& answer) {
+  seen_.reset();
   Judgement out = decided_by(by, answer, by.accuracy, [](const Evidence& e) { return plumb::judge(e); });
   out.right_from = right_from(by, answer, out.finding);
   return out;

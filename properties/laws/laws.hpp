@@ -12,6 +12,7 @@
 
 #include "corpus/solvers/abilities.hpp"
 #include "properties/laws/accuracy.hpp"
+#include "properties/laws/seen_point.hpp"
 #include "solver/contact.hpp"
 #include "solver/reference/condition/nearby.hpp"
 #include "solver/reference/condition/solution_set.hpp"
@@ -69,6 +70,8 @@ struct Evidence {
   Accuracy accuracy = {};
   /// What the method claims to answer; null: everything.
   const Abilities* claims = nullptr;
+  /// The answer's points as the laws see them, kept from law to law; may be empty.
+  std::function<const law::SeenPair&()> seen = {};
 };
 
 /// What a law needs to be asked.
@@ -150,6 +153,7 @@ class Judge {
   [[nodiscard]] const Solution& solution(Problem problem, const Reference& reference);
   [[nodiscard]] const reference::SolutionSet& all_solutions(const Reference& found);
   [[nodiscard]] const reference::NearbyAnswers& nearby(const Reference& found);
+  [[nodiscard]] const law::SeenPair& seen(const Contact<double>& answer);
 
   Pair pair_;
   ReferenceSource source_;
@@ -157,6 +161,7 @@ class Judge {
   std::array<std::optional<Solution>, problems.size()> others_;  ///< by problem
   std::optional<reference::SolutionSet> all_solutions_;
   std::optional<reference::NearbyAnswers> nearby_;
+  std::optional<law::SeenPair> seen_;  ///< of the answer that is judged
 };
 
 }  // namespace plumb

@@ -29,15 +29,8 @@ double surface_slack(const Evidence& e) {
   return std::max(overlap_slack(e), e.accuracy.points.value_or(0) * size_of(e.pair));
 }
 
-struct SeenPair {
-  SeenPoint at1, at2;
-  Vec3<Wide> d;
-};
-
-SeenPair see_both(const Evidence& e) {
-  const double rounding = point_rounding(e.pair);
-  return {see(e.pair.body1, e.answer.point1, rounding), see(e.pair.body2, e.answer.point2, rounding),
-          e.answer.point2.cast<Wide>() - e.answer.point1.cast<Wide>()};
+SeenPair both_points(const Evidence& e) {
+  return e.seen ? e.seen() : see_both(e.pair, e.answer);
 }
 
 /// |d x n1| against its rounding, and the sign of d.n1 once |d| is above it.
@@ -197,7 +190,7 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   if (!(severity + doubt > 1)) return {};
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
   const double still_a_common_normal = 1e3;
-  const SeenPair s = see_both(e);
+  const SeenPair s = both_points(e);
   if (opposition_severity(s.at1, s.at2) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal)
     return {};
   // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
@@ -213,7 +206,7 @@ Finding has_the_lowest_overlap(const Evidence& e) {
 
 PointFindings points_show(const Evidence& e) {
   if (!shows_surfaces(e)) return {};
-  const SeenPair s = see_both(e);
+  const SeenPair s = both_points(e);
   const double gap = std::max(s.at1.gap, s.at2.gap);
   PointFindings out;
   out.surface = {FindingKind::off_surface,

@@ -56,6 +56,12 @@ SeenPoint see(const Body& body, const Vec3<double>& point, double rounding) {
           turn_within(shape, x, n, rounding)};
 }
 
+SeenPair see_both(const Pair& pair, const Contact<double>& answer) {
+  const double rounding = point_rounding(pair);
+  return {see(pair.body1, answer.point1, rounding), see(pair.body2, answer.point2, rounding),
+          answer.point2.cast<Wide>() - answer.point1.cast<Wide>()};
+}
+
 double normal_rounding(const SeenPoint& at) {
   return few + at.turn;
 }

@@ -1,7 +1,7 @@
 // A point of an answer as the judge sees it.
 #pragma once
 
-#include "properties/laws/laws.hpp"
+#include "solver/contact.hpp"
 
 namespace plumb::law {
 
@@ -18,6 +18,13 @@ struct SeenPoint {
 
 /// `rounding`: of the point, a length.
 [[nodiscard]] SeenPoint see(const Body& body, const Vec3<double>& point, double rounding);
+
+/// Both points of an answer, and p2 - p1.
+struct SeenPair {
+  SeenPoint at1, at2;
+  Vec3<Wide> d;
+};
+[[nodiscard]] SeenPair see_both(const Pair& pair, const Contact<double>& answer);
 
 /// How far a normal evaluated at a rounded point may turn.
 [[nodiscard]] double normal_rounding(const SeenPoint& at);
