@@ -183,13 +183,21 @@ const reference::NearbyAnswers& Judge::nearby(const Reference& found) {
   return *nearby_;
 }
 
+const reference::NearbyAnswers& Judge::more_than_nearby(const Reference& found) {
+  if (nearby_) return *nearby_;
+  if (!more_than_nearby_)
+    more_than_nearby_ = reference::more_than_nearby(pair_, found.common_normal, law::allowed_multiple);
+  return *more_than_nearby_;
+}
+
 const law::SeenPair& Judge::seen(const Contact<double>& answer) {
   if (!seen_) seen_ = law::see_both(pair_, answer);
   return *seen_;
 }
 
 template <class Look>
-auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, const Look& look) {
+auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, const Look& look,
+                       Nearby nearby_by) {
   // A finer level than the one that was asked for is worth no proof.
   const bool is_finer = by.accuracy.is_coarser_than(accuracy) && !accuracy.is_coarser_than(by.accuracy);
   for (std::size_t dearer = 0;; ++dearer) {
@@ -197,16 +205,18 @@ auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const 
     const Reference& against = reference(effort);
     const auto out = look({pair_, by.problem, answer, against, solution(by.problem, against), by.solve_again, by.is_own,
                            [&]() -> const reference::SolutionSet& { return all_solutions(against); },
-                           [&]() -> const reference::NearbyAnswers& { return nearby(against); }, accuracy, by.claims,
-                           [&]() -> const law::SeenPair& { return seen(answer); }});
+                           [&]() -> const reference::NearbyAnswers& { return (this->*nearby_by)(against); }, accuracy,
+                           by.claims, [&]() -> const law::SeenPair& { return seen(answer); }});
     const bool is_enough = out.decided || (is_finer && effort >= reference().effort);
     if (is_enough || effort == efforts.back()) return out;
   }
 }
 
-/// Right is what is known to be.
+/// Right is what is known to be. What breaks a law that allows too much breaks it.
 bool Judge::is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy) {
-  const Decision out = decided_by(by, answer, accuracy, decide);
+  Decision out = decided_by(by, answer, accuracy, decide, &Judge::more_than_nearby);
+  const bool may_allow_too_much = more_than_nearby_ && !nearby_ && out.finding.kind == FindingKind::none;
+  if (may_allow_too_much) out = decided_by(by, answer, accuracy, decide);
   return out.decided && out.finding.kind == FindingKind::none;
 }
 

@@ -143,16 +143,18 @@ class Judge {
   }
 
  private:
+  using Nearby = const reference::NearbyAnswers& (Judge::*)(const Reference&);
   /// What `look` sees in the evidence, by the cheapest effort with which it is decided.
   template <class Look>
   [[nodiscard]] auto decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy,
-                                const Look& look);
+                                const Look& look, Nearby nearby_by = &Judge::nearby);
   [[nodiscard]] std::size_t right_from(const JudgedBy& by, const Contact<double>& answer, const Finding& as_asked);
   [[nodiscard]] bool is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy);
   [[nodiscard]] const Reference& reference(Effort effort);
   [[nodiscard]] const Solution& solution(Problem problem, const Reference& reference);
   [[nodiscard]] const reference::SolutionSet& all_solutions(const Reference& found);
   [[nodiscard]] const reference::NearbyAnswers& nearby(const Reference& found);
+  [[nodiscard]] const reference::NearbyAnswers& more_than_nearby(const Reference& found);
   [[nodiscard]] const law::SeenPair& seen(const Contact<double>& answer);
 
   Pair pair_;
@@ -160,7 +162,7 @@ class Judge {
   std::deque<Reference> references_;                             ///< by effort
   std::array<std::optional<Solution>, problems.size()> others_;  ///< by problem
   std::optional<reference::SolutionSet> all_solutions_;
-  std::optional<reference::NearbyAnswers> nearby_;
+  std::optional<reference::NearbyAnswers> nearby_, more_than_nearby_;
   std::optional<law::SeenPair> seen_;  ///< of the answer that is judged
 };
 

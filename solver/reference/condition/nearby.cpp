@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "solver/reference/search/refine.hpp"
@@ -43,44 +45,55 @@ std::vector<Change> all_changes() {
   return out;
 }
 
-/// The points of a solution from its bodies' centres, in their axes.
-struct BodyPoints {
-  Vec3<Real50> x1, x2;
+/// A solution in the numbers in which it is followed, its points also from their bodies' centres in the bodies' axes.
+template <class S>
+struct Followed {
+  S overlap;
+  Vec3<S> normal, point1, point2, x1, x2;
 };
 
-BodyPoints on_bodies(const Pair& pair, const Solution& found) {
-  const PlacedPair<Real50> placed = place<Real50>(pair);
-  return {placed.body1.to_body(placed.to_pair_point(found.point1, pair)),
-          placed.body2.to_body(placed.to_pair_point(found.point2, pair))};
+template <class S>
+Followed<S> followed(const Pair& pair, const Solution& found) {
+  const PlacedPair<S> placed = place<S>(pair);
+  const Vec3<S> point1 = found.point1.cast<S>(), point2 = found.point2.cast<S>();
+  return {static_cast<S>(found.overlap),
+          found.normal.cast<S>(),
+          point1,
+          point2,
+          placed.body1.to_body(placed.to_pair_point(point1, pair)),
+          placed.body2.to_body(placed.to_pair_point(point2, pair))};
 }
 
-double distance(const Vec3<Real50>& a, const Vec3<Real50>& b) {
-  return static_cast<double>(Real50((a - b).norm()));
+template <class S>
+double distance(const Vec3<S>& a, const Vec3<S>& b) {
+  return static_cast<double>(S((a - b).norm()));
 }
 
 /// How far the common normal of another pair is from `found`, followed from the same places on the bodies. Nothing where it is
 /// another one: `most` is what the change of input can do to an overlap.
-NearbyAnswers change_to(const Pair& other, const BodyPoints& from, const Solution& found, double most) {
-  const PlacedPair<Real50> placed = place<Real50>(other);
-  const ChartPair<Real50> start{chart_of_point<Real50>(placed.body1.shape, from.x1),
-                                chart_of_point<Real50>(placed.body2.shape, from.x2)};
-  const LocalSolution<Real50> solution = solve_from_charts<Real50>(placed, {}, start);
+template <class S>
+std::optional<NearbyAnswers> change_to(const Pair& other, const Followed<S>& found, double most) {
+  using std::abs;
+  const PlacedPair<S> placed = place<S>(other);
+  const ChartPair<S> start{chart_of_point<S>(placed.body1.shape, found.x1),
+                           chart_of_point<S>(placed.body2.shape, found.x2)};
+  const LocalSolution<S> solution = solve_from_charts<S>(placed, {}, start);
   if (!solution.converged) return {};
-  const ChartResidual<Real50> at = chart_residual<Real50>(placed, {}, solution.at);
-  const Real50 overlap = placed.to_world_length(Real50(at.normal1.dot(at.point1 - at.point2)));
-  if (abs(Real50(overlap - found.overlap)) > most) return {};
-  return {distance(at.normal1, found.normal),
-          std::max(distance(placed.to_world_point(at.point1, other), found.point1),
-                   distance(placed.to_world_point(at.point2, other), found.point2))};
+  const ChartResidual<S>& at = solution.there;
+  const S overlap = placed.to_world_length(S(at.normal1.dot(at.point1 - at.point2)));
+  if (abs(S(overlap - found.overlap)) > S(most)) return {};
+  return NearbyAnswers{distance<S>(at.normal1, found.normal),
+                       std::max(distance<S>(placed.to_world_point(at.point1, other), found.point1),
+                                distance<S>(placed.to_world_point(at.point2, other), found.point2))};
 }
 
-}  // namespace
-
-NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) {
+/// `unknown`: what stands for a neighbour whose answer is not found.
+template <class S>
+NearbyAnswers sum_of_changes(const Pair& pair, const Solution& found, double k, const NearbyAnswers& unknown) {
   const StandardArithmetic mode;
   const double step = k * std::numeric_limits<double>::epsilon();
   const double most = largest_overlap_condition * step * (size_of(pair) + std::abs(static_cast<double>(found.overlap)));
-  const BodyPoints from = on_bodies(pair, found);
+  const Followed<S> from = followed<S>(pair, found);
   NearbyAnswers out;
   for (const Change& change : all_changes()) {
     NearbyAnswers largest;
@@ -88,13 +101,26 @@ NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) 
       Pair other = pair;
       change(other, side);
       if (!is_valid(other)) continue;
-      const NearbyAnswers one = change_to(other, from, found, most);
+      const NearbyAnswers one = change_to<S>(other, from, most).value_or(unknown);
       largest = {std::max(largest.normal, one.normal), std::max(largest.points, one.points)};
     }
     out.normal += largest.normal;
     out.points += largest.points;
+    if (std::isinf(out.normal)) break;
   }
   return out;
+}
+
+}  // namespace
+
+NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) {
+  return sum_of_changes<Real50>(pair, found, k, {});
+}
+
+NearbyAnswers more_than_nearby(const Pair& pair, const Solution& found, double k) {
+  const double margin = 100, infinity = std::numeric_limits<double>::infinity();
+  const NearbyAnswers sum = sum_of_changes<long double>(pair, found, k, {infinity, infinity});
+  return {margin * sum.normal, margin * sum.points};
 }
 
 }  // namespace plumb::reference
