@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <optional>
 
 #include "properties/generators/families.hpp"
@@ -45,6 +46,11 @@ void expect_truth_within(const Reference& found, const Truth& truth, const std::
 Reference expect_holds(const Pair& pair, const Truth& truth, const std::string& what) {
   for (const Effort effort : {Effort::bounds, Effort::proof})
     expect_truth_within(find_reference(pair, effort), truth, what + ", effort " + std::string(name(effort)));
+  std::optional<Reference> cheaper;
+  for (const Effort effort : efforts) {
+    cheaper = find_reference(pair, effort, cheaper ? &*cheaper : nullptr);
+    expect_truth_within(*cheaper, truth, what + ", handed on to " + std::string(name(effort)));
+  }
   Reference found = find_reference(pair, Effort::digits);
   expect_truth_within(found, truth, what);
   EXPECT_TRUE(found.common_normal.proved) << what << ": " << found.reason;
@@ -251,6 +257,47 @@ TEST(Certified, ContactsBuiltBackwards) {
       sharp += found.common_normal.points_radius < last_digit * size_of(c.pair);
     }
   EXPECT_GE(sharp, 114);  // the others have exponents of which a normal fixes no point
+}
+
+/// A pair of that family whose bounds close a cover about one region.
+std::optional<Reference> closed_cover(const Pair& pair) {
+  Reference found = find_reference(pair, Effort::bounds);
+  const auto is_closed = [](reference::Leaf leaf) {
+    return leaf != reference::Leaf::open && leaf != reference::Leaf::bounded;
+  };
+  const auto& tree = found.cover.tree;
+  if (found.cover.regions.size() != 1 || !std::all_of(tree.begin(), tree.end(), is_closed)) return std::nullopt;
+  return found;
+}
+
+TEST(HandedOn, AClosedCoverIsTakenOverAndNoOther) {
+  int closed = 0;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    const Pair pair = generate("superquadric", 1, index).pair;
+    std::optional<Reference> cheaper = closed_cover(pair);
+    if (!cheaper) continue;
+    ++closed;
+    const int marked = 1 << 20;  // cells that no search of its own looks at
+    cheaper->cells = marked;
+    const Reference fresh = find_reference(pair, Effort::proof), taken = find_reference(pair, Effort::proof, &*cheaper);
+    EXPECT_EQ(taken.cells, marked);
+    EXPECT_EQ(taken.global, fresh.global);
+    EXPECT_EQ(taken.unique, fresh.unique);
+    EXPECT_EQ(taken.common_normal.overlap, fresh.common_normal.overlap);
+    EXPECT_LE(taken.overlap.lower, fresh.overlap.upper);
+    EXPECT_GE(taken.overlap.upper, fresh.overlap.lower);
+
+    Reference lower = *cheaper;
+    lower.overlap.upper -= Real50(size_of(pair)) * Real50(1e-9);
+    EXPECT_NE(find_reference(pair, Effort::proof, &lower).cells, marked) << "excluded above a lower level only";
+    Reference beside = *cheaper;
+    beside.cover.regions.front().u += 2 * beside.cover.regions.front().half;
+    EXPECT_NE(find_reference(pair, Effort::proof, &beside).cells, marked) << "a region that holds another minimum";
+    Reference open = *cheaper;
+    open.cover.tree.back() = reference::Leaf::open;
+    EXPECT_NE(find_reference(pair, Effort::proof, &open).cells, marked) << "a leaf that is open";
+  }
+  EXPECT_GT(closed, 5);
 }
 
 }  // namespace

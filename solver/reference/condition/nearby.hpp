@@ -24,8 +24,8 @@ struct NearbyAnswers {
 /// `found`: solved. A neighbour whose own answer is not found, or is another common normal, counts as none.
 [[nodiscard]] NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k);
 
-/// More than that for sure, from neighbours in long double, whose steps are a thousand of its epsilons; infinite where one of
-/// their answers is not found. For who asks only whether an error is far more.
+/// A hundred times that, from neighbours in long double, whose steps are a thousand of its epsilons; infinite where one of their
+/// answers is not found. For who asks only whether an error is far more.
 [[nodiscard]] NearbyAnswers more_than_nearby(const Pair& pair, const Solution& found, double k);
 
 }  // namespace plumb::reference
