@@ -82,25 +82,36 @@ std::vector<std::string> command_host(const std::vector<std::string>& words, int
   return out;
 }
 
+SolverPatience of_an_answer(const SolverLimits& limits) {
+  constexpr double asleep = 6;  // times the limit: a machine that is short of processors looks a little like it
+  return {limits.seconds, asleep * limits.seconds};
+}
+
+/// An interpreter, and what it imports, take longer than an answer, also where the machine is short of processors.
+SolverPatience of_a_start(const SolverLimits& limits) {
+  constexpr double to_start = 20;  // times the limit
+  return {to_start * limits.seconds, std::max(limits.start, of_an_answer(limits).asleep)};
+}
+
 /// Processor time while it runs, time on the wall while it sleeps.
 class Patience {
  public:
-  explicit Patience(double limit) : limit_(limit) {}
+  explicit Patience(const SolverPatience& limits) : limits_(limits) {}
   /// After another wait of so many seconds; throws NoAnswer.
   void use(double waited, double processor_seconds) {
-    constexpr double asleep = 6;  // times the limit: a machine that is short of processors looks a little like it
     if (first_ < 0) first_ = last_ = processor_seconds;
     const double now = std::max(last_, processor_seconds);  // the time of a child that nobody waits for is lost with it
     asleep_ += std::max(0.0, waited - (now - last_));
     last_ = now;
-    if (last_ - first_ >= limit_)
-      throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer after {} s of processor time", limit_));
-    if (asleep_ >= asleep * limit_)
-      throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer, and {:.3g} s asleep", asleep * limit_));
+    if (last_ - first_ >= limits_.processor)
+      throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer after {} s of processor time", limits_.processor));
+    if (asleep_ >= limits_.asleep)
+      throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer, and {:.3g} s asleep", limits_.asleep));
   }
 
  private:
-  double limit_, first_ = -1, last_ = -1, asleep_ = 0;
+  SolverPatience limits_;
+  double first_ = -1, last_ = -1, asleep_ = 0;
 };
 
 /// Without what is another one each time, so that two runs keep the same case with the same words.
@@ -148,11 +159,15 @@ void SolverProcess::start() {
 }
 
 void SolverProcess::greet() try {
-  constexpr double to_start = 20;  // times the limit: an interpreter, and what it imports, take longer than an answer
-  hello_ = receive<wire::Hello>(source_.is_command() ? to_start * limits_.seconds : limits_.seconds);
+  const auto* const limits = source_.is_command() ? of_a_start : of_an_answer;
+  wait_for_message(limits(limits_));
+  hello_ = receive<wire::Hello>();
   if (!hello_.loaded) throw InputFailure(source_.text, 0, hello_.field.text(), with_last_words(hello_.reason.text()));
 } catch (const NoAnswer& e) {
-  throw InputFailure(source_.text, 0, "", std::string("cannot be loaded: ") + e.what());
+  const bool says_nothing = source_.is_command() && e.how == NoAnswer::How::hung;
+  throw InputFailure(source_.text, 0, "",
+                     std::string("cannot be loaded: ") + e.what() +
+                         (says_nothing ? "; its first line is to be its abilities, printed and flushed" : ""));
 }
 
 wire::Reply SolverProcess::ask(wire::Request request) {
@@ -161,7 +176,8 @@ wire::Reply SolverProcess::ask(wire::Request request) {
   request.processor = sched_getcpu();
   const OneProcessor here(request.processor);
   if (send(socket_.number(), &request, sizeof request, MSG_NOSIGNAL) != sizeof request) throw_death();
-  const auto reply = receive<wire::Reply>(limits_.seconds);
+  wait_for_message(of_an_answer(limits_));
+  const auto reply = receive<wire::Reply>();
   if (reply.kind == wire::Reply::Kind::broken)
     throw NoAnswer(NoAnswer::How::crashed, with_last_words(reply.what.text()));
   if (reply.number != request.number)
@@ -178,8 +194,7 @@ void SolverProcess::require_memory(std::uint64_t bytes) const {
 }
 
 template <class Message>
-Message SolverProcess::receive(double seconds) {
-  wait_for_message(seconds);
+Message SolverProcess::receive() {
   Message message;
   // A process that the library left behind may hold the socket open: there may be neither a message nor an end of them.
   if (recv(socket_.number(), &message, sizeof message, MSG_DONTWAIT) != sizeof message) throw_death();
@@ -187,10 +202,10 @@ Message SolverProcess::receive(double seconds) {
 }
 
 /// Until there is something to receive, if only the end.
-void SolverProcess::wait_for_message(double seconds) {
+void SolverProcess::wait_for_message(const SolverPatience& limits) {
   constexpr int tick = 20;  // ms; below it nothing is measured
   std::array<pollfd, 2> either{{{socket_.number(), POLLIN, 0}, {ended_.number(), POLLIN, 0}}};
-  for (Patience patience(seconds);;) {
+  for (Patience patience(limits);;) {
     const int ready = poll(either.data(), either.size(), tick);
     if (ready > 0) return;
     if (ready != 0) continue;

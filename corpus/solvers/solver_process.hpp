@@ -20,6 +20,11 @@ struct SolverSource {
   [[nodiscard]] bool is_command() const { return !words.empty(); }
 };
 
+/// How long plumb waits for a message: seconds of processor time, and seconds in which the process uses none.
+struct SolverPatience {
+  double processor, asleep;
+};
+
 class SolverProcess {
  public:
   /// Starts it and hears what the solver says of itself; throws InputFailure, which names the source, where that fails.
@@ -42,8 +47,9 @@ class SolverProcess {
   void start();
   void greet();
   template <class Message>
-  [[nodiscard]] Message receive(double seconds);
-  void wait_for_message(double seconds);
+  [[nodiscard]] Message receive();
+  /// Until there is something to receive, if only the end. Throws NoAnswer.
+  void wait_for_message(const SolverPatience& limits);
   void require_memory(std::uint64_t bytes) const;
   [[noreturn]] void throw_death();
   [[nodiscard]] std::string said();

@@ -116,7 +116,15 @@ TEST_F(Command, ASolverThatCannotBeStartedIsRefused) {
   expect_refused(command("bad_abilities"),
                  "its first line is not its abilities: shapes: is 'potatoes', must be one of superellipsoids, "
                  "ellipsoids, spheres");
-  expect_refused(command("hang_at_once"), "cannot be loaded: no answer after 1 s of processor time", {0.05});
+  expect_refused(
+      command("hang_at_once"),
+      "cannot be loaded: no answer after 1 s of processor time; its first line is to be its abilities, printed and "
+      "flushed",
+      {0.05});
+  expect_refused("sleep 1000",
+                 "cannot be loaded: no answer, and 0.3 s asleep; its first line is to be its abilities, printed and "
+                 "flushed",
+                 {0.05, 4, 0.1});
   expect_refused("/no/such/program --x", "cannot be started: No such file or directory");
 }
 
