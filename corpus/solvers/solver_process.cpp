@@ -159,8 +159,7 @@ void SolverProcess::start() {
 }
 
 void SolverProcess::greet() try {
-  const auto* const limits = source_.is_command() ? of_a_start : of_an_answer;
-  wait_for_message(limits(limits_));
+  wait_for_message(source_.is_command() ? of_a_start(limits_) : of_an_answer(limits_));
   hello_ = receive<wire::Hello>();
   if (!hello_.loaded) throw InputFailure(source_.text, 0, hello_.field.text(), with_last_words(hello_.reason.text()));
 } catch (const NoAnswer& e) {

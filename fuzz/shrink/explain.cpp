@@ -134,17 +134,25 @@ std::string matters_text(const std::vector<Range>& ranges) {
   return out;
 }
 
+/// The words of the ranges, one after the other.
+template <class Is>
+std::string words_of(const std::vector<Range>& ranges, const Is& is) {
+  std::string out;
+  for (const Range& range : ranges)
+    if (is(range)) out += (out.empty() ? "" : ", ") + range.number.words;
+  return out;
+}
+
 std::string indifference_text(const std::vector<Range>& ranges) {
   const auto indifferent = [](const Range& r) { return !r.matters() && r.finished; };
-  const auto unfinished = [](const Range& r) { return !r.finished; };
-  const auto many = std::count_if(ranges.begin(), ranges.end(), indifferent);
+  const std::string untried = words_of(ranges, [](const Range& r) { return !r.finished; });
+  const std::string rest = untried.empty() ? "" : "; not tried to the end: " + untried;
+  if (words_of(ranges, indifferent).empty()) return rest;
   const bool any_matters = std::any_of(ranges.begin(), ranges.end(), [](const Range& r) { return r.matters(); });
-  std::string out;
-  if (many > 0)
-    out = any_matters ? "; the other numbers do not matter (still there at every value tried)"
-                      : "; no number matters (changed one at a time: still there at every value tried)";
-  if (std::any_of(ranges.begin(), ranges.end(), unfinished)) out += "; some numbers were not tried to the end";
-  return out;
+  const char* const others = any_matters || !untried.empty()
+                                 ? "; the other numbers do not matter (still there at every value tried)"
+                                 : "; no number matters (changed one at a time: still there at every value tried)";
+  return rest + others;
 }
 
 /// What is true of a number, in fields.

@@ -163,8 +163,11 @@ class Line {
 std::vector<Range> find_ranges(const Shrunk& shrunk, const Solver& solver, TrialCounts& counts) {
   Trials trials(solver, shrunk.found.judgement.finding.kind, false, shrunk.accuracy);
   std::vector<Range> out;
-  for (Number& number : numbers_of(shrunk.described))
+  std::vector<Number> numbers = numbers_of(shrunk.described);
+  for (Number& number : numbers) {
+    trials.take_a_share_of(numbers.size() - out.size());  // what the first leaves is the others'
     out.push_back(Line(shrunk.described, std::move(number), trials).range());
+  }
   counts.solved += trials.counts().solved;
   counts.judged += trials.counts().judged;
   counts.work += trials.counts().work;

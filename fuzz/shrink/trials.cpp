@@ -69,7 +69,7 @@ JudgedAnswer Trials::of(const Pair& pair) {
   const std::int64_t before = reference::work_counted;
   JudgedAnswer out;
   try {
-    const reference::WorkAllowance left(most_work - counts_.work);
+    const reference::WorkAllowance left(allowed_ - counts_.work);
     out = tried(pair);
   } catch (const reference::WorkExceeded&) {  // is_over
   }

@@ -27,10 +27,14 @@ class Trials {
   /// has no finding.
   Trials(const Solver& solver, FindingKind kind, bool hasty, const Accuracy& accuracy = {});
 
-  /// The method's answer with its finding where that is of the kind; FindingKind::none where it is not, and where most_work
-  /// comes before that is known.
+  /// The method's answer with its finding where that is of the kind; FindingKind::none where it is not, and where the
+  /// work allowed comes to an end before that is known.
   [[nodiscard]] JudgedAnswer of(const Pair& pair);
-  [[nodiscard]] bool is_over() const { return counts_.work >= most_work; }
+  [[nodiscard]] bool is_over() const { return counts_.work >= allowed_; }
+  /// From here on until `so_many` times as much would use up what is left of most_work.
+  void take_a_share_of(std::size_t so_many) {
+    allowed_ = counts_.work + (most_work - counts_.work) / static_cast<std::int64_t>(so_many);
+  }
   [[nodiscard]] const TrialCounts& counts() const { return counts_; }
 
  private:
@@ -43,6 +47,7 @@ class Trials {
   bool hasty_;
   Accuracy accuracy_;
   TrialCounts counts_;
+  std::int64_t allowed_ = most_work;  ///< of TrialCounts::work
 };
 
 }  // namespace plumb

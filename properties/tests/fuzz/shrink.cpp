@@ -287,7 +287,14 @@ TEST(Explain, WhatWasNotTriedIsNotSaid) {
   EXPECT_GT(unknown, 0);
   EXPECT_EQ(explained.sentence.find("exactly"), std::string::npos) << explained.sentence;
   EXPECT_NE(explained.sentence.find("was not tried)"), std::string::npos) << explained.sentence;
-  EXPECT_NE(explained.sentence.find("some numbers were not tried to the end"), std::string::npos) << explained.sentence;
+  EXPECT_EQ(explained.sentence.find("no number matters"), std::string::npos) << explained.sentence;
+  const std::size_t untried = explained.sentence.find("; not tried to the end: ");
+  ASSERT_NE(untried, std::string::npos) << explained.sentence;
+  for (const Range& range : explained.ranges) {
+    EXPECT_GT(range.tried, 1u) << range.number.words;  // each has its share
+    const bool is_named = explained.sentence.find(range.number.words, untried) != std::string::npos;
+    EXPECT_TRUE(range.finished || is_named) << explained.sentence;
+  }
 }
 
 TEST(Explain, TheKeptCaseExpectsItsFindingAndSaysWhy) {
