@@ -12,7 +12,7 @@
  *
  * Lengths in the caller's unit, world frame, rotation = quaternion / |quaternion| takes body axes to world axes.
  * With PLUMB_CONVERGED fill overlap, normal and points (a NaN there counts as not_finite); contact_point may be NaN.
- * Otherwise leave NaN what you do not have.
+ * Otherwise leave NaN what you do not have. More than 2000 `evaluations` are the finding `slow`; 0 where you do not count.
  */
 #ifndef PLUMB_SOLVER_H
 #define PLUMB_SOLVER_H
@@ -64,7 +64,7 @@ typedef struct plumb_contact {
 
 /* What a solver answers. plumb does not ask for what is not claimed, and does not count it. */
 enum plumb_shapes { PLUMB_SUPERELLIPSOIDS = 0, PLUMB_ELLIPSOIDS = 1, PLUMB_SPHERES = 2 };
-/* Of bodies apart: their distance; that they are apart, and nothing else; nothing. */
+/* Of bodies apart: their distance; that they are apart, and nothing else (PLUMB_SEPARATED, with any status); nothing. */
 enum plumb_apart { PLUMB_APART_DISTANCE = 0, PLUMB_APART_VERDICT = 1, PLUMB_APART_NONE = 2 };
 /* One on each body; one between them, in contact_point; none. */
 enum plumb_points { PLUMB_POINTS_TWO = 0, PLUMB_POINTS_MIDWAY = 1, PLUMB_POINTS_NONE = 2 };
@@ -85,7 +85,8 @@ typedef struct plumb_abilities {
   int points;          /* enum plumb_points */
   int normal;          /* 0: it has none */
   int problem;         /* enum plumb_problem */
-  double tolerance;    /* its own, relative to the larger body's size; 0: as far as rounding lets it */
+  double tolerance;    /* its own, relative to the larger body's size; 0: as far as rounding lets it. Shown beside the
+                        * results; what is asked for is --accuracy's */
   const char* name;    /* letters, digits and . _ + -; null: that of the file. All strings stay where they are. */
   const char* version; /* null: not said, as the next */
   const char* licence;

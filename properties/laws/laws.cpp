@@ -212,17 +212,22 @@ auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const 
   }
 }
 
+/// Of what is said, and not of how long it took.
+bool is_right_if_slow(const Decision& out) {
+  return out.decided && (out.finding.kind == FindingKind::none || out.finding.kind == FindingKind::slow);
+}
+
 /// Right is what is known to be. What breaks a law that allows too much breaks it.
 bool Judge::is_right(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy) {
   Decision out = decided_by(by, answer, accuracy, decide, &Judge::more_than_nearby);
-  const bool may_allow_too_much = more_than_nearby_ && !nearby_ && out.finding.kind == FindingKind::none;
+  const bool may_allow_too_much = more_than_nearby_ && !nearby_ && is_right_if_slow(out);
   if (may_allow_too_much) out = decided_by(by, answer, accuracy, decide);
-  return out.decided && out.finding.kind == FindingKind::none;
+  return is_right_if_slow(out);
 }
 
 /// Coarser levels hold what is right by the finer ones.
 std::size_t Judge::right_from(const JudgedBy& by, const Contact<double>& answer, const Finding& as_asked) {
-  if (by.accuracy.is_rounding() && as_asked.kind == FindingKind::none) return 0;
+  if (by.accuracy.is_rounding() && is_right_if_slow({as_asked})) return 0;
   if (answer.status != Status::converged) return right_at_no_level;
   std::size_t level = by.accuracy.is_rounding() ? 1 : 0;
   while (level < right_at_no_level && !is_right(by, answer, accuracy_levels[level].accuracy)) ++level;

@@ -33,10 +33,10 @@ SeenPair both_points(const Evidence& e) {
   return e.seen ? e.seen() : see_both(e.pair, e.answer);
 }
 
-/// |d x n1| against its rounding, and the sign of d.n1 once |d| is above it.
-double collinearity_severity(const Evidence& e, const SeenPair& s) {
+/// |d x n1| against its rounding and a slack (rad), and the sign of d.n1 once |d| is above it.
+double collinearity_severity(const Evidence& e, const SeenPair& s, double slack = 0) {
   const double distance = static_cast<double>(s.d.norm());
-  const double allowed = 2 * point_rounding(e.pair) + distance * normal_rounding(s.at1);
+  const double allowed = 2 * point_rounding(e.pair) + distance * (normal_rounding(s.at1) + slack);
   const double across = static_cast<double>(s.d.cross(s.at1.normal).norm());
   const bool wrong_side = static_cast<double>(s.d.dot(s.at1.normal)) * e.answer.overlap > 0;
   return wrong_side && distance > allowed ? wrong_altogether : severity_of(across, allowed);
@@ -182,6 +182,18 @@ Finding verdict_is_right(const Evidence& e) {
   return {};
 }
 
+namespace {
+
+/// Right or not: to a rounding that has grown much, or to the accuracy that is asked for.
+bool is_a_common_normal(const Evidence& e, const SeenPair& s) {
+  const double much = 1e3;
+  if (std::max(opposition_severity(s.at1, s.at2), collinearity_severity(e, s)) <= much) return true;
+  const double slack = e.accuracy.normal;
+  return slack > 0 && std::max(opposition_severity(s.at1, s.at2, slack), collinearity_severity(e, s, slack)) <= 1;
+}
+
+}  // namespace
+
 Finding has_the_lowest_overlap(const Evidence& e) {
   if (e.problem != Problem::common_normal || !shows_surfaces(e) || std::isnan(e.answer.overlap)) return {};
   const double excess = static_cast<double>(Real50(e.answer.overlap) - e.own.overlap);
@@ -189,10 +201,7 @@ Finding has_the_lowest_overlap(const Evidence& e) {
   const double severity = severity_of(excess, allowed), doubt = doubt_of(e, width_of(e.own.bounds), allowed);
   if (!(severity + doubt > 1)) return {};
   // Only a common normal can be the wrong one; anything else is misaligned, and the laws after this one say how.
-  const double still_a_common_normal = 1e3;
-  const SeenPair s = both_points(e);
-  if (opposition_severity(s.at1, s.at2) > still_a_common_normal || collinearity_severity(e, s) > still_a_common_normal)
-    return {};
+  if (!is_a_common_normal(e, both_points(e))) return {};
   // Where the normal is determined at all, one that is right makes it an error of the overlap alone.
   const Solution& truth = nearest(e);
   const double turned = angle_between(e.answer.normal.cast<Real50>(), truth.normal);

@@ -68,9 +68,9 @@ double normal_rounding(const SeenPoint& at) {
 
 /// Where a point's rounding turns its normal by much the corners of its box do not show the most: on the tip of a needle that is
 /// pointed, corpus/cases/regressions/tip-of-a-pointed-needle.json.
-double opposition_severity(const SeenPoint& at1, const SeenPoint& at2) {
+double opposition_severity(const SeenPoint& at1, const SeenPoint& at2, double slack) {
   const double shown = normal_rounding(at1) + normal_rounding(at2), allowed = shown > undetermined ? 2 * shown : shown;
-  return severity_of(angle_between_normals(at1.normal, -at2.normal), allowed);
+  return severity_of(angle_between_normals(at1.normal, -at2.normal), allowed + slack);
 }
 
 }  // namespace plumb::law

@@ -29,7 +29,7 @@ struct SeenPair {
 /// How far a normal evaluated at a rounded point may turn.
 [[nodiscard]] double normal_rounding(const SeenPoint& at);
 
-/// Of the angle between a normal and the other's opposite.
-[[nodiscard]] double opposition_severity(const SeenPoint& at1, const SeenPoint& at2);
+/// Of the angle between a normal and the other's opposite; `slack` (rad) is allowed beside rounding.
+[[nodiscard]] double opposition_severity(const SeenPoint& at1, const SeenPoint& at2, double slack = 0);
 
 }  // namespace plumb::law

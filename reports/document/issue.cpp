@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "corpus/case/contract_words.hpp"
+#include "corpus/command/build_info.hpp"
 #include "corpus/json/fields.hpp"
 #include "properties/laws/judged_answer.hpp"
 #include "properties/laws/screen.hpp"
@@ -62,8 +64,8 @@ std::string python_body(const Body& body) {
                      python_list(at[0], at[1], at[2]));
 }
 
-/// Five lines that define the depth along a direction, then the bodies and the two directions.
-std::string by_hand(const Pair& pair, const Vec3<double>& expected, const Vec3<double>& got) {
+/// Five lines that define the depth along a direction, then the bodies, the two directions, and the overlap that was told.
+std::string by_hand(const Pair& pair, const Told& expected, const Told& got) {
   std::string out =
       "\nBy hand: o(n) is how far body 2 has to go along the unit vector n until a plane across n parts the bodies. "
       "The overlap is the "
@@ -75,29 +77,45 @@ std::string by_hand(const Pair& pair, const Vec3<double>& expected, const Vec3<d
       "-q[2], -q[3]]), n)); return ((u[0]**r + u[1]**r)**(p / r) + u[2]**p)**(1 / p)\n"
       "o = lambda n: h(one, n) + h(two, -n) - n @ (np.array(two[4]) - np.array(one[4]))\n";
   out += fmt::format("one, two = {}, {}\n", python_body(pair.body1), python_body(pair.body2));
-  for (const auto& [word, n] : {std::pair{"expected", expected}, std::pair{"got", got}})
-    if (n.allFinite())
+  for (const auto& [word, told] : {std::pair{"expected", expected}, std::pair{"got", got}})
+    if (const Vec3<double>& n = told.normal; n.allFinite())
       out += fmt::format("n = np.array({}); print(\"{}\", o(n / np.linalg.norm(n)))\n", python_list(n[0], n[1], n[2]),
                          word);
+  if (std::isfinite(got.overlap)) out += fmt::format("print(\"told\", {})\n", shortest(got.overlap));
   return out + "```\n";
 }
 
-/// How far the normal is off, and what that costs: what a maintainer looks at first.
-std::string normal_text(const Pair& pair, const JudgedAnswer& judged, const Vec3<double>& expected) {
-  const double off = judged.judgement.angle_error_deg;
-  if (!(off > 0) || !judged.answer.normal.allFinite()) return {};
-  const auto depth = [&](const Vec3<double>& n) {
-    return static_cast<double>(depth_along(pair, n.cast<long double>().normalized()));
-  };
+double depth(const Pair& pair, const Vec3<double>& n) {
+  return static_cast<double>(depth_along(pair, n.cast<long double>().normalized()));
+}
+
+/// What the answer says against what its own normal shows, and that against the right one: what a maintainer looks at first.
+std::string common_normal_text(const Pair& pair, const JudgedAnswer& judged, const Told& expected, const Told& got) {
+  if (!got.normal.allFinite()) return {};
+  const double own = depth(pair, got.normal), least = depth(pair, expected.normal);
+  std::string out;
+  if (const double off = judged.judgement.angle_error_deg; off > 0)
+    out += fmt::format("The normal is {:.3g} degrees from the right one. Until a plane parts the bodies, body 2 has to "
+                       "go {:.6g} along "
+                       "it, and {:.6g} along the right one. ",
+                       off, own, least);
+  if (std::isfinite(got.overlap))
+    out += fmt::format("The overlap that it tells is {:.6g}; its own normal gives {:.6g}. ", got.overlap, own);
+  return out.empty() ? out : out + "\n\n";
+}
+
+/// What "expected" rests on, what was asked for, and how to see it again.
+std::string origin_text(const JudgedAnswer& judged, const Accuracy& accuracy, const std::string& command) {
   return fmt::format(
-      "The normal is {:.3g} degrees from the right one. Until a plane parts the bodies, body 2 has to go {:.6g} along "
-      "it, and {:.6g} along the right one.\n\n",
-      off, depth(judged.answer.normal), depth(expected));
+      "\nStatus told: {}; verdict told: {}; {} iterations. Accuracy asked for: {}. What is expected is certified by "
+      "interval arithmetic on these very numbers (plumb {}). To see it again:\n\n    {}\n",
+      name(judged.answer.status), name(judged.answer.verdict), judged.answer.iterations, accuracy_text(accuracy),
+      build_info().commit, command);
 }
 
 }  // namespace
 
-Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
+Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy, const std::string& command) {
   Judge judge(c.pair);
   const JudgedAnswer judged = solve_and_judge(judge, c.pair, solver, accuracy);
   const Finding& finding = judged.judgement.finding;
@@ -109,11 +127,11 @@ Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy) {
   const Told got{judged.answer.overlap, judged.answer.normal, judged.answer.point1, judged.answer.point2};
   const std::string who = solver.abilities.name.empty() ? solver.name : solver.abilities.name;
   std::string text = fmt::format("# {} {}: {}\n\n", who, solver.abilities.version, name(finding.kind));
-  if (is_common_normal) text += normal_text(c.pair, judged, expected.normal);
-  text += finding.detail + ".\n\n";
+  if (is_common_normal) text += common_normal_text(c.pair, judged, expected, got);
+  text += fmt::format("{} ({}).\n\n", finding.detail, meaning(finding.kind));
   text += pair_text(c.pair) + told_text(expected, got);
-  if (is_common_normal) text += by_hand(c.pair, expected.normal, got.normal);
-  return {text, true};
+  if (is_common_normal) text += by_hand(c.pair, expected, got);
+  return {text + origin_text(judged, accuracy, command), true};
 }
 
 }  // namespace plumb::reports

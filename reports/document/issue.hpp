@@ -15,6 +15,7 @@ struct Issue {
   std::string markdown;
   bool has_finding = false;
 };
-[[nodiscard]] Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy);
+/// `command`: what makes it again.
+[[nodiscard]] Issue issue(const Case& c, const Solver& solver, const Accuracy& accuracy, const std::string& command);
 
 }  // namespace plumb::reports

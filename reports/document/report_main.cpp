@@ -33,7 +33,9 @@ void declare(CommandLine& app, Arguments& args) {
       "folders of campaigns, the first of which the others are compared with, and of plumb scene --out; none "
       "are needed beside --study or --fem");
   app.add_option("-o,--out", args.out, "the page, FILE.html");
-  app.add_option("--issue", args.issue, "instead: this case as a report for its solver's maintainer, in Markdown");
+  app.add_option("--issue", args.issue,
+                 "instead: this case as a report for its solver's maintainer, in Markdown, to --out or standard "
+                 "output; 1 when there is a finding");
   declare_accuracy(app, args.accuracy);
   app.add_option("--precision", args.precision,
                  "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
@@ -173,10 +175,19 @@ int write_issue(const Arguments& args) {
   const auto solver =
       solver_instead(args.foreign, args.foreign.empty() ? c->expect.method.value_or("auto") : "", "--issue");
   if (!solver) throw InputFailure(args.issue, 0, "expect.method", "names no method");
-  const Issue found = issue(*c, *solver, parse_accuracy(args.accuracy));
-  print_line(found.has_finding ? found.markdown
-                               : solver->name + " has no finding on this case: there is nothing to report");
-  return found.has_finding ? exit_finding : exit_done;
+  const Accuracy accuracy = parse_accuracy(args.accuracy);
+  const std::string asked = accuracy.is_rounding() ? "" : " --accuracy " + accuracy_text(accuracy);
+  const Issue found =
+      issue(*c, *solver, accuracy, "plumb report --issue " + shell_word(args.issue) + solver->option + asked);
+  if (!found.has_finding) {
+    print_line(solver->name + " has no finding on this case: there is nothing to report");
+    return exit_done;
+  }
+  if (args.out.empty())
+    print_line(found.markdown);
+  else
+    write_file(args.out, found.markdown);
+  return exit_finding;
 }
 
 int report(const Arguments& args) {

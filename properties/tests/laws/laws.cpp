@@ -184,6 +184,34 @@ TEST(Laws, TheFirstThatAppliesIsReported) {
   EXPECT_EQ(bench.broken().kind, FindingKind::nonconverged);
 }
 
+/// The far sides again, a millionth of a radian off: no common normal to rounding, and one at the accuracy that is asked for.
+TEST(Laws, AnotherCommonNormalIsToldByTheAccuracyThatIsAskedFor) {
+  Bench bench;
+  answer_far_sides_of_spheres(bench);
+  const double tilt = 1e-6;
+  bench.answer.normal << -std::cos(tilt), std::sin(tilt), 0;
+  bench.answer.point1 = bench.answer.normal;
+  bench.answer.point2 = bench.pair.body2.position - bench.answer.normal;
+  bench.answer.overlap = bench.answer.normal.dot(bench.answer.point1 - bench.answer.point2);
+  Judge judge(bench.pair);
+  const auto kind_at = [&](const Accuracy& accuracy) {
+    return judge.judge({Problem::common_normal, {}, false, accuracy}, bench.answer).finding.kind;
+  };
+  EXPECT_EQ(kind_at({}), FindingKind::misaligned);
+  EXPECT_EQ(kind_at(accuracy_levels[2].accuracy), FindingKind::wrong_branch);
+}
+
+TEST(Laws, ARightAnswerThatTookLongIsRight) {
+  Bench bench;
+  bench.answer.evaluations = 5000;
+  Judge judge(bench.pair);
+  const Judgement judged = judge.judge({}, bench.answer);
+  EXPECT_EQ(judged.finding.kind, FindingKind::slow);
+  EXPECT_EQ(judged.right_from, 0u);
+  bench.answer.normal = -bench.answer.normal;
+  EXPECT_EQ(judge.judge({}, bench.answer).right_from, right_at_no_level);
+}
+
 TEST(Laws, ASeparatedPairCalledOverlappingIsAFalseContact) {
   Bench bench;
   bench.pair.body2.position *= 1.5;

@@ -22,7 +22,9 @@ class IssueReport : public Commands {
 TEST_F(IssueReport, SaysWhatIsExpectedAndWhatCame) {
   const Ran ran = plumb("report --issue " + wrong_case());
   EXPECT_EQ(ran.code, 1);
-  for (const char* words : {"# original_cn", "| body | semi-axes", "| | expected | got |", "```python", "degrees from the right one. Until a plane parts the bodies"})
+  for (const char* words : {"# original_cn", "| body | semi-axes", "| | expected | got |", "```python",
+                            "degrees from the right one. Until a plane parts the bodies", "its own normal gives",
+                            "To see it again", "print(\"told\"", "Accuracy asked for: rounding"})
     EXPECT_NE(ran.out.find(words), std::string::npos) << words << "\n" << ran.out;
 }
 
