@@ -1,7 +1,6 @@
 #include "reports/stability/stochastic_methods.hpp"
 
 #include "solver/least_squares_impl.hpp"
-#include "solver/method/auto/surface/per_body_scalar.hpp"
 #include "solver/method/instantiate.hpp"
 #include "solver/pose_impl.hpp"
 

@@ -52,7 +52,7 @@ class ChunkSolver {
     const PackIndex<P> index(offsets.data(), count, chunk_.first);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);
     const P most = std::numeric_limits<double>::max();  // an infinite one is `auto`'s to refuse
-    const Both<P> two_p = Both<P>(P(2.0)), greatest = Both<P>(most);
+    const PerBody<P> two_p = PerBody<P>(P(2.0)), greatest = PerBody<P>(most);
     const auto two = n.n1 == two_p && n.n2 == two_p,
                smooth = n.n1 >= two_p && n.n2 >= two_p && n.n1 <= greatest && n.n2 <= greatest;
     const auto are_ellipsoids = two.a && two.b, are_surfaces = smooth.a && smooth.b && !are_ellipsoids;

@@ -109,9 +109,9 @@ class EllipsoidPack {
   [[gnu::always_inline]] void take_last_steps() {
     const Lanes lanes = last_step_.x == last_step_.x;
     if (none_of(lanes)) return;
-    const TwinMask<P> both_lanes(lanes, lanes);
+    const Mask<P> both_lanes(lanes, lanes);
     const Vector3<P> n = at_.n;
-    const Both<P> h = at_.touch.h;
+    const PerBody<P> h = at_.touch.h;
     follow(at_, last_step_);
     at_.n = blend(lanes, at_.n, n);
     at_.touch.h = blend(both_lanes, at_.touch.h, h);
@@ -121,18 +121,18 @@ class EllipsoidPack {
   [[gnu::always_inline]] void settle() {
     const Lanes lanes = settled_ && at_.error > enough_;
     if (none_of(lanes)) return;
-    const Vector3<Both<P>> p = at_.touch.p;
+    const Vector3<PerBody<P>> p = at_.touch.p;
     Settling<P> now = settling(pair_, at_);
     for (int i = 0; i < newton::most_settling; ++i) {
       const Lanes moving = lanes && now.error > floor_;
       if (none_of(moving)) break;
       evaluations_ = blend(moving, evaluations_ + P(1.0), evaluations_);
-      at_.touch.u = blend(TwinMask<P>(moving, moving), moved_points(pair_, at_, now), at_.touch.u);
+      at_.touch.u = blend(Mask<P>(moving, moving), moved_points(pair_, at_, now), at_.touch.u);
       now = settling(pair_, at_);
     }
     settled_ = settled_ && (!lanes || now.error <= P(newton::settled_multiple) * floor_);
     normal_ = blend(lanes, now.n, normal_);
-    at_.touch.p = blend(TwinMask<P>(lanes, lanes), at_.touch.p, p);
+    at_.touch.p = blend(Mask<P>(lanes, lanes), at_.touch.p, p);
   }
 
   /// Keeps the lanes that surely have the lowest common normal.

@@ -1,17 +1,16 @@
 // Registers that hold a number of each of several pairs, for the formulas of method/, which take them for scalars.
 //
-// Pack   a lane a pair (Parallelism TS 2: the type names its registers' width, so that what is instantiated for one
-//        instruction set has no symbol in common with another's)
-// Twin   (method/twin.hpp) a Pack of the bodies 1 and one of the bodies 2: the Both<Pack>. Not fixed_size_simd<double, 2 W>,
-//        whose masks are bit sets (g++ 12): 44 instructions where these take 23, for two comparisons and a selection of 8
-//        numbers.
+// Pack            a lane a pair (Parallelism TS 2). The type names its registers' width, so that what is instantiated for one
+//                 instruction set has no symbol in common with another's
+// PerBody<Pack>   a Pack of the bodies 1 and one of the bodies 2. Not fixed_size_simd<double, 2 W>, whose masks are bit sets
+//                 (g++ 12): 44 instructions where these take 23, for two comparisons and a selection of 8 numbers
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
 #include "solver/batch/elementary.hpp"
-#include "solver/method/auto/surface/per_body_scalar.hpp"
+#include "solver/method/per_body.hpp"
 
 namespace plumb {
 
@@ -20,19 +19,14 @@ using Pack = std::experimental::simd<double, std::experimental::simd_abi::deduce
 
 template <class P>
   requires(!has_one_pair<P>)
-[[nodiscard, gnu::always_inline]] inline Twin<P> exp(const Twin<P>& x) {
+[[nodiscard, gnu::always_inline]] inline TwoNumbers<P> exp(const TwoNumbers<P>& x) {
   return {exp_of(x.a), exp_of(x.b)};
 }
 template <class P>
   requires(!has_one_pair<P>)
-[[nodiscard, gnu::always_inline]] inline Twin<P> log(const Twin<P>& x) {
+[[nodiscard, gnu::always_inline]] inline TwoNumbers<P> log(const TwoNumbers<P>& x) {
   return {log_of(x.a), log_of(x.b)};
 }
-
-template <class Abi>
-struct BothOf<std::experimental::simd<double, Abi>> {
-  using type = Twin<std::experimental::simd<double, Abi>>;
-};
 
 /// The largest power of two that is not above x, for normal x > 0.
 template <class P>

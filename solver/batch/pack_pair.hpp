@@ -67,18 +67,18 @@ template <class T>
 }
 
 template <class P>
-[[nodiscard, gnu::always_inline]] inline Matrix3<Both<P>>
+[[nodiscard, gnu::always_inline]] inline Matrix3<PerBody<P>>
 load_rotation(const PackIndex<P>& index, const PairArrays& pairs, typename P::mask_type& valid) {
   const auto component = [&](std::size_t k) {
-    return Both<P>(index.load(pairs.body1.quaternion[k]), index.load(pairs.body2.quaternion[k]));
+    return PerBody<P>(index.load(pairs.body1.quaternion[k]), index.load(pairs.body2.quaternion[k]));
   };
-  const Both<P> w = component(0), x = component(1), y = component(2), z = component(3);
-  const Both<P> most = max(max(abs(w), abs(x)), max(abs(y), abs(z)));
-  const Both<P> zero = (w - w) + (x - x) + (y - y) + (z - z);  // NaN where one is not finite
-  const Mask<P> is_valid = is_usual(most) && zero == Both<P>(P(0.0));
+  const PerBody<P> w = component(0), x = component(1), y = component(2), z = component(3);
+  const PerBody<P> most = max(max(abs(w), abs(x)), max(abs(y), abs(z)));
+  const PerBody<P> zero = (w - w) + (x - x) + (y - y) + (z - z);  // NaN where one is not finite
+  const Mask<P> is_valid = is_usual(most) && zero == PerBody<P>(P(0.0));
   valid = valid && is_valid.a && is_valid.b;
-  const Both<P> scale = Both<P>(P(0.5)) / Both<P>(power_below(most.a), power_below(most.b));
-  return rotation_of<Both<P>>(w * scale, x * scale, y * scale, z * scale);
+  const PerBody<P> scale = PerBody<P>(P(0.5)) / PerBody<P>(power_below(most.a), power_below(most.b));
+  return rotation_of<PerBody<P>>(w * scale, x * scale, y * scale, z * scale);
 }
 
 /// Finite, and so far from the largest double that no answer of usual sizes is infinite.
@@ -94,19 +94,19 @@ template <class P>
 template <class P>
 [[nodiscard, gnu::always_inline]] inline PackPair<P> load_pair(const PackIndex<P>& index, const PairArrays& pairs) {
   PackPair<P> out;
-  const Vector3<Both<P>> axes = both(index.load(pairs.body1.semi_axes), index.load(pairs.body2.semi_axes));
-  const Both<P> longest = max(axes.x, max(axes.y, axes.z)), shortest = min(axes.x, min(axes.y, axes.z));
+  const Vector3<PerBody<P>> axes = per_body(index.load(pairs.body1.semi_axes), index.load(pairs.body2.semi_axes));
+  const PerBody<P> longest = max(axes.x, max(axes.y, axes.z)), shortest = min(axes.x, min(axes.y, axes.z));
   const P size = max(longest.a, longest.b), one(1.0);
   out.position1 = index.load(pairs.body1.position);
   const Vector3<P> position2 = index.load(pairs.body2.position);
-  const Vector3<Both<P>> finite_axes{axes.x - axes.x, axes.y - axes.y, axes.z - axes.z};
-  const Both<P> zero = finite_axes.x + finite_axes.y + finite_axes.z;
+  const Vector3<PerBody<P>> finite_axes{axes.x - axes.x, axes.y - axes.y, axes.z - axes.z};
+  const PerBody<P> zero = finite_axes.x + finite_axes.y + finite_axes.z;
   out.valid = detail::is_usual(size) && min(shortest.a, shortest.b) > P(0.0) && zero.a + zero.b == P(0.0) &&
               detail::is_in_reach(out.position1) && detail::is_in_reach(position2);
   out.rotation = detail::load_rotation(index, pairs, out.valid);
   out.unit = power_below(size);
   const P factor = one / out.unit, large = min(factor, one), small = max(factor, one);
-  out.semi_axes = axes * Both<P>(factor);
+  out.semi_axes = axes * PerBody<P>(factor);
   out.size = size * factor;
   out.c = (position2 * large - out.position1 * large) * small;
   out.valid = out.valid && largest(out.c) < P(1e150);  // beyond it squares overflow
@@ -115,14 +115,15 @@ template <class P>
 
 template <class P>
 struct Exponents {
-  Both<P> n1, n2;
+  PerBody<P> n1, n2;
 };
 
 template <class P>
 [[nodiscard, gnu::always_inline]] inline Exponents<P> load_exponents(const PackIndex<P>& index,
                                                                      const PairArrays& pairs) {
   const auto load = [&](const std::span<const double>& n) { return n.empty() ? P(2.0) : index.load(n); };
-  return {Both<P>(load(pairs.body1.n1), load(pairs.body2.n1)), Both<P>(load(pairs.body1.n2), load(pairs.body2.n2))};
+  return {PerBody<P>(load(pairs.body1.n1), load(pairs.body2.n1)),
+          PerBody<P>(load(pairs.body1.n2), load(pairs.body2.n2))};
 }
 
 /// What a lane found, in the pair's frame.

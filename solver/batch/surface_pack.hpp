@@ -75,8 +75,8 @@ class SurfacePack {
   [[gnu::always_inline]] void move(const std::array<P, 4>& x) {
     out_.evaluations = blend(active_, out_.evaluations + P(1.0), out_.evaluations);
     const P t = blend(active_, cut_of(x), P(0.0));
-    move_surfaces<P, false>(pair_, pair_.inner, pair_.outer, *here_, both<P>(x[0], x[2]) * Both<P>(t),
-                            both<P>(x[1], x[3]) * Both<P>(t), *there_);
+    move_surfaces<P, false>(pair_, pair_.inner, pair_.outer, *here_, per_body<P>(x[0], x[2]) * PerBody<P>(t),
+                            per_body<P>(x[1], x[3]) * PerBody<P>(t), *there_);
     std::swap(here_, there_);
     set_equations(pair_, *here_, f_);
   }

@@ -218,7 +218,7 @@ TEST(Automatic, LimitsAndTolerancesAreKept) {
 
 SuperellipsoidPair<double> surfaces_of(const Pair& pair) {
   const auto exponents = [&](double Superellipsoid<double>::* n) {
-    return both<double>(pair.body1.shape.*n, pair.body2.shape.*n);
+    return per_body<double>(pair.body1.shape.*n, pair.body2.shape.*n);
   };
   return superellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)), exponents(&Superellipsoid<double>::n1),
                              exponents(&Superellipsoid<double>::n2));
@@ -235,9 +235,9 @@ TEST(Automatic, ItsFrameIsThatOfEveryMethod) {
     EXPECT_EQ(first(framed.semi_axes).eigen(), placed.body1.shape.semi_axes) << i;
     EXPECT_EQ(second(framed.semi_axes).eigen(), placed.body2.shape.semi_axes) << i;
     for (int k = 0; k < 3; ++k) {
-      const Vector3<Both<double>>& row = k == 0   ? framed.rotation.row0
-                                         : k == 1 ? framed.rotation.row1
-                                                  : framed.rotation.row2;
+      const Vector3<PerBody<double>>& row = k == 0   ? framed.rotation.row0
+                                            : k == 1 ? framed.rotation.row1
+                                                     : framed.rotation.row2;
       EXPECT_EQ(first(row).eigen(), placed.body1.rotation.row(k).transpose()) << i;
       EXPECT_EQ(second(row).eigen(), placed.body2.rotation.row(k).transpose()) << i;
     }

@@ -24,7 +24,7 @@ template <class S>
 template <class S>
 [[nodiscard]] Vector3<S> warm_direction(const EllipsoidPair<S>& pair, const Contact<S>* last) {
   if (!has_charts(last)) return {S(0), S(0), S(0)};
-  return sum(normals_at(pair, both(Vector3<S>::of(last->chart1), Vector3<S>::of(Vec3<S>(-last->chart2)))));
+  return sum(normals_at(pair, per_body(Vector3<S>::of(last->chart1), Vector3<S>::of(Vec3<S>(-last->chart2)))));
 }
 
 /// What both forms found, in the pair's frame.
@@ -142,13 +142,13 @@ template <class S>
 [[nodiscard]] Found<S> solve_superellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
                                              const Contact<S>* last) {
   const auto exponents = [&](double Superellipsoid<double>::* n) {
-    return both<S>(S(bodies.body1.shape.*n), S(bodies.body2.shape.*n));
+    return per_body<S>(S(bodies.body1.shape.*n), S(bodies.body2.shape.*n));
   };
   const SuperellipsoidPair<S> pair =
       superellipsoid_pair(framed, exponents(&Superellipsoid<double>::n1), exponents(&Superellipsoid<double>::n2));
   const bool is_warm = has_charts(last);
-  Vector3<Both<S>> warm;
-  if (is_warm) warm = both(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
+  Vector3<PerBody<S>> warm;
+  if (is_warm) warm = per_body(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
   SurfaceContact<S> found = local_contact(bodies, pair, want, is_warm ? &warm : nullptr);
   const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, found.point1, found.point2);
   if (!is_answered) found = lowest_contact(bodies, pair, want, found);

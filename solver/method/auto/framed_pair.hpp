@@ -1,15 +1,15 @@
 // A pair in its own frame, as place() of pose.hpp makes it and with the same bits, both bodies side by side.
 #pragma once
 
-#include "solver/method/auto/surface/per_body.hpp"
+#include "solver/method/per_body.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb {
 
 template <class S>
 struct FramedPair {
-  Vector3<Both<S>> semi_axes;
-  Matrix3<Both<S>> rotation;
+  Vector3<PerBody<S>> semi_axes;
+  Matrix3<PerBody<S>> rotation;
   Vector3<S> c;  ///< from body 1's centre to body 2's
   S size;        ///< the longest semi-axis, in [1, 2)
 };
@@ -45,11 +45,11 @@ template <class S>
 [[nodiscard, gnu::always_inline]] inline FramedPair<S> framed_pair(const Pair& pair, const PairFrame<S>& frame) {
   const std::array<S, 4> q1 = detail::near_one<S>(pair.body1.quaternion),
                          q2 = detail::near_one<S>(pair.body2.quaternion);
-  const auto component = [&](std::size_t k) { return both<S>(q1[k], q2[k]); };
+  const auto component = [&](std::size_t k) { return per_body<S>(q1[k], q2[k]); };
   const auto axes = [&](const Body& body) { return Vector3<S>::of(frame.to_semi_axes(body)); };
   FramedPair<S> out;
-  out.semi_axes = both(axes(pair.body1), axes(pair.body2));
-  out.rotation = rotation_of<Both<S>>(component(0), component(1), component(2), component(3));
+  out.semi_axes = per_body(axes(pair.body1), axes(pair.body2));
+  out.rotation = rotation_of<PerBody<S>>(component(0), component(1), component(2), component(3));
   out.c = Vector3<S>::of(frame.to_centre(pair));
   out.size = frame.size(pair);
   return out;

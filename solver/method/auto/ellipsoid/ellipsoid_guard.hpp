@@ -26,8 +26,8 @@ template <class S>
 [[nodiscard]] inline S rolling_ball(const EllipsoidPair<S>& pair) {
   using std::max;
   using std::min;
-  const Vector3<Both<S>>& a = pair.semi_axes;
-  const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
+  const Vector3<PerBody<S>>& a = pair.semi_axes;
+  const PerBody<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
   return sum<S>(least * least / longest);
 }
 
@@ -46,10 +46,11 @@ struct AcrossRows {
 };
 
 template <class S>
-[[nodiscard]] inline std::array<AcrossRows<S>, 2> across_rows(const EllipsoidPair<S>& pair, const Vector3<Both<S>>& u) {
-  const auto t = tangent_components<Both<S>>(u.x, u.y, u.z, sign<S>(u.z));
-  const Vector3<Both<S>> r0 = pair.map.transposed_times({t.x1, t.y1, t.z1}),
-                         r1 = pair.map.transposed_times({t.x2, t.y2, t.z2});
+[[nodiscard]] inline std::array<AcrossRows<S>, 2> across_rows(const EllipsoidPair<S>& pair,
+                                                              const Vector3<PerBody<S>>& u) {
+  const auto t = tangent_components<PerBody<S>>(u.x, u.y, u.z, sign<S>(u.z));
+  const Vector3<PerBody<S>> r0 = pair.map.transposed_times({t.x1, t.y1, t.z1}),
+                            r1 = pair.map.transposed_times({t.x2, t.y2, t.z2});
   return {AcrossRows<S>{first(r0), first(r1)}, AcrossRows<S>{second(r0), second(r1)}};
 }
 

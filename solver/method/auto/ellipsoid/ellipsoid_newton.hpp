@@ -69,7 +69,7 @@ class EllipsoidNewton {
   /// One step, shortened until o is lower where o can tell. True after a last one.
   [[nodiscard, gnu::always_inline]] bool descend(EllipsoidContact<S>& out) const {
     using std::sqrt;
-    const Symmetric3<Both<S>> h = radii(pair_, out.at.touch);
+    const Symmetric3<PerBody<S>> h = radii(pair_, out.at.touch);
     Vector3<S> step =
         is_ring_ ? newton_step(held(sum(h), out.at, axis_), out.at, newton::tie_on_ring) : newton_step(sum(h), out.at);
     S turn = squared_turn(pair_, out.at, step);

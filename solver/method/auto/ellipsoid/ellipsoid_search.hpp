@@ -91,8 +91,8 @@ class EllipsoidSearch {
   [[nodiscard]] Ends whole() {
     using std::max;
     using std::min;
-    const Vector3<Both<S>>& a = pair_.semi_axes;
-    const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
+    const Vector3<PerBody<S>>& a = pair_.semi_axes;
+    const PerBody<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
     return {add(first<S>(least)), add(first<S>(longest)), add(second<S>(least)), add(second<S>(longest))};
   }
 
@@ -107,7 +107,7 @@ class EllipsoidSearch {
 
   [[nodiscard]] Seen see(const Rectangle& cell) const {
     Seen out;
-    const SphereMinimum<S> least(sum(pair_.square * both<S>(cell.of1.slope(), cell.of2.slope())), pair_.c * S(0.5));
+    const SphereMinimum<S> least(sum(pair_.square * per_body<S>(cell.of1.slope(), cell.of2.slope())), pair_.c * S(0.5));
     out.n = least.direction();
     out.there = touch(pair_, out.n);  // the square of a needle's map has lost the digits of its short axes
     out.height1 = first<S>(out.there.h);

@@ -43,7 +43,7 @@ template <class S>
 template <class S>
 [[nodiscard, gnu::always_inline]] inline S reach(const EllipsoidPair<S>& pair, const DirectionPoint<S>& at) {
   using std::sqrt;
-  const Both<S> traces = (pair.square.trace() - dot(at.touch.p, at.touch.p)) * at.touch.inverse_h;
+  const PerBody<S> traces = (pair.square.trace() - dot(at.touch.p, at.touch.p)) * at.touch.inverse_h;
   return sum<S>(traces) / sqrt(at.inverse_square);
 }
 
@@ -73,8 +73,8 @@ template <class S>
 [[nodiscard, gnu::always_inline]] inline S squared_turn(const EllipsoidPair<S>& pair, const DirectionPoint<S>& at,
                                                         const Vector3<S>& step) {
   using std::max;
-  const Vector3<Both<S>> q = pair.map * twice(step);
-  const Both<S> turns = dot(q, q) * at.touch.inverse_h * at.touch.inverse_h;
+  const Vector3<PerBody<S>> q = pair.map * for_each_body(step);
+  const PerBody<S> turns = dot(q, q) * at.touch.inverse_h * at.touch.inverse_h;
   return max(max(S(dot(step, step) * at.inverse_square), first<S>(turns)), second<S>(turns));
 }
 
@@ -89,7 +89,7 @@ template <class S>
 template <class S>
 [[gnu::always_inline]] inline void follow(DirectionPoint<S>& at, const Vector3<S>& step) {
   at.n = at.n + step;
-  at.touch.h += dot(at.touch.p, twice(step));
+  at.touch.h += dot(at.touch.p, for_each_body(step));
 }
 
 /// How far the points u1 and u2 are from a common normal; n1 + d = n2 + d + twist is the new normal of both.
@@ -103,7 +103,7 @@ template <class S>
 [[nodiscard, gnu::always_inline]] inline Settling<S> settling(const EllipsoidPair<S>& pair, DirectionPoint<S>& at) {
   using std::max;
   at.touch.p = pair.map.transposed_times(at.touch.u);
-  const Vector3<Both<S>> normals = normals_at(pair, at.touch.u);
+  const Vector3<PerBody<S>> normals = normals_at(pair, at.touch.u);
   const Vector3<S> n = first(normals), twist = n - second(normals), gradient = sum(at.touch.p) - pair.c;
   const Vector3<S> slope = gradient - n * dot(n, gradient);
   return {n, slope, twist, max(length(slope), S(length(twist) * pair.size))};
@@ -111,18 +111,18 @@ template <class S>
 
 /// The points u1 and u2 after a Newton step; `axis`: as for `held`, or none.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> moved_points(const EllipsoidPair<S>& pair,
-                                                                       DirectionPoint<S>& at, const Settling<S>& now,
-                                                                       const Vector3<S>* axis = nullptr) {
+[[nodiscard, gnu::always_inline]] inline Vector3<PerBody<S>> moved_points(const EllipsoidPair<S>& pair,
+                                                                          DirectionPoint<S>& at, const Settling<S>& now,
+                                                                          const Vector3<S>* axis = nullptr) {
   using std::sqrt;
   const Vector3<S> twist = now.twist * (S(1) / sqrt(at.inverse_square)), none{S(0), S(0), S(0)};
-  const Symmetric3<Both<S>> h = radii(pair, at.touch);
-  at.slope = now.slope + second(h * twice(twist));
+  const Symmetric3<PerBody<S>> h = radii(pair, at.touch);
+  at.slope = now.slope + second(h * for_each_body(twist));
   const Vector3<S> step =
       axis == nullptr ? newton_step(sum(h), at) : newton_step(held(sum(h), at, *axis), at, newton::tie_on_ring);
-  const Vector3<Both<S>> d = pair.map * (twice(step) + both(none, twist)) * at.touch.inverse_h;
-  const Vector3<Both<S>> u = at.touch.u + d - at.touch.u * dot(at.touch.u, d);
-  return u * (Both<S>(S(1)) / sqrt(dot(u, u)));
+  const Vector3<PerBody<S>> d = pair.map * (for_each_body(step) + per_body(none, twist)) * at.touch.inverse_h;
+  const Vector3<PerBody<S>> u = at.touch.u + d - at.touch.u * dot(at.touch.u, d);
+  return u * (PerBody<S>(S(1)) / sqrt(dot(u, u)));
 }
 
 }  // namespace plumb

@@ -23,9 +23,9 @@ namespace plumb {
 /// Two ellipsoids about their own centres, axes of the pair's frame.
 template <class S>
 struct EllipsoidPair {
-  Vector3<Both<S>> semi_axes;
-  Matrix3<Both<S>> map;        ///< A
-  Symmetric3<Both<S>> square;  ///< A'A, for H alone: it has lost digits of the short axes
+  Vector3<PerBody<S>> semi_axes;
+  Matrix3<PerBody<S>> map;        ///< A
+  Symmetric3<PerBody<S>> square;  ///< A'A, for H alone: it has lost digits of the short axes
   Vector3<S> c;
   S size;  ///< the larger body's, or the centre distance where that is more: what rounding is relative to
 };
@@ -33,28 +33,28 @@ struct EllipsoidPair {
 template <class S>
 [[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const FramedPair<S>& framed) {
   using std::max;
-  const Vector3<Both<S>>& a = framed.semi_axes;
-  const Matrix3<Both<S>>& r = framed.rotation;
-  const Matrix3<Both<S>> map{{r.row0.x * a.x, r.row1.x * a.x, r.row2.x * a.x},
-                             {r.row0.y * a.y, r.row1.y * a.y, r.row2.y * a.y},
-                             {r.row0.z * a.z, r.row1.z * a.z, r.row2.z * a.z}};
+  const Vector3<PerBody<S>>& a = framed.semi_axes;
+  const Matrix3<PerBody<S>>& r = framed.rotation;
+  const Matrix3<PerBody<S>> map{{r.row0.x * a.x, r.row1.x * a.x, r.row2.x * a.x},
+                                {r.row0.y * a.y, r.row1.y * a.y, r.row2.y * a.y},
+                                {r.row0.z * a.z, r.row1.z * a.z, r.row2.z * a.z}};
   return {a, map, gram(map), framed.c, max(framed.size, largest(framed.c))};
 }
 
 /// Where the support planes along n touch.
 template <class S>
 struct Touch {
-  Both<S> h, inverse_h;
-  Vector3<Both<S>> u, p;
+  PerBody<S> h, inverse_h;
+  Vector3<PerBody<S>> u, p;
 };
 
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Touch<S> touch(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
   using std::sqrt;
-  const Vector3<Both<S>> q = pair.map * twice(n);
+  const Vector3<PerBody<S>> q = pair.map * for_each_body(n);
   Touch<S> out;
   out.h = sqrt(dot(q, q));
-  out.inverse_h = Both<S>(S(1)) / out.h;
+  out.inverse_h = PerBody<S>(S(1)) / out.h;
   out.u = q * out.inverse_h;
   out.p = pair.map.transposed_times(out.u);
   return out;
@@ -94,11 +94,12 @@ template <class S>
 
 /// H of both bodies, of degree -1 in n.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Symmetric3<Both<S>> radii(const EllipsoidPair<S>& pair, const Touch<S>& at) {
-  const Symmetric3<Both<S>>& s = pair.square;
-  const Vector3<Both<S>>& p = at.p;
-  return Symmetric3<Both<S>>{s.xx - p.x * p.x, s.xy - p.x * p.y, s.xz - p.x * p.z,
-                             s.yy - p.y * p.y, s.yz - p.y * p.z, s.zz - p.z * p.z} *
+[[nodiscard, gnu::always_inline]] inline Symmetric3<PerBody<S>> radii(const EllipsoidPair<S>& pair,
+                                                                      const Touch<S>& at) {
+  const Symmetric3<PerBody<S>>& s = pair.square;
+  const Vector3<PerBody<S>>& p = at.p;
+  return Symmetric3<PerBody<S>>{s.xx - p.x * p.x, s.xy - p.x * p.y, s.xz - p.x * p.z,
+                                s.yy - p.y * p.y, s.yz - p.y * p.z, s.zz - p.z * p.z} *
          at.inverse_h;
 }
 
@@ -162,10 +163,10 @@ inline constexpr int start_corrections = 2;
 /// the direction before. Where the matrix is not positive, or says nothing, n stays.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> corrected_start(const EllipsoidPair<S>& pair, const Vector3<S>& n) {
-  const Vector3<Both<S>> q = pair.map * twice(n);
-  const Both<S> h = sqrt(dot(q, q));
+  const Vector3<PerBody<S>> q = pair.map * for_each_body(n);
+  const PerBody<S> h = sqrt(dot(q, q));
   const S ratio = (sum<S>(h) - dot(n, pair.c)) * (S(1) / dot(n, n));  // o / |n|
-  const Symmetric3<S> m = sum(pair.square * (Both<S>(S(1)) / h)).shifted(-ratio);
+  const Symmetric3<S> m = sum(pair.square * (PerBody<S>(S(1)) / h)).shifted(-ratio);
   const Adjugate<S> inverse = adjugate(m);
   const Vector3<S> next = inverse.matrix * pair.c * (S(1) / inverse.determinant);
   const S size = largest(next);
@@ -180,12 +181,12 @@ template <class S>
 
 /// The outward unit normals at the surface points u.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> normals_at(const EllipsoidPair<S>& pair,
-                                                                     const Vector3<Both<S>>& u) {
+[[nodiscard, gnu::always_inline]] inline Vector3<PerBody<S>> normals_at(const EllipsoidPair<S>& pair,
+                                                                        const Vector3<PerBody<S>>& u) {
   using std::sqrt;
-  const Vector3<Both<S>>& a = pair.semi_axes;
-  const Vector3<Both<S>> v = pair.map.transposed_times({u.x / (a.x * a.x), u.y / (a.y * a.y), u.z / (a.z * a.z)});
-  return v * (Both<S>(S(1)) / sqrt(dot(v, v)));
+  const Vector3<PerBody<S>>& a = pair.semi_axes;
+  const Vector3<PerBody<S>> v = pair.map.transposed_times({u.x / (a.x * a.x), u.y / (a.y * a.y), u.z / (a.z * a.z)});
+  return v * (PerBody<S>(S(1)) / sqrt(dot(v, v)));
 }
 
 }  // namespace plumb

@@ -16,28 +16,28 @@
 
 #include <cmath>
 
-#include "solver/method/auto/surface/per_body.hpp"
+#include "solver/method/per_body.hpp"
 
 namespace plumb {
 
 /// What a level's exponent determines.
 template <class S>
 struct LevelShape {
-  Both<S> nu, nu_minus_1, inverse /* 1 / (nu-1) */, inverse_nu;
-  Both<S> switch_t, switch_u;  ///< t* and u*; 0 for nu = 2, where t = u
+  PerBody<S> nu, nu_minus_1, inverse /* 1 / (nu-1) */, inverse_nu;
+  PerBody<S> switch_t, switch_u;  ///< t* and u*; 0 for nu = 2, where t = u
   Mask<S> dual, is_two;
   bool all_two;  ///< never of several pairs: which of two forms a pair takes is not to depend on its neighbours
 };
 
 template <class S>
-[[nodiscard]] inline LevelShape<S> level_shape(const Both<S>& nu, const Mask<S>& dual) {
+[[nodiscard]] inline LevelShape<S> level_shape(const PerBody<S>& nu, const Mask<S>& dual) {
   LevelShape<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false};
   out.all_two = has_one_pair<S> && all_of(out.is_two);
   if (out.all_two) return out;
   // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
-  const Both<S> above = nu - S(2);
+  const PerBody<S> above = nu - S(2);
   const Mask<S> near = above < by_precision<S>(1e-6, 1e-3);
-  const Both<S> t = exp(-log(out.nu_minus_1) / select<S>(near, S(1), above));
+  const PerBody<S> t = exp(-log(out.nu_minus_1) / select<S>(near, S(1), above));
   out.switch_t = select<S>(out.is_two, S(0), select<S>(near, S(0.36787944117144233), t));
   out.switch_u = out.switch_t * out.inverse;
   return out;
@@ -45,7 +45,7 @@ template <class S>
 
 /// Of the exponents n > 1 of both bodies.
 template <class S>
-[[nodiscard]] inline LevelShape<S> level_of_exponents(const Both<S>& n) {
+[[nodiscard]] inline LevelShape<S> level_of_exponents(const PerBody<S>& n) {
   const Mask<S> dual = n < S(2);
   return level_shape<S>(select<S>(dual, n / (n - S(1)), n), dual);
 }
@@ -54,14 +54,14 @@ template <class S>
 template <class S>
 [[nodiscard]] inline LevelShape<S> capped(const LevelShape<S>& level, const S& cap) {
   if (!any_of(level.nu > cap)) return level;
-  return level_shape<S>(select<S>(level.nu > cap, Both<S>(cap), level.nu), level.dual);
+  return level_shape<S>(select<S>(level.nu > cap, PerBody<S>(cap), level.nu), level.dual);
 }
 
 template <class S>
 struct LevelPoint {
-  Both<S> t, u;
-  Both<S> ca, cb, ga, gb, ka, kb;
-  Both<S> sign_a, sign_b;
+  PerBody<S> t, u;
+  PerBody<S> ca, cb, ga, gb, ka, kb;
+  PerBody<S> sign_a, sign_b;
   Mask<S> b_is_larger;
 };
 
@@ -75,23 +75,23 @@ template <class S>
 
 /// Sets the rest from the ratio: of g where `is_u`, of c elsewhere. Signs and `b_is_larger` are set.
 template <class S>
-[[gnu::always_inline]] inline void set_ratio(const LevelShape<S>& level, Both<S> ratio, Mask<S> is_u,
+[[gnu::always_inline]] inline void set_ratio(const LevelShape<S>& level, PerBody<S> ratio, Mask<S> is_u,
                                              LevelPoint<S>& out) {
   is_u = is_u && !(ratio < smallest_ratio<S>());  // a zero is one of c: a zero of g would have a finite curvature
-  ratio = max(ratio, Both<S>(smallest_ratio<S>()));
-  Both<S> larger;
+  ratio = max(ratio, PerBody<S>(smallest_ratio<S>()));
+  PerBody<S> larger;
   if (has_one_pair<S> && level.all_two) {
     out.t = out.u = ratio;
     larger = S(1) / sqrt(S(1) + ratio * ratio);
   } else {
-    const Both<S> power = select<S>(is_u, level.inverse, level.nu_minus_1);
-    const Both<S> other = exp(max(log(ratio) * power, Both<S>(by_precision<S>(-690, -80))));
+    const PerBody<S> power = select<S>(is_u, level.inverse, level.nu_minus_1);
+    const PerBody<S> other = exp(max(log(ratio) * power, PerBody<S>(by_precision<S>(-690, -80))));
     out.t = select<S>(is_u && !level.is_two, other, ratio);
     out.u = select<S>(is_u || level.is_two, ratio, other);
     larger = exp(-log(S(1) + out.t * out.u) * level.inverse_nu);
   }
-  const Both<S> gradient = S(1) / ((S(1) + out.t * out.u) * larger), slope = level.nu_minus_1 * gradient / larger;
-  const Both<S> c_small = out.t * larger, g_small = out.u * gradient, k_small = slope * out.u / out.t;
+  const PerBody<S> gradient = S(1) / ((S(1) + out.t * out.u) * larger), slope = level.nu_minus_1 * gradient / larger;
+  const PerBody<S> c_small = out.t * larger, g_small = out.u * gradient, k_small = slope * out.u / out.t;
   const Mask<S>& b = out.b_is_larger;
   out.ca = select<S>(b, c_small, larger) * out.sign_a;
   out.cb = select<S>(b, larger, c_small) * out.sign_b;
@@ -105,14 +105,14 @@ template <class S>
 
 /// The level at a vector of any length in g where `is_g`, in c elsewhere.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline LevelPoint<S> level_at(const LevelShape<S>& level, const Both<S>& a,
-                                                                const Both<S>& b, const Mask<S>& is_g) {
-  const Both<S> size_a = abs(a), size_b = abs(b);
+[[nodiscard, gnu::always_inline]] inline LevelPoint<S> level_at(const LevelShape<S>& level, const PerBody<S>& a,
+                                                                const PerBody<S>& b, const Mask<S>& is_g) {
+  const PerBody<S> size_a = abs(a), size_b = abs(b);
   LevelPoint<S> out;
   out.b_is_larger = size_a < size_b;
   out.sign_a = sign<S>(a);
   out.sign_b = sign<S>(b);
-  const Both<S> larger = max(max(size_a, size_b), Both<S>(detail::smallest_ratio<S>()));
+  const PerBody<S> larger = max(max(size_a, size_b), PerBody<S>(detail::smallest_ratio<S>()));
   detail::set_ratio<S>(level, min(size_a, size_b) / larger, is_g, out);
   return out;
 }
@@ -121,19 +121,19 @@ template <class S>
 /// where only c is to be followed.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline LevelPoint<S>
-level_moved(const LevelShape<S>& level, const Both<S>& switch_t, const LevelPoint<S>& old, const Both<S>& ca,
-            const Both<S>& cb, const Both<S>& ga, const Both<S>& gb) {
+level_moved(const LevelShape<S>& level, const PerBody<S>& switch_t, const LevelPoint<S>& old, const PerBody<S>& ca,
+            const PerBody<S>& cb, const PerBody<S>& ga, const PerBody<S>& gb) {
   const Mask<S> by_g = old.t >= switch_t;
-  const Both<S> a = select<S>(by_g, ga, ca) * old.sign_a, b = select<S>(by_g, gb, cb) * old.sign_b;
-  const Both<S> was_larger = select<S>(old.b_is_larger, b, a), was_smaller = select<S>(old.b_is_larger, a, b);
-  const Both<S> least = max(S(0.02) * abs(was_smaller), Both<S>(detail::smallest_ratio<S>()));
-  const Both<S> ratio = was_smaller / max(was_larger, least), offset = switch_t - level.switch_u;
-  const Both<S> s = select<S>(by_g, ratio + offset, ratio), size = abs(s);
+  const PerBody<S> a = select<S>(by_g, ga, ca) * old.sign_a, b = select<S>(by_g, gb, cb) * old.sign_b;
+  const PerBody<S> was_larger = select<S>(old.b_is_larger, b, a), was_smaller = select<S>(old.b_is_larger, a, b);
+  const PerBody<S> least = max(S(0.02) * abs(was_smaller), PerBody<S>(detail::smallest_ratio<S>()));
+  const PerBody<S> ratio = was_smaller / max(was_larger, least), offset = switch_t - level.switch_u;
+  const PerBody<S> s = select<S>(by_g, ratio + offset, ratio), size = abs(s);
   const Mask<S> is_t = size <= switch_t;
-  Both<S> value = select<S>(is_t, size, size - offset);
+  PerBody<S> value = select<S>(is_t, size, size - offset);
   const Mask<S> passed_diagonal = value > S(1);
   value = select<S>(passed_diagonal, S(1) / value, value);
-  const Both<S> turn = sign<S>(s);
+  const PerBody<S> turn = sign<S>(s);
   LevelPoint<S> out;
   out.b_is_larger = old.b_is_larger != passed_diagonal;
   out.sign_a = select<S>(old.b_is_larger, old.sign_a * turn, old.sign_a);
@@ -144,8 +144,8 @@ level_moved(const LevelShape<S>& level, const Both<S>& switch_t, const LevelPoin
 
 /// A level turned by half a turn where `factor` is -1.
 template <class S>
-inline void turn_round(LevelPoint<S>& at, const Both<S>& factor) {
-  for (Both<S>* value : {&at.ca, &at.cb, &at.ga, &at.gb, &at.sign_a, &at.sign_b}) *value *= factor;
+inline void turn_round(LevelPoint<S>& at, const PerBody<S>& factor) {
+  for (PerBody<S>* value : {&at.ca, &at.cb, &at.ga, &at.gb, &at.sign_a, &at.sign_b}) *value *= factor;
 }
 
 }  // namespace plumb

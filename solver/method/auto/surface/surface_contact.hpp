@@ -25,12 +25,12 @@ struct SurfaceStart {
 
   /// A direction of any length to start from.
   [[nodiscard]] Vector3<S> direction() const {
-    const Matrix3<Both<S>>& r = pair.rotation;
-    const Vector3<Both<S>>& a = pair.semi_axes;
-    const auto row = [&](const Vector3<Both<S>>& v) { return times(v, a); };
-    const Vector3<Both<S>> x = row(r.row0), y = row(r.row1), z = row(r.row2);
+    const Matrix3<PerBody<S>>& r = pair.rotation;
+    const Vector3<PerBody<S>>& a = pair.semi_axes;
+    const auto row = [&](const Vector3<PerBody<S>>& v) { return times(v, a); };
+    const Vector3<PerBody<S>> x = row(r.row0), y = row(r.row1), z = row(r.row2);
     const Symmetric3<S> squares =
-        sum(Symmetric3<Both<S>>{dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)});
+        sum(Symmetric3<PerBody<S>>{dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)});
     // Bodies 1e17 sizes apart: the line of centres, which is the normal to rounding.
     const auto far = largest(pair.c) > by_precision<S>(1e17, 1e8) * pair.size;
     // Coinciding centres: a direction that favours no axis.
@@ -44,29 +44,29 @@ struct SurfaceStart {
   /// n a unit vector; the levels are the pair's or rounder ones.
   [[nodiscard]] Surfaces<S> at(const Vector3<S>& n, StartKind kind, const LevelShape<S>& inner,
                                const LevelShape<S>& outer) const {
-    const Vector3<Both<S>> q = times(to_body_axes(pair, n), pair.semi_axes);
+    const Vector3<PerBody<S>> q = times(to_body_axes(pair, n), pair.semi_axes);
     if (kind == StartKind::normal) return surfaces_at<S>(pair, inner, outer, q, Mask<S>(true));
-    const Vector3<Both<S>> u = q * inverse_length<S>(q);
+    const Vector3<PerBody<S>> u = q * inverse_length<S>(q);
     if (kind == StartKind::chart) return surfaces_of_chart<S>(pair, inner, outer, u);
     const Mask<S> by_middle = kind == StartKind::middle ? Mask<S>(true) : is_blocky();
     if (has_one_pair<S> && none_of(by_middle)) return surfaces_at<S>(pair, inner, outer, q, Mask<S>(true));
-    const Vector3<Both<S>> ray = to_middle(u);
-    const Vector3<Both<S>> v{select<S>(by_middle, ray.x, u.x), select<S>(by_middle, ray.y, u.y),
-                             select<S>(by_middle, ray.z, u.z)};
+    const Vector3<PerBody<S>> ray = to_middle(u);
+    const Vector3<PerBody<S>> v{select<S>(by_middle, ray.x, u.x), select<S>(by_middle, ray.y, u.y),
+                                select<S>(by_middle, ray.z, u.z)};
     return surfaces_at<S>(pair, inner, outer, v, !by_middle);
   }
 
  private:
   [[nodiscard]] Mask<S> is_blocky() const {
-    const Both<S> inner = select<S>(pair.inner.dual, S(0), pair.inner.nu);
-    const Both<S> outer = select<S>(pair.outer.dual, S(0), pair.outer.nu);
+    const PerBody<S> inner = select<S>(pair.inner.dual, S(0), pair.inner.nu);
+    const PerBody<S> outer = select<S>(pair.outer.dual, S(0), pair.outer.nu);
     return max(inner, outer) > S(3);
   }
 
   /// From each centre to the middle of the ellipsoids' support points, gauge coordinates.
-  [[nodiscard]] Vector3<Both<S>> to_middle(const Vector3<Both<S>>& u) const {
+  [[nodiscard]] Vector3<PerBody<S>> to_middle(const Vector3<PerBody<S>>& u) const {
     const Vector3<S> from1 = (sum(pair.rotation * times(pair.semi_axes, u)) + pair.c) * S(0.5);
-    return times(pair.rotation.transposed_times(both(from1, from1 - pair.c)), pair.inverse_axes);
+    return times(pair.rotation.transposed_times(per_body(from1, from1 - pair.c)), pair.inverse_axes);
   }
 };
 

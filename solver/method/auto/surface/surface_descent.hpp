@@ -176,7 +176,7 @@ template <class S>
   const S overlap = dot(form.farthest(n), n), surely_apart = S(16) * pair.greatest_nu * epsilon<S>() * pair.reach;
   if (!(overlap < -surely_apart)) return false;
   out.point1 = out.point2 = absent<S>();
-  out.chart = twice(absent<S>());
+  out.chart = for_each_body(absent<S>());
   out.status = Status::converged;
   out.minimum = true;
   out.normal = n;
@@ -187,7 +187,7 @@ template <class S>
 /// The common normal that the starts lead to: the earlier contact's, if any, then the cold ones.
 template <class S>
 [[nodiscard]] inline SurfaceContact<S> local_contact(const Pair& bodies, const SuperellipsoidPair<S>& pair,
-                                                     const Want& want, const Vector3<Both<S>>* warm) {
+                                                     const Want& want, const Vector3<PerBody<S>>* warm) {
   const SurfaceSolver<S> solver(pair, want);
   SurfaceContact<S> out;
   if (warm != nullptr) {

@@ -18,11 +18,11 @@
 namespace plumb {
 
 template <class S>
-using Both2x2 = std::array<std::array<Both<S>, 2>, 2>;  ///< [direction t][coordinate d]
+using PerBody2x2 = std::array<std::array<PerBody<S>, 2>, 2>;  ///< [direction t][coordinate d]
 
 template <class S>
 struct SurfaceEquations {
-  Both2x2<S> dnormal, dpoint;
+  PerBody2x2<S> dnormal, dpoint;
   Vector3<S> m, point1, point2;  ///< points in the pair's frame
   std::array<Vector3<S>, 2> across;
   S overlap;
@@ -33,16 +33,16 @@ struct SurfaceEquations {
 
 /// 1 / |N|.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Both<S> inverse_length(const Vector3<Both<S>>& v) {
+[[nodiscard, gnu::always_inline]] inline PerBody<S> inverse_length(const Vector3<PerBody<S>>& v) {
   return S(1) / sqrt(dot(v, v));
 }
 
 /// The parts without derivatives, from points (body axes) and unit normals (pair's frame).
 template <class S>
-[[gnu::always_inline]] inline void set_values(const SuperellipsoidPair<S>& pair, const Vector3<Both<S>>& points,
-                                              const Vector3<Both<S>>& normals, SurfaceEquations<S>& out) {
+[[gnu::always_inline]] inline void set_values(const SuperellipsoidPair<S>& pair, const Vector3<PerBody<S>>& points,
+                                              const Vector3<PerBody<S>>& normals, SurfaceEquations<S>& out) {
   using std::sqrt;
-  const Vector3<Both<S>> p = pair.rotation * points;
+  const Vector3<PerBody<S>> p = pair.rotation * points;
   const Vector3<S> n1 = first(normals), n2 = second(normals), p2 = second(p);
   out.point1 = first(p);
   out.point2 = p2 + pair.c;
@@ -59,15 +59,15 @@ template <class S>
 
 template <class S>
 inline void set_equations(const SuperellipsoidPair<S>& pair, const Surfaces<S>& at, SurfaceEquations<S>& out) {
-  const Vector3<Both<S>>& n = at.normal;
-  const Both<S> scale = inverse_length<S>(n);
+  const Vector3<PerBody<S>>& n = at.normal;
+  const PerBody<S> scale = inverse_length<S>(n);
   set_values<S>(pair, at.point, pair.rotation * n * scale, out);
   // A unit normal's derivative along t: (t.dN - (t.N)(N.dN)/|N|^2) / |N|.
-  const Both<S> along0 = scale * scale * dot(n, at.dnormal0);
-  const Both<S> along1 = scale * scale * (n.x * at.dnormal1_x + n.y * at.dnormal1_y);
+  const PerBody<S> along0 = scale * scale * dot(n, at.dnormal0);
+  const PerBody<S> along1 = scale * scale * (n.x * at.dnormal1_x + n.y * at.dnormal1_y);
   for (std::size_t k = 0; k < 2; ++k) {
-    const Vector3<Both<S>> t = pair.rotation.transposed_times(twice(out.across[k]));
-    const Both<S> tn = dot(t, n);
+    const Vector3<PerBody<S>> t = pair.rotation.transposed_times(for_each_body(out.across[k]));
+    const PerBody<S> tn = dot(t, n);
     out.dnormal[k] = {scale * (dot(t, at.dnormal0) - tn * along0),
                       scale * (t.x * at.dnormal1_x + t.y * at.dnormal1_y - tn * along1)};
     out.dpoint[k] = {dot(t, at.dpoint0), t.x * at.dpoint1_x + t.y * at.dpoint1_y};
@@ -94,11 +94,11 @@ struct PlaneHessian {
 
 template <class S>
 [[nodiscard]] inline PlaneHessian<S> hessian_of(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& at) {
-  const Both<S> f(by_precision<S>(1e-8, 1e-5) / pair.size);
+  const PerBody<S> f(by_precision<S>(1e-8, 1e-5) / pair.size);
   const auto& a = at.dpoint;
   const auto b = [&](std::size_t i, std::size_t j) { return at.dnormal[i][j] + f * a[i][j]; };
-  const Both<S> scale = S(1) / (b(0, 0) * b(1, 1) - b(0, 1) * b(1, 0));
-  const Both<S> off = a[0][1] * b(0, 0) - a[0][0] * b(0, 1) + a[1][0] * b(1, 1) - a[1][1] * b(1, 0);
+  const PerBody<S> scale = S(1) / (b(0, 0) * b(1, 1) - b(0, 1) * b(1, 0));
+  const PerBody<S> off = a[0][1] * b(0, 0) - a[0][0] * b(0, 1) + a[1][0] * b(1, 1) - a[1][1] * b(1, 0);
   return {sum<S>(scale * (a[0][0] * b(1, 1) - a[0][1] * b(1, 0))), sum<S>(scale * off) / 2,
           sum<S>(scale * (a[1][1] * b(0, 0) - a[1][0] * b(0, 1)))};
 }
@@ -123,10 +123,10 @@ template <class S>
 [[nodiscard, gnu::always_inline]] inline std::array<Equation4<S>, 4> newton_system(const SurfaceEquations<S>& f,
                                                                                    const S& o) {
   std::array<Equation4<S>, 4> m;
-  const Both<S> side = both<S>(S(1), S(-1)), half = side * Both<S>(o / 2);
+  const PerBody<S> side = per_body<S>(S(1), S(-1)), half = side * PerBody<S>(o / 2);
   for (std::size_t k = 0; k < 2; ++k) {
     const auto &dn = f.dnormal[k], &dp = f.dpoint[k];
-    const Both<S> s0 = side * dp[0] - half * dn[0], s1 = side * dp[1] - half * dn[1];
+    const PerBody<S> s0 = side * dp[0] - half * dn[0], s1 = side * dp[1] - half * dn[1];
     m[k] = {{dn[0][0], dn[1][0], dn[0][1], dn[1][1]}, -f.value[k]};
     m[2 + k] = {{s0[0], s1[0], s0[1], s1[1]}, -f.value[2 + k]};
   }

@@ -77,7 +77,7 @@ template <class S, class M>
                                                   const SurfaceEquations<S>& f, const std::array<S, 4>& x,
                                                   const S& tolerance, const M& where, SurfaceEquations<S>& to) {
   using std::max;
-  const Followed<S> moved = followed(at, both<S>(x[0], x[2]), both<S>(x[1], x[3]));
+  const Followed<S> moved = followed(at, per_body<S>(x[0], x[2]), per_body<S>(x[1], x[3]));
   const S top = pair.greatest_nu, square = max(hmax(moved.squared_turn), squared_length(x));
   const M is_short = where && square * top * top < S(0.05) * epsilon<S>() * hmin(room_to_fold(pair, at));
   if (none_of(is_short)) return is_short;

@@ -24,7 +24,7 @@ template <class S>
 struct SurfaceContact {
   Status status = Status::stalled;
   Vector3<S> normal = absent<S>(), point1 = absent<S>(), point2 = absent<S>();
-  Vector3<Both<S>> chart = twice(absent<S>());
+  Vector3<PerBody<S>> chart = for_each_body(absent<S>());
   S overlap = std::numeric_limits<S>::quiet_NaN();
   bool minimum = false;
   int iterations = 0;
@@ -127,7 +127,7 @@ class SurfaceNewton {
     S t = cut_of(x);
     raise_cap();
     const bool searches = attempt_.line_search && is_exact();
-    const Both<S> d0 = both<S>(x[0], x[2]), d1 = both<S>(x[1], x[3]);
+    const PerBody<S> d0 = per_body<S>(x[0], x[2]), d1 = per_body<S>(x[1], x[3]);
     for (int k = 0; k < 12; ++k, t *= S(0.4)) {
       ++out.evaluations;
       move_surfaces<S, any_dual>(pair_, is_exact() ? pair_.inner : inner_, is_exact() ? pair_.outer : outer_, *here_,

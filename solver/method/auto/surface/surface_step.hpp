@@ -17,21 +17,21 @@ namespace detail {
 /// c and g of both levels, moved, any length: w = (x, y, z) by c, v by g; `inner_..`: by the inner step alone.
 template <class S>
 struct MovedVectors {
-  Both<S> wx, wy, wz, vx, vy, vz;
-  Both<S> inner_wx, inner_wy, inner_vx, inner_vy;
+  PerBody<S> wx, wy, wz, vx, vy, vz;
+  PerBody<S> inner_wx, inner_wy, inner_vx, inner_vy;
 };
 
 template <class S, bool any_dual>
 [[nodiscard, gnu::always_inline]] inline MovedVectors<S>
-moved_vectors(const LevelShape<S>& outer, const Surfaces<S>& from, const Both<S>& d0, const Both<S>& d1) {
+moved_vectors(const LevelShape<S>& outer, const Surfaces<S>& from, const PerBody<S>& d0, const PerBody<S>& d1) {
   const LevelPoint<S>&i = from.inner, &o = from.outer;
-  const Both<S> wx = o.ca * i.ca, wy = o.ca * i.cb, vx = o.ga * i.ga, vy = o.ga * i.gb, q = o.ga / o.ca;
+  const PerBody<S> wx = o.ca * i.ca, wy = o.ca * i.cb, vx = o.ga * i.ga, vy = o.ga * i.gb, q = o.ga / o.ca;
   MovedVectors<S> m;
   m.inner_wx = wx - d1 * i.gb;
   m.inner_wy = wy + d1 * i.ga;
   m.inner_vx = vx - d1 * q * i.ka * i.gb;
   m.inner_vy = vy + d1 * q * i.kb * i.ga;
-  const Both<S> a = -d0 * o.gb, b = a * o.ka;
+  const PerBody<S> a = -d0 * o.gb, b = a * o.ka;
   m.wx = m.inner_wx + a * i.ca;
   m.wy = m.inner_wy + a * i.cb;
   m.wz = o.cb + d0 * o.ga;
@@ -39,12 +39,12 @@ moved_vectors(const LevelShape<S>& outer, const Surfaces<S>& from, const Both<S>
   m.vy = m.inner_vy + b * i.gb;
   m.vz = o.gb + d0 * o.kb * o.ga;
   // By how much the normal's length would change, taken back.
-  const Vector3<Both<S>>& n = from.normal;
-  const Both<S> growth = d0 * dot(n, from.dnormal0) + d1 * (n.x * from.dnormal1_x + n.y * from.dnormal1_y);
-  const Both<S> k = min(max(-growth / dot(n, n), Both<S>(S(-0.7))), Both<S>(S(3)));
-  const Both<S> of_g = any_dual ? select<S>(outer.dual, S(0), k) : k;
+  const Vector3<PerBody<S>>& n = from.normal;
+  const PerBody<S> growth = d0 * dot(n, from.dnormal0) + d1 * (n.x * from.dnormal1_x + n.y * from.dnormal1_y);
+  const PerBody<S> k = min(max(-growth / dot(n, n), PerBody<S>(S(-0.7))), PerBody<S>(S(3)));
+  const PerBody<S> of_g = any_dual ? select<S>(outer.dual, S(0), k) : k;
   if constexpr (any_dual) {
-    const Both<S> of_c = k - of_g;
+    const PerBody<S> of_c = k - of_g;
     m.wx += of_c * wx;
     m.wy += of_c * wy;
     m.wz += of_c * o.cb;
@@ -69,17 +69,17 @@ template <class S>
 /// `from` moved by (d0, d1) of each body, on the surfaces of the levels given (the pair's, or rounder ones).
 template <class S, bool any_dual>
 inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner, const LevelShape<S>& outer,
-                          const Surfaces<S>& from, const Both<S>& d0, const Both<S>& d1, Surfaces<S>& out) {
+                          const Surfaces<S>& from, const PerBody<S>& d0, const PerBody<S>& d1, Surfaces<S>& out) {
   const LevelPoint<S>&i = from.inner, &o = from.outer;
   const detail::MovedVectors<S> m = detail::moved_vectors<S, any_dual>(outer, from, d0, d1);
   const Mask<S> pole = o.ga < S(1e-3) * o.ca;
-  const Both<S> inner_switch = select<S>(pole, by_precision<S>(1e300, 1e38), inner.switch_t);
-  const Both<S> radius_v = m.vx * i.ca + m.vy * i.cb;
+  const PerBody<S> inner_switch = select<S>(pole, by_precision<S>(1e300, 1e38), inner.switch_t);
+  const PerBody<S> radius_v = m.vx * i.ca + m.vy * i.cb;
   const Mask<S> reversed = radius_v < S(0.1) * o.ga && !outer.is_two;
   // The new radii from the old inner point, to second order: then the two levels need not wait for each other.
-  const Both<S> radius_w = m.wx * i.ga + m.wy * i.gb;
-  const Both<S> across_w = i.ca * m.wy - i.cb * m.wx, across_v = i.ga * m.vy - i.gb * m.vx;
-  const Both<S> bend = i.ka * i.gb * i.gb + i.kb * i.ga * i.ga;
+  const PerBody<S> radius_w = m.wx * i.ga + m.wy * i.gb;
+  const PerBody<S> across_w = i.ca * m.wy - i.cb * m.wx, across_v = i.ga * m.vy - i.gb * m.vx;
+  const PerBody<S> bend = i.ka * i.gb * i.gb + i.kb * i.ga * i.ga;
   const S small = S(0.04);
   const Mask<S> near = across_w * across_w < small * radius_w * radius_w && radius_w > S(0) &&
                        across_v * across_v < small * radius_v * radius_v && !reversed;
@@ -88,8 +88,8 @@ inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>
       level_moved<S>(inner, inner_switch, i, select<S>(alone, m.inner_wx, m.wx), select<S>(alone, m.inner_wy, m.wy),
                      select<S>(reversed, m.inner_vx, m.vx), select<S>(reversed, m.inner_vy, m.vy));
   const LevelPoint<S>& n = out.inner;
-  Both<S> new_radius_w = sqrt(radius_w * radius_w + bend * across_w * across_w);
-  Both<S> new_radius_v = sqrt(radius_v * radius_v + across_v * across_v * min(S(1) / bend, Both<S>(S(1))));
+  PerBody<S> new_radius_w = sqrt(radius_w * radius_w + bend * across_w * across_w);
+  PerBody<S> new_radius_v = sqrt(radius_v * radius_v + across_v * across_v * min(S(1) / bend, PerBody<S>(S(1))));
   if (!all_of(near)) {
     const Mask<S> pair_is_near = detail::where_both<S>(near);
     new_radius_w =
@@ -100,7 +100,7 @@ inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>
   out.outer =
       level_moved<S>(outer, outer.switch_t, o, new_radius_w, m.wz, select<S>(reversed, radius_v, new_radius_v), m.vz);
   // A negative radius turns the inner pair round.
-  const Both<S> turn = out.outer.sign_a;
+  const PerBody<S> turn = out.outer.sign_a;
   out.outer.ca *= turn;
   out.outer.ga *= turn;
   out.outer.sign_a *= turn;

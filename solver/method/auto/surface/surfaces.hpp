@@ -15,8 +15,8 @@ namespace plumb {
 
 template <class S>
 struct SuperellipsoidPair {
-  Vector3<Both<S>> semi_axes, inverse_axes;
-  Matrix3<Both<S>> rotation;
+  Vector3<PerBody<S>> semi_axes, inverse_axes;
+  Matrix3<PerBody<S>> rotation;
   LevelShape<S> inner, outer;
   Vector3<S> c;   ///< from body 1's centre to body 2's
   S size;         ///< the larger body's
@@ -33,9 +33,9 @@ namespace detail {
 /// Exponents below 2 have points where a radius of curvature is 0.
 template <class S>
 [[nodiscard]] inline S rolling_ball(const SuperellipsoidPair<S>& pair) {
-  const Vector3<Both<S>>& a = pair.semi_axes;
-  const Both<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
-  const Both<S> radius = min(pair.outer.inverse, pair.inner.inverse) * least * least / longest;
+  const Vector3<PerBody<S>>& a = pair.semi_axes;
+  const PerBody<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
+  const PerBody<S> radius = min(pair.outer.inverse, pair.inner.inverse) * least * least / longest;
   const S touching = S(1) + S(8) * epsilon<S>();  // concentric spheres: o is the ball's own radius
   return sum<S>(select<S>(pair.outer.dual || pair.inner.dual, S(0), radius)) * touching;
 }
@@ -45,10 +45,10 @@ template <class S>
 /// n1, n2: of both bodies.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline SuperellipsoidPair<S>
-superellipsoid_pair(const FramedPair<S>& framed, const Both<S>& n1, const Both<S>& n2) {
+superellipsoid_pair(const FramedPair<S>& framed, const PerBody<S>& n1, const PerBody<S>& n2) {
   using std::max;
   SuperellipsoidPair<S> out;
-  const Vector3<Both<S>>& a = framed.semi_axes;
+  const Vector3<PerBody<S>>& a = framed.semi_axes;
   out.semi_axes = a;
   out.inverse_axes = {S(1) / a.x, S(1) / a.y, S(1) / a.z};
   out.rotation = framed.rotation;
@@ -67,9 +67,9 @@ superellipsoid_pair(const FramedPair<S>& framed, const Both<S>& n1, const Both<S
 template <class S>
 struct Surfaces {
   LevelPoint<S> inner, outer;
-  Vector3<Both<S>> point, normal;  ///< `normal` of any length
-  Vector3<Both<S>> dpoint0, dnormal0;
-  Both<S> dpoint1_x, dpoint1_y, dnormal1_x, dnormal1_y;
+  Vector3<PerBody<S>> point, normal;  ///< `normal` of any length
+  Vector3<PerBody<S>> dpoint0, dnormal0;
+  PerBody<S> dpoint1_x, dpoint1_y, dnormal1_x, dnormal1_y;
 };
 
 namespace detail {
@@ -77,14 +77,14 @@ namespace detail {
 /// A level by what it means: c and g, or g and c where it is dual.
 template <class S>
 struct Roles {
-  Both<S> point_a, point_b, dpoint_a, dpoint_b, normal_a, normal_b, dnormal_a, dnormal_b;
+  PerBody<S> point_a, point_b, dpoint_a, dpoint_b, normal_a, normal_b, dnormal_a, dnormal_b;
 };
 
 template <class S, bool any_dual>
 [[nodiscard, gnu::always_inline]] inline Roles<S> roles(const Mask<S>& dual, const LevelPoint<S>& at) {
-  const Both<S> dca = -at.gb, dcb = at.ga, dga = -at.ka * at.gb, dgb = at.kb * at.ga;
+  const PerBody<S> dca = -at.gb, dcb = at.ga, dga = -at.ka * at.gb, dgb = at.kb * at.ga;
   if constexpr (!any_dual) return {at.ca, at.cb, dca, dcb, at.ga, at.gb, dga, dgb};
-  const auto either = [&](const Both<S>& g, const Both<S>& c) { return select<S>(dual, g, c); };
+  const auto either = [&](const PerBody<S>& g, const PerBody<S>& c) { return select<S>(dual, g, c); };
   return {either(at.ga, at.ca), either(at.gb, at.cb), either(dga, dca), either(dgb, dcb),
           either(at.ca, at.ga), either(at.cb, at.gb), either(dca, dga), either(dcb, dgb)};
 }
@@ -94,10 +94,10 @@ template <class S, bool any_dual>
 [[gnu::always_inline]] inline void fill(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
                                         const LevelShape<S>& outer, Surfaces<S>& out) {
   const Roles<S> i = roles<S, any_dual>(inner.dual, out.inner), o = roles<S, any_dual>(outer.dual, out.outer);
-  const Both<S> q = out.outer.ga / out.outer.ca;
-  const Both<S> by_point = any_dual ? select<S>(outer.dual, q, S(1)) : Both<S>(S(1));
-  const Both<S> by_normal = any_dual ? select<S>(outer.dual, S(1), q) : q;
-  const Vector3<Both<S>>&a = pair.semi_axes, &b = pair.inverse_axes;
+  const PerBody<S> q = out.outer.ga / out.outer.ca;
+  const PerBody<S> by_point = any_dual ? select<S>(outer.dual, q, S(1)) : PerBody<S>(S(1));
+  const PerBody<S> by_normal = any_dual ? select<S>(outer.dual, S(1), q) : q;
+  const Vector3<PerBody<S>>&a = pair.semi_axes, &b = pair.inverse_axes;
   out.point = {a.x * o.point_a * i.point_a, a.y * o.point_a * i.point_b, a.z * o.point_b};
   out.dpoint0 = {a.x * o.dpoint_a * i.point_a, a.y * o.dpoint_a * i.point_b, a.z * o.dpoint_b};
   out.dpoint1_x = a.x * by_point * i.dpoint_a;
@@ -111,12 +111,12 @@ template <class S, bool any_dual>
 /// The two levels at a vector in gauge coordinates: in g of a level where its mask holds, in c elsewhere.
 template <class S>
 [[gnu::always_inline]] inline void set_levels(const LevelShape<S>& inner, const LevelShape<S>& outer,
-                                              const Vector3<Both<S>>& v, const Mask<S>& inner_is_g,
+                                              const Vector3<PerBody<S>>& v, const Mask<S>& inner_is_g,
                                               const Mask<S>& outer_is_g, Surfaces<S>& out) {
   out.inner = level_at<S>(inner, v.x, v.y, inner_is_g);
-  const Both<S> a = select<S>(inner_is_g, out.inner.ga, out.inner.ca);
-  const Both<S> b = select<S>(inner_is_g, out.inner.gb, out.inner.cb);
-  const Both<S> radius = max(abs(v.x), abs(v.y)) / max(abs(a), abs(b));
+  const PerBody<S> a = select<S>(inner_is_g, out.inner.ga, out.inner.ca);
+  const PerBody<S> b = select<S>(inner_is_g, out.inner.gb, out.inner.cb);
+  const PerBody<S> radius = max(abs(v.x), abs(v.y)) / max(abs(a), abs(b));
   out.outer = level_at<S>(outer, radius, v.z, outer_is_g);
 }
 
@@ -125,7 +125,7 @@ template <class S>
 /// Where the gauge coordinates of the point are along v, or, where `is_normal`, those of the normal (n times the semi-axes).
 template <class S>
 [[nodiscard]] inline Surfaces<S> surfaces_at(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
-                                             const LevelShape<S>& outer, const Vector3<Both<S>>& v,
+                                             const LevelShape<S>& outer, const Vector3<PerBody<S>>& v,
                                              const Mask<S>& is_normal) {
   Surfaces<S> out;
   detail::set_levels<S>(inner, outer, v, is_normal != inner.dual, is_normal != outer.dual, out);
@@ -136,7 +136,7 @@ template <class S>
 /// Where the chart's direction is w: smooth for every exponent, whatever its meaning.
 template <class S>
 [[nodiscard]] inline Surfaces<S> surfaces_of_chart(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
-                                                   const LevelShape<S>& outer, const Vector3<Both<S>>& w) {
+                                                   const LevelShape<S>& outer, const Vector3<PerBody<S>>& w) {
   Surfaces<S> out;
   detail::set_levels<S>(inner, outer, w, Mask<S>(false), Mask<S>(false), out);
   detail::fill<S, true>(pair, inner, outer, out);
@@ -146,8 +146,8 @@ template <class S>
 /// How far the step's coordinates are from where a level's second derivatives have no bound: its folds a = 0 and b = 0, for
 /// the inner level times what its step is divided by. At most 1. Levels with nu = 2 have none.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Both<S> room_to_fold(const SuperellipsoidPair<S>& pair,
-                                                              const Surfaces<S>& at) {
+[[nodiscard, gnu::always_inline]] inline PerBody<S> room_to_fold(const SuperellipsoidPair<S>& pair,
+                                                                 const Surfaces<S>& at) {
   return min(select<S>(pair.inner.is_two, S(1), at.inner.t * abs(at.outer.ca)),
              select<S>(pair.outer.is_two, S(1), at.outer.t));
 }
@@ -155,15 +155,15 @@ template <class S>
 /// Points and normals after a step along the tangents.
 template <class S>
 struct Followed {
-  Vector3<Both<S>> point, normal;
-  Both<S> squared_turn;  ///< of the normal, rad
+  Vector3<PerBody<S>> point, normal;
+  PerBody<S> squared_turn;  ///< of the normal, rad
 };
 
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Followed<S> followed(const Surfaces<S>& at, const Both<S>& d0,
-                                                              const Both<S>& d1) {
-  const Vector3<Both<S>> turn{d0 * at.dnormal0.x + d1 * at.dnormal1_x, d0 * at.dnormal0.y + d1 * at.dnormal1_y,
-                              d0 * at.dnormal0.z};
+[[nodiscard, gnu::always_inline]] inline Followed<S> followed(const Surfaces<S>& at, const PerBody<S>& d0,
+                                                              const PerBody<S>& d1) {
+  const Vector3<PerBody<S>> turn{d0 * at.dnormal0.x + d1 * at.dnormal1_x, d0 * at.dnormal0.y + d1 * at.dnormal1_y,
+                                 d0 * at.dnormal0.z};
   return {{at.point.x + d0 * at.dpoint0.x + d1 * at.dpoint1_x, at.point.y + d0 * at.dpoint0.y + d1 * at.dpoint1_y,
            at.point.z + d0 * at.dpoint0.z},
           at.normal + turn,
@@ -172,40 +172,41 @@ template <class S>
 
 /// The chart's direction.
 template <class S>
-[[nodiscard]] inline Vector3<Both<S>> chart_of(const Surfaces<S>& at) {
+[[nodiscard]] inline Vector3<PerBody<S>> chart_of(const Surfaces<S>& at) {
   return {at.outer.ca * at.inner.ca, at.outer.ca * at.inner.cb, at.outer.cb};
 }
 
 /// R'n and -R'n.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<Both<S>> to_body_axes(const SuperellipsoidPair<S>& pair,
-                                                                       const Vector3<S>& n) {
-  return pair.rotation.transposed_times(both(n, n * S(-1)));
+[[nodiscard, gnu::always_inline]] inline Vector3<PerBody<S>> to_body_axes(const SuperellipsoidPair<S>& pair,
+                                                                          const Vector3<S>& n) {
+  return pair.rotation.transposed_times(per_body(n, n * S(-1)));
 }
 
 /// p1(n) - p2(-n) - c: the gradient of o's convex extension.
 template <class S>
 [[nodiscard]] inline Vector3<S> farthest_difference(const SuperellipsoidPair<S>& pair, const Vector3<S>& n) {
-  const Vector3<Both<S>> v = times(to_body_axes(pair, n), pair.semi_axes);
+  const Vector3<PerBody<S>> v = times(to_body_axes(pair, n), pair.semi_axes);
   Surfaces<S> at;
   detail::set_levels<S>(pair.inner, pair.outer, v, !pair.inner.dual, !pair.outer.dual, at);
   const auto i = detail::roles<S, true>(pair.inner.dual, at.inner),
              o = detail::roles<S, true>(pair.outer.dual, at.outer);
-  const Vector3<Both<S>> p =
-      pair.rotation * times(pair.semi_axes, Vector3<Both<S>>{o.point_a * i.point_a, o.point_a * i.point_b, o.point_b});
+  const Vector3<PerBody<S>> p =
+      pair.rotation *
+      times(pair.semi_axes, Vector3<PerBody<S>>{o.point_a * i.point_a, o.point_a * i.point_b, o.point_b});
   return first(p) - second(p) - pair.c;
 }
 
 /// The bodies' support functions.
 template <class S>
 [[nodiscard]] inline std::array<SupportShape<S>, 2> support_shapes(const SuperellipsoidPair<S>& pair) {
-  const Vector3<Both<S>>& a = pair.semi_axes;
-  const Matrix3<Both<S>>& r = pair.rotation;
-  const Matrix3<Both<S>> map{Vector3<Both<S>>{r.row0.x, r.row1.x, r.row2.x} * a.x,
-                             Vector3<Both<S>>{r.row0.y, r.row1.y, r.row2.y} * a.y,
-                             Vector3<Both<S>>{r.row0.z, r.row1.z, r.row2.z} * a.z};
+  const Vector3<PerBody<S>>& a = pair.semi_axes;
+  const Matrix3<PerBody<S>>& r = pair.rotation;
+  const Matrix3<PerBody<S>> map{Vector3<PerBody<S>>{r.row0.x, r.row1.x, r.row2.x} * a.x,
+                                Vector3<PerBody<S>>{r.row0.y, r.row1.y, r.row2.y} * a.y,
+                                Vector3<PerBody<S>>{r.row0.z, r.row1.z, r.row2.z} * a.z};
   const auto dual = [](const LevelShape<S>& level) { return select<S>(level.dual, level.nu, S(1) + level.inverse); };
-  const Both<S> m1 = dual(pair.outer), m2 = dual(pair.inner);
+  const PerBody<S> m1 = dual(pair.outer), m2 = dual(pair.inner);
   return {SupportShape<S>{first(map), first<S>(m1), first<S>(m2)},
           SupportShape<S>{second(map), second<S>(m1), second<S>(m2)}};
 }
