@@ -137,7 +137,7 @@ class EllipsoidPack {
 
   /// Keeps the lanes that surely have the lowest common normal.
   [[gnu::always_inline]] void guard() {
-    const Lanes sure = overlap_ <= P(0.0) || rolls<P>(pair_, overlap_);
+    const Lanes sure = overlap_ <= P(0.0) || is_within_rolling_radius<P>(pair_, overlap_);
     if (none_of(settled_ && !sure)) return;
     settled_ = settled_ && (sure || is_inner_lowest<P>(pair_, at_.touch, normal_, overlap_));
   }

@@ -35,7 +35,7 @@ class SurfacePack {
       step(now);
       if (none_of(active_)) break;
     }
-    out_.settled = out_.settled && out_.overlap <= pair_.rolling_ball;
+    out_.settled = out_.settled && out_.overlap <= pair_.inner_rolling_radius;
     return out_;
   }
 

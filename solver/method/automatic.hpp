@@ -4,7 +4,7 @@
 // Others                         the surface points, four unknowns (surface_newton.hpp)
 // Guard                          bodies apart have one common normal; for those that overlap two sufficient conditions
 //                                (ellipsoid_guard.hpp), and where neither holds a search over all directions
-//                                (direction_search.hpp), whose cost is in `evaluations`
+//                                (directions.hpp), whose cost is in `evaluations`
 // Warm start                     `last`: the normal at the last points, as the bodies have turned since; the guard is the
 //                                same, so that a contact never stays on a branch that is no longer the lowest
 #pragma once

@@ -108,7 +108,7 @@ template <class S>
 }
 
 /// Whether a contact holds what was asked for: numbers, and a normal that has a length. Radii of curvature may be infinite, and
-/// on a ring the normal has no derivative.
+/// on a circle of minima the normal has no derivative.
 template <class S>
 [[nodiscard]] bool is_whole(const Contact<S>& c, const Want& want) {
   if (want.overlap && !(c.overlap - c.overlap == S(0))) return false;

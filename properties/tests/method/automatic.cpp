@@ -81,8 +81,8 @@ TEST(Automatic, EachSearchFindsTheLowestFromAnyOther) {
     using Form = EllipsoidForm<double>;
     using Answer = EllipsoidContact<double>;
     const Answer by_direction =
-        DirectionSearch<double, Form, Answer>(form, ellipsoids.size, first, std::nullopt).lowest();
-    const Answer by_heights = EllipsoidSearch<double, Form, Answer>(form, first, last_limit, ellipsoids).lowest();
+        DirectionCover<double, Form, Answer>(form, ellipsoids.size, first, std::nullopt).lowest();
+    const Answer by_heights = HeightCover<double, Form, Answer>(form, first, last_limit, ellipsoids).lowest();
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
     for (const Answer& found : {by_direction, by_heights}) {
       ASSERT_EQ(found.status, Status::converged) << i;
@@ -264,13 +264,13 @@ TEST(Automatic, TheRollingBallIsSmallerThanEveryRadiusOfCurvature) {
   for (std::uint64_t i = 0; i < 40; ++i) {
     const Pair pair = generate("superquadric", 18, i).pair;
     if (const SuperellipsoidPair<double> surfaces = surfaces_of(pair); surfaces.any_dual) {
-      EXPECT_GE(surfaces.rolling_ball, 0);
+      EXPECT_GE(surfaces.inner_rolling_radius, 0);
       continue;
     }
     for (const Body* body : {&pair.body1, &pair.body2}) {
       const Pair twin{*body, *body};
       const PairFrame<double> frame(twin);
-      const double ball = frame.to_world_length(surfaces_of(twin).rolling_ball / 2);  // of one of them
+      const double ball = frame.to_world_length(surfaces_of(twin).inner_rolling_radius / 2);  // of one of them
       Stream stream("rolling ball", 1, i);
       for (int k = 0; k < 400; ++k) {
         // Powers gather the directions at edges and corners, where the radii are least.

@@ -14,7 +14,7 @@ void expect_same(const Cell& found, const Cell& expected) {
   EXPECT_EQ(found.u, expected.u);
   EXPECT_EQ(found.v, expected.v);
   EXPECT_EQ(found.face, expected.face);
-  EXPECT_EQ(found.level, expected.level);
+  EXPECT_EQ(found.depth, expected.depth);
 }
 
 /// The number of the push, as a witness.

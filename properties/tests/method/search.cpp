@@ -1,4 +1,4 @@
-// What the search over directions rests on: the lower bound of curvature, the game of witnesses, the slope along a turn.
+// What the search over directions rests on: the lower bound of curvature, the mixtures of witnesses, the slope along a turn.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -73,10 +73,10 @@ Squared draw_squared(const Superellipsoid<double>& shape1, const Superellipsoid<
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-RC_GTEST_PROP(CurvatureFloor, IsBelowTheCurvatureAllOverTheSquare, ()) {
+RC_GTEST_PROP(CurvatureBound, IsBelowTheCurvatureAllOverTheSquare, ()) {
   Stream stream("curvature floor", *rc::gen::arbitrary<std::uint64_t>(), 0);
   const Squared drawn = draw_squared(*generators::shape(), *generators::shape(), stream);
-  const long double floor = curvature_floor<double>(drawn.support_shapes(), drawn.square, infinite);
+  const long double floor = curvature_bound<double>(drawn.support_shapes(), drawn.square, infinite);
   RC_CLASSIFY(floor > 0, "positive");
   for (int i = 0; i < 32; ++i) {
     const bool is_corner = i < 4;
@@ -86,7 +86,7 @@ RC_GTEST_PROP(CurvatureFloor, IsBelowTheCurvatureAllOverTheSquare, ()) {
   }
 }
 
-TEST(CurvatureFloor, IsTheCurvatureOfASmallSquare) {
+TEST(CurvatureBound, IsTheCurvatureOfASmallSquare) {
   Stream stream("curvature floor", 1, 0);
   int near = 0;
   const int pairs = 400;
@@ -100,13 +100,13 @@ TEST(CurvatureFloor, IsTheCurvatureOfASmallSquare) {
     const Pair pair{{shape(), Vec3<double>::Zero(), random_rotation(stream)},
                     {shape(), Vec3<double>::Zero(), random_rotation(stream)}};
     const Squared drawn = squared(pair, random_direction(stream), 1e-9);
-    const double floor = curvature_floor<double>(drawn.support_shapes(), drawn.square, infinite);
+    const double floor = curvature_bound<double>(drawn.support_shapes(), drawn.square, infinite);
     near += floor >= 0.99 * static_cast<double>(drawn.least_curvature(drawn.at(0, 0))) ? 1 : 0;
   }
   EXPECT_GT(near, 0.99 * pairs);
 }
 
-TEST(CurvatureFloor, PowersOfLargeRatiosDoNotOverflow) {
+TEST(CurvatureBound, PowersOfLargeRatiosDoNotOverflow) {
   for (const float m : {11.0F, 21.0F, 1001.0F})
     for (const float r : {10.0F, 1e4F, 1e17F}) {
       const detail::PlaneNorm<float> at = detail::plane_norm<float>(m, r);
@@ -117,27 +117,27 @@ TEST(CurvatureFloor, PowersOfLargeRatiosDoNotOverflow) {
     }
 }
 
-TEST(CurvatureFloor, OfASphereIsItsRadius) {
+TEST(CurvatureBound, OfASphereIsItsRadius) {
   const Squared spheres = squared({}, Vec3<double>(1, 2, 3), 1e-8);
-  EXPECT_NEAR(curvature_floor<double>(spheres.support_shapes(), spheres.square, infinite), 2, 1e-3);
+  EXPECT_NEAR(curvature_bound<double>(spheres.support_shapes(), spheres.square, infinite), 2, 1e-3);
 }
 
-using Game = WitnessGame<double>;
+using Mixtures = MixtureBound<double>;
 
 /// The place is a mixture of these with shares whose sum is its z.
-constexpr Game::Corners flat_corners{{{-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}}};
+constexpr Mixtures::Corners flat_corners{{{-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}}};
 
-double least_height(const Vector3<double>& witness, const Game::Corners& corners) {
+double least_height(const Vector3<double>& witness, const Mixtures::Corners& corners) {
   double out = infinite;
   for (const Vector3<double>& corner : corners) out = std::min(out, dot(witness, corner));
   return out;
 }
 
-RC_GTEST_PROP(WitnessGame, TheBestMixtureIsAsHighAsThePlaceIsLow, ()) {
-  Stream stream("witness game", *rc::gen::arbitrary<std::uint64_t>(), 0);
-  const std::size_t count = 1 + stream.below(Game::most_witnesses);
+RC_GTEST_PROP(MixtureBound, TheBestMixtureIsAsHighAsThePlaceIsLow, ()) {
+  Stream stream("mixture bound", *rc::gen::arbitrary<std::uint64_t>(), 0);
+  const std::size_t count = 1 + stream.below(Mixtures::most_witnesses);
   const double size = stream.log_uniform(1e-9, 1e9);
-  Game game;
+  Mixtures mixtures;
   std::vector<Vector3<double>> witnesses;
   for (std::size_t j = 0; j < count; ++j) {
     // Flat ones, and the same twice, are what a search meets.
@@ -147,9 +147,9 @@ RC_GTEST_PROP(WitnessGame, TheBestMixtureIsAsHighAsThePlaceIsLow, ()) {
                                  : Vector3<double>{stream.uniform(-1, 1) * flatness, stream.uniform(-1, 1) * flatness,
                                                    stream.uniform(-1, 1)} *
                                        size);
-    game.add(witnesses.back());
+    mixtures.add(witnesses.back());
   }
-  const auto [mixture, place] = game.play(flat_corners, -4 * size);  // below all: no early end
+  const auto [mixture, place] = mixtures.solve(flat_corners, -4 * size);  // below all: no early end
   const double value = least_height(mixture, flat_corners), shares = place.z;
   double at_place = -infinite;
   for (const Vector3<double>& witness : witnesses) {
@@ -160,26 +160,26 @@ RC_GTEST_PROP(WitnessGame, TheBestMixtureIsAsHighAsThePlaceIsLow, ()) {
   RC_ASSERT(std::abs(value - at_place) <= 1e-9 * size);  // no mixture is higher there, nor any place lower
 }
 
-RC_GTEST_PROP(WitnessGame, EndsEarlyWhereNoMixtureIsAsHighAsWanted, ()) {
+RC_GTEST_PROP(MixtureBound, EndsEarlyWhereNoMixtureIsAsHighAsWanted, ()) {
   Stream stream("early end", *rc::gen::arbitrary<std::uint64_t>(), 0);
-  Game game;
-  for (std::size_t j = 0; j < 8; ++j) game.add(Vector3<double>::of(random_direction(stream)));
-  const double value = least_height(game.play(flat_corners, -4).mixture, flat_corners);
+  Mixtures mixtures;
+  for (std::size_t j = 0; j < 8; ++j) mixtures.add(Vector3<double>::of(random_direction(stream)));
+  const double value = least_height(mixtures.solve(flat_corners, -4).mixture, flat_corners);
   const double wanted = value + stream.signed_log_uniform(1e-6, 1);
-  const auto [mixture, place] = game.play(flat_corners, wanted);
+  const auto [mixture, place] = mixtures.solve(flat_corners, wanted);
   RC_ASSERT((least_height(mixture, flat_corners) >= wanted) == (value >= wanted));
-  if (value < wanted) RC_ASSERT(!game.reaches(wanted * place.z / length(place), place));
+  if (value < wanted) RC_ASSERT(!mixtures.reaches(wanted * place.z / length(place), place));
 }
 
-TEST(WitnessGame, TwoWitnessesExcludeAGrooveThatNeitherDoes) {
+TEST(MixtureBound, TwoWitnessesExcludeAGrooveThatNeitherDoes) {
   // o = |x| + 0.1 over the directions (x, y, 1): a groove along x = 0.
-  Game game;
+  Mixtures mixtures;
   const Vector3<double> left{-1, 0, 0.1}, right{1, 0, 0.1};
-  game.add(left);
-  game.add(right);
+  mixtures.add(left);
+  mixtures.add(right);
   EXPECT_LT(least_height(left, flat_corners), 0);
   EXPECT_LT(least_height(right, flat_corners), 0);
-  EXPECT_NEAR(least_height(game.play(flat_corners, 0).mixture, flat_corners), 0.1, 1e-12);
+  EXPECT_NEAR(least_height(mixtures.solve(flat_corners, 0).mixture, flat_corners), 0.1, 1e-12);
 }
 
 /// A body of revolution about x, y or z; the axis is that of `axis`.
@@ -206,7 +206,7 @@ long double slope_along_turn(const PlacedPair<double>& pair, int axis, const Vec
   return pair.body1.rotation.col(axis).cast<long double>().cross(n).dot(gradient);
 }
 
-RC_GTEST_PROP(TurnSlope, HasTheSignThatItSaysAllOverTheCell, ()) {
+RC_GTEST_PROP(RotationDerivative, HasTheSignThatItSaysAllOverTheCell, ()) {
   Stream stream("turn slope", *rc::gen::arbitrary<std::uint64_t>(), 0);
   const Turned body1 = draw_turned(stream), body2 = draw_turned(stream);
   RC_PRE(body1.shape.semi_axes != Vec3<double>::Ones());
@@ -220,12 +220,12 @@ RC_GTEST_PROP(TurnSlope, HasTheSignThatItSaysAllOverTheCell, ()) {
   pair.body2.quaternion = {1 + from.dot(axis2), turn[0], turn[1], turn[2]};
   pair.body2.position = axis1 * stream.uniform(-1, 1) + tilt * random_direction(stream);
   const PlacedPair<double> placed = place<double>(pair);
-  const auto slope = TurnSlope<double>::of(placed);
+  const auto slope = RotationDerivative<double>::of(placed);
   if (!slope) RC_FAIL("bodies of revolution without an axis");
   const Vec3<double> middle = random_direction(stream);
   const Tangent<double> across = tangent_basis<double>(middle);
   const double half = stream.log_uniform(1e-4, 0.5);
-  Game::Corners corners;
+  Mixtures::Corners corners;
   const auto at = [&](double a, double b) {
     return (middle + half * (across.col(0) * a + across.col(1) * b)).normalized().eval();
   };
@@ -238,10 +238,10 @@ RC_GTEST_PROP(TurnSlope, HasTheSignThatItSaysAllOverTheCell, ()) {
   for (int i = 0; i < 32; ++i) RC_ASSERT((of(at(stream.uniform(-1, 1), stream.uniform(-1, 1))) > 0) == is_positive);
 }
 
-TEST(TurnSlope, IsNoneOfBodiesThatAreNotOfRevolution) {
+TEST(RotationDerivative, IsNoneOfBodiesThatAreNotOfRevolution) {
   Pair pair;
   pair.body1.shape.semi_axes = {1, 2, 3};
-  EXPECT_FALSE(TurnSlope<double>::of(place<double>(pair)).has_value());
+  EXPECT_FALSE(RotationDerivative<double>::of(place<double>(pair)).has_value());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What the search over heights rests on: the minimum of a quadratic over the sphere.
-#include "solver/method/auto/ellipsoid/sphere_minimum.hpp"
+#include "solver/method/auto/cover/sphere_minimum.hpp"
 
 #include <gtest/gtest.h>
 

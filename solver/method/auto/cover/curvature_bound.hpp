@@ -232,7 +232,7 @@ template <class S>
 /// Lower bound of the least eigenvalue of f's second derivative on the square, in the scalar's own rounding (no intervals): the
 /// first that is above `wanted`, or the best.
 template <class S>
-[[nodiscard]] inline S curvature_floor(const std::array<SupportShape<S>, 2>& shapes, const DirectionSquare<S>& square,
+[[nodiscard]] inline S curvature_bound(const std::array<SupportShape<S>, 2>& shapes, const DirectionSquare<S>& square,
                                        const S& wanted) {
   const auto of1 = detail::BodyOverSquare<S>(shapes[0], square).terms(),
              of2 = detail::BodyOverSquare<S>(shapes[1], square).terms();
@@ -255,7 +255,7 @@ template <class S>
   DirectionSquare<S> out{n, {Vector3<S>::of(across.col(0)), Vector3<S>::of(across.col(1))}, S(widest)};
   const S wanted = level * (S(1) + by_precision<S>(1e-9, 1e-4));
   for (; out.reach > S(narrowest); out.reach *= S(0.5))
-    if (curvature_floor<S>(shapes, out, wanted) > wanted) return out;
+    if (curvature_bound<S>(shapes, out, wanted) > wanted) return out;
   out.reach = S(0);
   return out;
 }

@@ -12,12 +12,12 @@ namespace plumb {
 template <class S>
 struct DirectionCell {
   std::int32_t u, v;  ///< the middle, in half edges of the cell
-  int face, level;
+  int face, depth;
 
   static constexpr int faces = 6, parts = 4;
   static constexpr int deepest = 26;
 
-  [[nodiscard]] S half() const { return S(1) / static_cast<S>(1 << level); }
+  [[nodiscard]] S half() const { return S(1) / static_cast<S>(1 << depth); }
 
   /// So many half edges off the middle.
   [[nodiscard]] Vector3<S> at(int off_u, int off_v) const {
@@ -33,7 +33,7 @@ struct DirectionCell {
   }
 
   [[nodiscard]] DirectionCell part(int index) const {
-    return {2 * u + (index < 2 ? -1 : 1), 2 * v + (index % 2 == 0 ? -1 : 1), face, level + 1};
+    return {2 * u + (index < 2 ? -1 : 1), 2 * v + (index % 2 == 0 ? -1 : 1), face, depth + 1};
   }
 };
 
@@ -47,7 +47,7 @@ class DirectionQueue {
   using Cell = DirectionCell<S>;
 
   void push(const Cell& divided, const Vector3<S>& witness) {
-    waiting_[static_cast<std::size_t>(place(first_ + count_++))] = {divided.u * levels + divided.level,
+    waiting_[static_cast<std::size_t>(place(first_ + count_++))] = {divided.u * depths + divided.depth,
                                                                     divided.v * all_faces + divided.face, witness};
   }
 
@@ -63,12 +63,12 @@ class DirectionQueue {
 
  private:
   static constexpr int capacity = (3 * most_divided + Cell::faces) / 4;
-  static constexpr int level_bits = 5, face_bits = 3;  // of a number that u or v shares
-  static constexpr int levels = 1 << level_bits, all_faces = 1 << face_bits;
-  static_assert(Cell::deepest < levels && Cell::faces <= all_faces && Cell::deepest + level_bits <= 31);
+  static constexpr int depth_bits = 5, face_bits = 3;  // of a number that u or v shares
+  static constexpr int depths = 1 << depth_bits, all_faces = 1 << face_bits;
+  static_assert(Cell::deepest < depths && Cell::faces <= all_faces && Cell::deepest + depth_bits <= 31);
 
   struct Divided {
-    std::int32_t u_and_level, v_and_face;
+    std::int32_t u_and_depth, v_and_face;
     Vector3<S> witness;
   };
 
@@ -76,8 +76,8 @@ class DirectionQueue {
 
   void take_first() {
     const Divided& first = waiting_[static_cast<std::size_t>(first_)];
-    above_ = {first.u_and_level >> level_bits, first.v_and_face >> face_bits, first.v_and_face & (all_faces - 1),
-              first.u_and_level & (levels - 1)};
+    above_ = {first.u_and_depth >> depth_bits, first.v_and_face >> face_bits, first.v_and_face & (all_faces - 1),
+              first.u_and_depth & (depths - 1)};
     witness_ = first.witness;
     first_ = place(first_ + 1);
     --count_;

@@ -4,7 +4,7 @@
 //                 Answer solve(v, tries): a local solve; Answer has status, overlap,
 //                 normal, iterations, evaluations
 //                 Vector3<S> centre(): from body 1's centre to body 2's
-//                 S rolling_ball(): radius of a ball that rolls inside the bodies' Minkowski sum K, or less
+//                 S inner_rolling_radius(): radius of a ball that rolls inside the bodies' Minkowski sum K, or less
 //                 std::array<SupportShape<S>, 2> support_shapes()
 //
 // Witness         K = K' + (ball of radius r), so that o - r is the overlap with K'. f'(v) = (o - r)|v| >= g'.v for any g' of K',
@@ -29,11 +29,11 @@ inline constexpr int first_limit = 850, last_limit = 1650;
 enum class Tries { one, several, all };
 
 template <class S, class Form, class Answer>
-class Lowest {
+class Incumbent {
  public:
   /// `first`: an answer or not, with the evaluations so far; `limit`: of these and the search's own, last_limit at most.
-  Lowest(const Form& form, const S& size, const Answer& first, int limit)
-      : form_(form), size_(size), ball_(form.rolling_ball() * (S(1) - S(8) * epsilon<S>())), best_(first),
+  Incumbent(const Form& form, const S& size, const Answer& first, int limit)
+      : form_(form), size_(size), ball_(form.inner_rolling_radius() * (S(1) - S(8) * epsilon<S>())), best_(first),
         limit_(std::min(limit, last_limit)) {}
 
   [[nodiscard]] const Answer& best() const { return best_; }
@@ -41,10 +41,10 @@ class Lowest {
   [[nodiscard]] bool may_go_on() const { return best_.evaluations < limit_; }
 
   /// The lowest o that was seen, of a common normal or not: that of the lowest common normal is not above it.
-  [[nodiscard]] S level() const { return std::min(found_level(), lowest_seen_); }
+  [[nodiscard]] S upper_bound() const { return std::min(found_overlap(), lowest_seen_); }
 
   /// There is one common normal of o <= r: nothing is lower.
-  [[nodiscard]] bool is_settled() const { return !(found_level() > ball_); }
+  [[nodiscard]] bool is_settled() const { return !(found_overlap() > ball_); }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     count();
@@ -63,15 +63,15 @@ class Lowest {
   [[nodiscard]] Vector3<S> witness(const Answer& found) const { return found.normal * (found.overlap - ball_); }
 
   /// A witness as high as this along a unit vector shows that o there is not below the level, to rounding.
-  [[nodiscard]] S excluded_height() const { return excluded_level() - ball_; }
-  [[nodiscard]] S excluded_level() const { return level() - rounding(); }
+  [[nodiscard]] S excluded_height() const { return excluded_overlap() - ball_; }
+  [[nodiscard]] S excluded_overlap() const { return upper_bound() - rounding(); }
   [[nodiscard]] const S& ball() const { return ball_; }
 
   /// Whether o along v is below that of every common normal found; g = farthest(v).
   [[nodiscard]] bool sees_lower(const Vector3<S>& v, const Vector3<S>& g) {
     const S here = dot(g, v) / length(v);
     if (here < lowest_seen_) lowest_seen_ = here, seen_along_ = v;
-    return here < found_level() - rounding();
+    return here < found_overlap() - rounding();
   }
 
   [[nodiscard]] Answer solve(const Vector3<S>& v, Tries tries) {
@@ -112,10 +112,10 @@ class Lowest {
  private:
   static constexpr double noise = 16;  // epsilon times this and the size: as much as a residual may be
 
-  [[nodiscard]] bool has_seen_lower() const { return lowest_seen_ < found_level() - rounding(); }
+  [[nodiscard]] bool has_seen_lower() const { return lowest_seen_ < found_overlap() - rounding(); }
 
   /// o of the lowest common normal found.
-  [[nodiscard]] S found_level() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }
+  [[nodiscard]] S found_overlap() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }
 
   const Form& form_;
   S size_, ball_;

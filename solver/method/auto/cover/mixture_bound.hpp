@@ -20,20 +20,20 @@
 namespace plumb {
 
 template <class S>
-class WitnessGame {
+class MixtureBound {
  public:
   static constexpr std::size_t corner_count = 4, most_witnesses = 16;
   using Corners = std::array<Vector3<S>, corner_count>;  ///< unit
 
   void add(const Vector3<S>& witness) { witnesses_[count_++] = witness; }
 
-  struct Outcome {
+  struct Best {
     Vector3<S> mixture;  ///< of witnesses
     Vector3<S> place;    ///< of corners, of any length: where no witness reaches the height, or the lowest
   };
 
   /// Ends where it is clear that no mixture is as high as `height` at every corner.
-  [[nodiscard]] Outcome play(const Corners& corners, const S& height) {
+  [[nodiscard]] Best solve(const Corners& corners, const S& height) {
     set_up(corners);
     const S wanted = (height - lowest_) * scale_ + S(1);
     for (int pivots = 0; pivots < most_pivots && total_ * wanted <= S(1); ++pivots) {
@@ -41,7 +41,7 @@ class WitnessGame {
       if (!(objective_[column] > tiny()) || row == count_) break;
       pivot(row, column);
     }
-    return outcome(corners);
+    return best(corners);
   }
 
   /// Whether one of them shows that o along v is as high as that.
@@ -113,9 +113,9 @@ class WitnessGame {
     return factor;
   }
 
-  [[nodiscard]] Outcome outcome(const Corners& corners) const {
+  [[nodiscard]] Best best(const Corners& corners) const {
     const Vector3<S> none{S(0), S(0), S(0)};
-    Outcome out{none, none};
+    Best out{none, none};
     S shares(0);
     for (std::size_t k = 0; k < corner_count; ++k)
       if (of_column_[k] >= corner_count && objective_[k] < S(0)) {

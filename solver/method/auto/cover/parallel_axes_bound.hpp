@@ -60,14 +60,14 @@ struct Meridian {
 };
 
 template <class S>
-class BandPair {
+class ParallelAxesBound {
  public:
   /// None where a body is not of revolution, or the axes' tilt shows in o by its square.
-  [[nodiscard]] static std::optional<BandPair> of(const PlacedPair<S>& pair) {
+  [[nodiscard]] static std::optional<ParallelAxesBound> of(const PlacedPair<S>& pair) {
     using detail::Revolution;
     const Revolution kind1 = detail::revolution_of(pair.body1.shape), kind2 = detail::revolution_of(pair.body2.shape);
     if (kind1 == Revolution::none || kind2 == Revolution::none) return std::nullopt;
-    const BandPair out(pair, kind1, kind2);
+    const ParallelAxesBound out(pair, kind1, kind2);
     if (!(dot(out.tilt_, out.tilt_) <= S(most_square) * epsilon<S>())) return std::nullopt;
     return out;
   }
@@ -108,7 +108,7 @@ class BandPair {
 
   /// The axis, where o is all but the same all around each circle of latitude: so level that Newton's iteration takes the rounding
   /// of o's second derivative for it.
-  [[nodiscard]] std::optional<Vector3<S>> ring_axis() const {
+  [[nodiscard]] std::optional<Vector3<S>> circle_axis() const {
     const S level = by_precision<S>(1e-7, 1e-3);
     return is_coaxial() || largest(centre_) + largest(tilt_) > level ? std::nullopt : std::optional(axis_);
   }
@@ -122,7 +122,7 @@ class BandPair {
  private:
   static constexpr double most_square = 16;  // epsilon: of the tilt; what the searches' slack takes (incumbent.hpp)
 
-  BandPair(const PlacedPair<S>& pair, detail::Revolution kind1, detail::Revolution kind2)
+  ParallelAxesBound(const PlacedPair<S>& pair, detail::Revolution kind1, detail::Revolution kind2)
       : meridian1_(pair.body1.shape, kind1), meridian2_(pair.body2.shape, kind2) {
     using detail::axis_of, detail::Revolution;
     const bool is_first_sphere = kind1 == Revolution::about_all, is_second_sphere = kind2 == Revolution::about_all;

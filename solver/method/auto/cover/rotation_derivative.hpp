@@ -3,7 +3,7 @@
 // Body 1 of revolution about a1: its support function does not change as n turns about a1. Body 2 of revolution about a2: its
 // support function is F(s), s = n.a2. So the slope of o along that turn is linear in n but for F':
 //     (a1 x n).grad o = n.(F'(s) a2 x a1 - c x a1),   c from body 1's centre to body 2's
-// It vanishes all over where the axes are one line that holds both centres (a ring, meridian_search.hpp), and tells
+// It vanishes all over where the axes are one line that holds both centres (a circle, latitudes.hpp), and tells
 // directions apart where they are nearly that and o is all but the same all around: cells need not be narrower than its one
 // sign holds, however small the difference.
 #pragma once
@@ -16,14 +16,14 @@
 namespace plumb {
 
 template <class S>
-class TurnSlope {
+class RotationDerivative {
  public:
   /// None where a body is not of revolution.
-  [[nodiscard]] static std::optional<TurnSlope> of(const PlacedPair<S>& pair) {
+  [[nodiscard]] static std::optional<RotationDerivative> of(const PlacedPair<S>& pair) {
     const detail::Revolution kind1 = detail::revolution_of(pair.body1.shape),
                              kind2 = detail::revolution_of(pair.body2.shape);
     if (kind1 == detail::Revolution::none || kind2 == detail::Revolution::none) return std::nullopt;
-    return TurnSlope(pair, kind1, kind2);
+    return RotationDerivative(pair, kind1, kind2);
   }
 
   /// Whether o has one slope's sign, beyond rounding, all over the cell between unit directions.
@@ -42,7 +42,7 @@ class TurnSlope {
   }
 
  private:
-  TurnSlope(const PlacedPair<S>& pair, detail::Revolution kind1, detail::Revolution kind2) {
+  RotationDerivative(const PlacedPair<S>& pair, detail::Revolution kind1, detail::Revolution kind2) {
     using std::max;
     const bool turns_about_second = kind1 == detail::Revolution::about_all;  // any axis is a sphere's
     const PlacedBody<S>&turned = turns_about_second ? pair.body2 : pair.body1,

@@ -1,10 +1,10 @@
 // The contact of two ellipsoids: start, Newton, guard.
 #pragma once
 
-#include "solver/method/auto/cover/cover.hpp"
+#include "solver/method/auto/cover/branch_and_bound.hpp"
+#include "solver/method/auto/cover/heights.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoid_guard.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoid_newton.hpp"
-#include "solver/method/auto/ellipsoid/ellipsoid_search.hpp"
 
 namespace plumb {
 
@@ -14,13 +14,13 @@ struct EllipsoidForm {
   const Want& want;
   Vector3<S> axis{S(0), S(0), S(0)};  ///< as for EllipsoidNewton
 
-  [[nodiscard]] S rolling_ball() const { return plumb::rolling_ball(pair); }
+  [[nodiscard]] S inner_rolling_radius() const { return plumb::inner_rolling_radius(pair); }
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
   [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const {
     return {SupportShape<S>{first(pair.map), S(2), S(2)}, SupportShape<S>{second(pair.map), S(2), S(2)}};
   }
-  [[nodiscard]] EllipsoidForm held(const Vector3<S>& about) const { return {pair, want, about}; }
+  [[nodiscard]] EllipsoidForm without_rotation(const Vector3<S>& about) const { return {pair, want, about}; }
   [[nodiscard]] EllipsoidContact<S> solve(const Vector3<S>& start, Tries /*tries*/ = Tries::all) const {
     EllipsoidContact<S> out;
     EllipsoidNewton<S>(pair, want, axis).solve(out, start);
@@ -31,7 +31,7 @@ struct EllipsoidForm {
 template <class S>
 [[nodiscard]] inline bool is_surely_lowest(const EllipsoidPair<S>& pair, const EllipsoidContact<S>& contact) {
   if (contact.status != Status::converged) return false;
-  return contact.overlap <= S(0) || rolls<S>(pair, contact.overlap) ||
+  return contact.overlap <= S(0) || is_within_rolling_radius<S>(pair, contact.overlap) ||
          is_inner_lowest<S>(pair, contact.at.touch, contact.normal, contact.overlap);
 }
 
@@ -74,15 +74,15 @@ searched_contact(const Pair& bodies, const EllipsoidPair<S>& pair, const Want& w
   const auto by_heights = [&](const auto& of, const EllipsoidContact<S>& best) {
     using Form = std::decay_t<decltype(of)>;
     if constexpr (std::is_floating_point_v<S>)
-      return search_by<EllipsoidSearch<S, Form, EllipsoidContact<S>>>(of, best, last_limit, pair).lowest;
+      return search_by<HeightCover<S, Form, EllipsoidContact<S>>>(of, best, last_limit, pair).lowest;
     else  // of 50 digits cells would be divided too often, and Eigen has no eigenvectors
-      return Lowest<S, Form, EllipsoidContact<S>>(of, pair.size, best, 0).answer(false);
+      return Incumbent<S, Form, EllipsoidContact<S>>(of, pair.size, best, 0).answer(false);
   };
-  if (const std::optional<BandPair<S>> bands = BandPair<S>::of(placed))
+  if (const std::optional<ParallelAxesBound<S>> bands = ParallelAxesBound<S>::of(placed))
     return lowest_by_latitude(*bands, form, pair.size, found, by_heights);
   constexpr int limit = std::is_floating_point_v<S> ? first_limit : last_limit;
-  using ByDirection = DirectionSearch<S, EllipsoidForm<S>, EllipsoidContact<S>, limit>;
-  const auto [lowest, best] = search_by<ByDirection>(form, pair.size, found, TurnSlope<S>::of(placed));
+  using ByDirection = DirectionCover<S, EllipsoidForm<S>, EllipsoidContact<S>, limit>;
+  const auto [lowest, best] = search_by<ByDirection>(form, pair.size, found, RotationDerivative<S>::of(placed));
   return lowest.status == Status::converged ? lowest : by_heights(form, best);
 }
 

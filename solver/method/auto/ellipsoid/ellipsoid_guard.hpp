@@ -23,7 +23,7 @@ namespace plumb {
 
 /// r.
 template <class S>
-[[nodiscard]] inline S rolling_ball(const EllipsoidPair<S>& pair) {
+[[nodiscard]] inline S inner_rolling_radius(const EllipsoidPair<S>& pair) {
   using std::max;
   using std::min;
   const Vector3<PerBody<S>>& a = pair.semi_axes;
@@ -32,9 +32,9 @@ template <class S>
 }
 
 template <class S>
-[[nodiscard]] inline auto rolls(const EllipsoidPair<S>& pair, const S& overlap) {
+[[nodiscard]] inline auto is_within_rolling_radius(const EllipsoidPair<S>& pair, const S& overlap) {
   const S touching = S(1) + S(8) * epsilon<S>();  // concentric spheres: o is the ball's own radius
-  return overlap <= rolling_ball(pair) * touching;
+  return overlap <= inner_rolling_radius(pair) * touching;
 }
 
 namespace detail {

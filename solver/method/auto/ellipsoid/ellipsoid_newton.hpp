@@ -27,10 +27,10 @@ class EllipsoidNewton {
  public:
   /// `axis`: unit, the line about which both bodies are of revolution; zero where there is none.
   EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
-      : pair_(pair), axis_(axis), is_ring_(largest(axis) > S(0)),
+      : pair_(pair), axis_(axis), has_axis_(largest(axis) > S(0)),
         limit_(std::min(want.iteration_limit, newton::most_iterations)), stops_early_(limit_ < want.iteration_limit),
         is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.size),
-        floor_(S(is_ring_ ? newton::ring_multiple : newton::noise_multiple) * epsilon<S>() * pair.size) {}
+        floor_(S(has_axis_ ? newton::circle_multiple : newton::noise_multiple) * epsilon<S>() * pair.size) {}
 
   /// From any direction but zero.
   void solve(EllipsoidContact<S>& out, const Vector3<S>& start) {
@@ -70,8 +70,8 @@ class EllipsoidNewton {
   [[nodiscard, gnu::always_inline]] bool descend(EllipsoidContact<S>& out) const {
     using std::sqrt;
     const Symmetric3<PerBody<S>> h = radii(pair_, out.at.touch);
-    Vector3<S> step =
-        is_ring_ ? newton_step(held(sum(h), out.at, axis_), out.at, newton::tie_on_ring) : newton_step(sum(h), out.at);
+    Vector3<S> step = has_axis_ ? newton_step(without_rotation(sum(h), out.at, axis_), out.at, newton::tie_on_circle)
+                                : newton_step(sum(h), out.at);
     S turn = squared_turn(pair_, out.at, step);
     if (turn < newton::last_turn<S>() * newton::last_turn<S>() && lands(sum(h), out.at, step))
       return follow(out.at, step), true;
@@ -102,7 +102,7 @@ class EllipsoidNewton {
     Settling<S> now = settling(pair_, out.at);
     for (int i = 0; i < newton::most_settling && now.error > floor_; ++i) {
       ++out.evaluations;
-      out.at.touch.u = moved_points(pair_, out.at, now, is_ring_ ? &axis_ : nullptr);
+      out.at.touch.u = moved_points(pair_, out.at, now, has_axis_ ? &axis_ : nullptr);
       now = settling(pair_, out.at);
     }
     out.normal = now.n;
@@ -119,7 +119,7 @@ class EllipsoidNewton {
 
   const EllipsoidPair<S>& pair_;
   const Vector3<S> axis_;
-  bool is_ring_;
+  bool has_axis_;
   int limit_;
   bool stops_early_;
   bool is_yes_or_no_;

@@ -11,11 +11,11 @@ namespace newton {
 inline constexpr double noise_multiple = 2;  // of epsilon: rounding of p1 + p2 - c
 inline constexpr double longest_turn = 0.8;  // 0.7 .. 1 do as well; at 1.5 needles take 19 steps instead of 12
 inline constexpr double shorter = 0.3;       // a step that does not lower o is cut to this
-inline constexpr double tie = 0.01;          // of o: the eigenvalue along a ring or between ties, made positive
-inline constexpr double tie_on_ring = 1e-9;  // the same where the ring is held anyway
-inline constexpr double ring_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
-inline constexpr double surely_apart = 16;   // epsilon, relative: o is below zero whatever its rounding
-inline constexpr int most_iterations = 100;  // what is not at rest by then takes what the search may spend
+inline constexpr double tie = 0.01;  // of o: the eigenvalue along a circle of minima or between ties, made positive
+inline constexpr double tie_on_circle = 1e-9;  // the same where the rotation is held anyway
+inline constexpr double circle_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
+inline constexpr double surely_apart = 16;     // epsilon, relative: o is below zero whatever its rounding
+inline constexpr int most_iterations = 100;    // what is not at rest by then takes what the search may spend
 inline constexpr int most_settling = 3;
 inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
 
@@ -47,10 +47,10 @@ template <class S>
   return sum<S>(traces) / sqrt(at.inverse_square);
 }
 
-/// H1 + H2 with a second derivative about `axis` as well, where o has none: there is nothing to be gained along a ring.
+/// H1 + H2 with a second derivative about `axis` as well, where o has none: there is nothing to be gained along a circle of minima.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Symmetric3<S> held(const Symmetric3<S>& h, const DirectionPoint<S>& at,
-                                                            const Vector3<S>& axis) {
+[[nodiscard, gnu::always_inline]] inline Symmetric3<S>
+without_rotation(const Symmetric3<S>& h, const DirectionPoint<S>& at, const Vector3<S>& axis) {
   return h + square(cross(axis, at.n)) * (h.trace() * at.inverse_square);
 }
 
@@ -118,8 +118,8 @@ template <class S>
   const Vector3<S> twist = now.twist * (S(1) / sqrt(at.inverse_square)), none{S(0), S(0), S(0)};
   const Symmetric3<PerBody<S>> h = radii(pair, at.touch);
   at.slope = now.slope + second(h * for_each_body(twist));
-  const Vector3<S> step =
-      axis == nullptr ? newton_step(sum(h), at) : newton_step(held(sum(h), at, *axis), at, newton::tie_on_ring);
+  const Vector3<S> step = axis == nullptr ? newton_step(sum(h), at)
+                                          : newton_step(without_rotation(sum(h), at, *axis), at, newton::tie_on_circle);
   const Vector3<PerBody<S>> d = pair.map * (for_each_body(step) + per_body(none, twist)) * at.touch.inverse_h;
   const Vector3<PerBody<S>> u = at.touch.u + d - at.touch.u * dot(at.touch.u, d);
   return u * (PerBody<S>(S(1)) / sqrt(dot(u, u)));

@@ -1,11 +1,11 @@
-// One level of a superellipsoid's nest: a point of the plane curve |a|^nu + |b|^nu = 1 and the curve's gradient there, of both
+// One arc of a superellipsoid's nest: a point of the plane curve |a|^nu + |b|^nu = 1 and the curve's gradient there, of both
 // bodies at once.
 //
 // c = (ca, cb)   the point, |c|_nu = 1
 // g = (ga, gb)   the gradient of |.|_nu there, g = sign(c) |c|^(nu-1); c.g = 1
 // k = (ka, kb)   dg/dc = (nu-1) |c|^(nu-2)
 // tangent        dc = (-gb, ga), dg = (-ka gb, kb ga)
-// nu >= 2. An exponent below 2 is its dual's level with the roles of point and normal exchanged (`dual`): nu = n/(n-1), g is
+// nu >= 2. An exponent below 2 is its dual's arc with the roles of point and normal exchanged (`dual`): nu = n/(n-1), g is
 // then the point and c the normal. So c is the coordinate of the balanced chart (shape/chart.hpp), and both maps are smooth.
 //
 // t = smaller / larger of |ca|, |cb| and u = t^(nu-1), the same of g, are kept rather than c: near a flat's middle t is
@@ -20,9 +20,9 @@
 
 namespace plumb {
 
-/// What a level's exponent determines.
+/// What an arc's exponent determines.
 template <class S>
-struct LevelShape {
+struct SuperellipseArc {
   PerBody<S> nu, nu_minus_1, inverse /* 1 / (nu-1) */, inverse_nu;
   PerBody<S> switch_t, switch_u;  ///< t* and u*; 0 for nu = 2, where t = u
   Mask<S> dual, is_two;
@@ -30,8 +30,8 @@ struct LevelShape {
 };
 
 template <class S>
-[[nodiscard]] inline LevelShape<S> level_shape(const PerBody<S>& nu, const Mask<S>& dual) {
-  LevelShape<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false};
+[[nodiscard]] inline SuperellipseArc<S> superellipse_arc(const PerBody<S>& nu, const Mask<S>& dual) {
+  SuperellipseArc<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false};
   out.all_two = has_one_pair<S> && all_of(out.is_two);
   if (out.all_two) return out;
   // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
@@ -45,20 +45,20 @@ template <class S>
 
 /// Of the exponents n > 1 of both bodies.
 template <class S>
-[[nodiscard]] inline LevelShape<S> level_of_exponents(const PerBody<S>& n) {
+[[nodiscard]] inline SuperellipseArc<S> arc_of_exponents(const PerBody<S>& n) {
   const Mask<S> dual = n < S(2);
-  return level_shape<S>(select<S>(dual, n / (n - S(1)), n), dual);
+  return superellipse_arc<S>(select<S>(dual, n / (n - S(1)), n), dual);
 }
 
 /// The same with nu pulled down to at most `cap`: a rounder body.
 template <class S>
-[[nodiscard]] inline LevelShape<S> capped(const LevelShape<S>& level, const S& cap) {
-  if (!any_of(level.nu > cap)) return level;
-  return level_shape<S>(select<S>(level.nu > cap, PerBody<S>(cap), level.nu), level.dual);
+[[nodiscard]] inline SuperellipseArc<S> capped(const SuperellipseArc<S>& arc, const S& cap) {
+  if (!any_of(arc.nu > cap)) return arc;
+  return superellipse_arc<S>(select<S>(arc.nu > cap, PerBody<S>(cap), arc.nu), arc.dual);
 }
 
 template <class S>
-struct LevelPoint {
+struct ArcPoint {
   PerBody<S> t, u;
   PerBody<S> ca, cb, ga, gb, ka, kb;
   PerBody<S> sign_a, sign_b;
@@ -75,22 +75,22 @@ template <class S>
 
 /// Sets the rest from the ratio: of g where `is_u`, of c elsewhere. Signs and `b_is_larger` are set.
 template <class S>
-[[gnu::always_inline]] inline void set_ratio(const LevelShape<S>& level, PerBody<S> ratio, Mask<S> is_u,
-                                             LevelPoint<S>& out) {
+[[gnu::always_inline]] inline void set_ratio(const SuperellipseArc<S>& arc, PerBody<S> ratio, Mask<S> is_u,
+                                             ArcPoint<S>& out) {
   is_u = is_u && !(ratio < smallest_ratio<S>());  // a zero is one of c: a zero of g would have a finite curvature
   ratio = max(ratio, PerBody<S>(smallest_ratio<S>()));
   PerBody<S> larger;
-  if (has_one_pair<S> && level.all_two) {
+  if (has_one_pair<S> && arc.all_two) {
     out.t = out.u = ratio;
     larger = S(1) / sqrt(S(1) + ratio * ratio);
   } else {
-    const PerBody<S> power = select<S>(is_u, level.inverse, level.nu_minus_1);
+    const PerBody<S> power = select<S>(is_u, arc.inverse, arc.nu_minus_1);
     const PerBody<S> other = exp(max(log(ratio) * power, PerBody<S>(by_precision<S>(-690, -80))));
-    out.t = select<S>(is_u && !level.is_two, other, ratio);
-    out.u = select<S>(is_u || level.is_two, ratio, other);
-    larger = exp(-log(S(1) + out.t * out.u) * level.inverse_nu);
+    out.t = select<S>(is_u && !arc.is_two, other, ratio);
+    out.u = select<S>(is_u || arc.is_two, ratio, other);
+    larger = exp(-log(S(1) + out.t * out.u) * arc.inverse_nu);
   }
-  const PerBody<S> gradient = S(1) / ((S(1) + out.t * out.u) * larger), slope = level.nu_minus_1 * gradient / larger;
+  const PerBody<S> gradient = S(1) / ((S(1) + out.t * out.u) * larger), slope = arc.nu_minus_1 * gradient / larger;
   const PerBody<S> c_small = out.t * larger, g_small = out.u * gradient, k_small = slope * out.u / out.t;
   const Mask<S>& b = out.b_is_larger;
   out.ca = select<S>(b, c_small, larger) * out.sign_a;
@@ -103,48 +103,48 @@ template <class S>
 
 }  // namespace detail
 
-/// The level at a vector of any length in g where `is_g`, in c elsewhere.
+/// The arc at a vector of any length in g where `is_g`, in c elsewhere.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline LevelPoint<S> level_at(const LevelShape<S>& level, const PerBody<S>& a,
-                                                                const PerBody<S>& b, const Mask<S>& is_g) {
+[[nodiscard, gnu::always_inline]] inline ArcPoint<S> arc_point_at(const SuperellipseArc<S>& arc, const PerBody<S>& a,
+                                                                  const PerBody<S>& b, const Mask<S>& is_g) {
   const PerBody<S> size_a = abs(a), size_b = abs(b);
-  LevelPoint<S> out;
+  ArcPoint<S> out;
   out.b_is_larger = size_a < size_b;
   out.sign_a = sign<S>(a);
   out.sign_b = sign<S>(b);
   const PerBody<S> larger = max(max(size_a, size_b), PerBody<S>(detail::smallest_ratio<S>()));
-  detail::set_ratio<S>(level, min(size_a, size_b) / larger, is_g, out);
+  detail::set_ratio<S>(arc, min(size_a, size_b) / larger, is_g, out);
   return out;
 }
 
-/// The level after `old` has moved to c and g (any length, each linear in the step). `switch_t`: t* of `level`, or infinite
+/// The arc after `old` has moved to c and g (any length, each linear in the step). `switch_t`: t* of `arc`, or infinite
 /// where only c is to be followed.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline LevelPoint<S>
-level_moved(const LevelShape<S>& level, const PerBody<S>& switch_t, const LevelPoint<S>& old, const PerBody<S>& ca,
-            const PerBody<S>& cb, const PerBody<S>& ga, const PerBody<S>& gb) {
+[[nodiscard, gnu::always_inline]] inline ArcPoint<S>
+moved_arc_point(const SuperellipseArc<S>& arc, const PerBody<S>& switch_t, const ArcPoint<S>& old, const PerBody<S>& ca,
+                const PerBody<S>& cb, const PerBody<S>& ga, const PerBody<S>& gb) {
   const Mask<S> by_g = old.t >= switch_t;
   const PerBody<S> a = select<S>(by_g, ga, ca) * old.sign_a, b = select<S>(by_g, gb, cb) * old.sign_b;
   const PerBody<S> was_larger = select<S>(old.b_is_larger, b, a), was_smaller = select<S>(old.b_is_larger, a, b);
   const PerBody<S> least = max(S(0.02) * abs(was_smaller), PerBody<S>(detail::smallest_ratio<S>()));
-  const PerBody<S> ratio = was_smaller / max(was_larger, least), offset = switch_t - level.switch_u;
+  const PerBody<S> ratio = was_smaller / max(was_larger, least), offset = switch_t - arc.switch_u;
   const PerBody<S> s = select<S>(by_g, ratio + offset, ratio), size = abs(s);
   const Mask<S> is_t = size <= switch_t;
   PerBody<S> value = select<S>(is_t, size, size - offset);
   const Mask<S> passed_diagonal = value > S(1);
   value = select<S>(passed_diagonal, S(1) / value, value);
   const PerBody<S> turn = sign<S>(s);
-  LevelPoint<S> out;
+  ArcPoint<S> out;
   out.b_is_larger = old.b_is_larger != passed_diagonal;
   out.sign_a = select<S>(old.b_is_larger, old.sign_a * turn, old.sign_a);
   out.sign_b = select<S>(old.b_is_larger, old.sign_b, old.sign_b * turn);
-  detail::set_ratio<S>(level, value, !is_t, out);
+  detail::set_ratio<S>(arc, value, !is_t, out);
   return out;
 }
 
-/// A level turned by half a turn where `factor` is -1.
+/// An arc turned by half a turn where `factor` is -1.
 template <class S>
-inline void turn_round(LevelPoint<S>& at, const PerBody<S>& factor) {
+inline void turn_round(ArcPoint<S>& at, const PerBody<S>& factor) {
   for (PerBody<S>* value : {&at.ca, &at.cb, &at.ga, &at.gb, &at.sign_a, &at.sign_b}) *value *= factor;
 }
 

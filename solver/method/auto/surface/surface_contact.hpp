@@ -41,9 +41,9 @@ struct SurfaceStart {
     return n * (S(1) / length(n));
   }
 
-  /// n a unit vector; the levels are the pair's or rounder ones.
-  [[nodiscard]] Surfaces<S> at(const Vector3<S>& n, StartKind kind, const LevelShape<S>& inner,
-                               const LevelShape<S>& outer) const {
+  /// n a unit vector; the arcs are the pair's or rounder ones.
+  [[nodiscard]] Surfaces<S> at(const Vector3<S>& n, StartKind kind, const SuperellipseArc<S>& inner,
+                               const SuperellipseArc<S>& outer) const {
     const Vector3<PerBody<S>> q = times(to_body_axes(pair, n), pair.semi_axes);
     if (kind == StartKind::normal) return surfaces_at<S>(pair, inner, outer, q, Mask<S>(true));
     const Vector3<PerBody<S>> u = q * inverse_length<S>(q);
@@ -79,7 +79,7 @@ class SurfaceSolver {
       : pair_(pair), want_(want), axis_(axis) {}
 
   [[nodiscard]] const SuperellipsoidPair<S>& pair() const { return pair_; }
-  [[nodiscard]] SurfaceSolver held(const Vector3<S>& axis) const { return {pair_, want_, axis}; }
+  [[nodiscard]] SurfaceSolver without_rotation(const Vector3<S>& axis) const { return {pair_, want_, axis}; }
 
   void newton(Surfaces<S>& at, const Attempt& attempt, SurfaceContact<S>& out) const {
     if (pair_.any_dual)

@@ -4,7 +4,7 @@
 // on the points where o is convex and the gradient small enough to stay in that basin.
 #pragma once
 
-#include "solver/method/auto/cover/cover.hpp"
+#include "solver/method/auto/cover/branch_and_bound.hpp"
 #include "solver/method/auto/surface/surface_contact.hpp"
 
 namespace plumb {
@@ -141,8 +141,8 @@ template <class S>
 struct SurfaceForm {
   SurfaceSolver<S> solver;
 
-  [[nodiscard]] SurfaceForm held(const Vector3<S>& about) const { return {solver.held(about)}; }
-  [[nodiscard]] S rolling_ball() const { return solver.pair().rolling_ball; }
+  [[nodiscard]] SurfaceForm without_rotation(const Vector3<S>& about) const { return {solver.without_rotation(about)}; }
+  [[nodiscard]] S inner_rolling_radius() const { return solver.pair().inner_rolling_radius; }
   [[nodiscard]] Vector3<S> centre() const { return solver.pair().c; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(solver.pair(), v); }
 
@@ -213,18 +213,18 @@ template <class S>
 template <class S>
 [[nodiscard]] inline SurfaceContact<S> lowest_contact(const Pair& bodies, const SuperellipsoidPair<S>& pair,
                                                       const Want& want, const SurfaceContact<S>& found) {
-  if (found.minimum && found.overlap <= pair.rolling_ball) return found;
+  if (found.minimum && found.overlap <= pair.inner_rolling_radius) return found;
   if (found.status == Status::iteration_limit) return found;  // asked to stop
   const PlacedPair<S> placed = place<S>(bodies);
   const std::optional<Vector3<S>> axis = common_axis(placed);
   const SurfaceSolver<S> solver(pair, want, axis.value_or(Vector3<S>{S(0), S(0), S(0)}));
   const SurfaceForm<S> form{solver};
   const auto by_direction = [&](const SurfaceContact<S>& first) {
-    using ByDirection = DirectionSearch<S, SurfaceForm<S>, SurfaceContact<S>>;
-    return search_by<ByDirection>(form, pair.reach, first, TurnSlope<S>::of(placed)).lowest;
+    using ByDirection = DirectionCover<S, SurfaceForm<S>, SurfaceContact<S>>;
+    return search_by<ByDirection>(form, pair.reach, first, RotationDerivative<S>::of(placed)).lowest;
   };
   const auto then_by_direction = [&](const auto& /*of*/, const SurfaceContact<S>& best) { return by_direction(best); };
-  if (const std::optional<BandPair<S>> bands = BandPair<S>::of(placed))
+  if (const std::optional<ParallelAxesBound<S>> bands = ParallelAxesBound<S>::of(placed))
     return lowest_by_latitude(*bands, form, pair.reach, found, then_by_direction);
   return by_direction(found);
 }

@@ -30,7 +30,7 @@ template <class S, class Bend>
 descending_system(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& f, const S& tolerance,
                   const Bend& bend) {
   S o = f.overlap;
-  const auto deep = o > pair.rolling_ball;
+  const auto deep = o > pair.inner_rolling_radius;
   if (any_of(deep)) o = blend(deep && o > bend(), S(0.0), o);
   std::array<Equation4<S>, 4> m = newton_system(f, o);
   const auto still = f.twist < tolerance;

@@ -110,7 +110,7 @@ class SurfaceNewton {
     return descending_system(pair_, *f_, tolerance_, [this] { return bend(); });
   }
 
-  /// The least second derivative of o, without its own part: on a ring across it, for along it that is zero.
+  /// The least second derivative of o, without its own part: on a circle of minima across it, for along it that is zero.
   [[nodiscard]] S bend() const {
     const PlaneHessian<S> h = hessian_of(pair_, *f_);
     return largest(axis_) > S(0) ? h.along(dot(axis_, f_->across[0]), dot(axis_, f_->across[1])) : h.lower_eigenvalue();
@@ -150,7 +150,7 @@ class SurfaceNewton {
   int limit_, last_limit_;  ///< the second where the residual is small and falling
   S tolerance_;
   double cap_;
-  LevelShape<S> inner_, outer_;
+  SuperellipseArc<S> inner_, outer_;
   Surfaces<S>*here_ = nullptr, *there_ = nullptr;
   SurfaceEquations<S>*f_ = nullptr, *next_ = nullptr;
 };

@@ -1,11 +1,11 @@
 // The step from a pair of surface points to another: what makes Newton converge on blocky and on pointed shapes alike.
 //
-// c and g of both levels are moved linearly along the tangents, and each level takes up the one that suits it (superellipse_arc.hpp).
+// c and g of both arcs are moved linearly along the tangents, and each arc takes up the one that suits it (superellipse_arc.hpp).
 //   The normal's length is kept, to first order: its step is on the sphere of directions, which is exact for an ellipsoid
 //   and reproduces the direction form there.
-//   The outer level's radius in g has a sign: a step past the pole comes out on the other side, turned round. Without the sign
+//   The outer arc's radius in g has a sign: a step past the pole comes out on the other side, turned round. Without the sign
 //   it is mirrored, and Newton has false fixed points.
-//   In the middle of a flat z-face (`pole`) the inner level follows c alone: it is Cartesian there.
+//   In the middle of a flat z-face (`pole`) the inner arc follows c alone: it is Cartesian there.
 #pragma once
 
 #include "solver/method/auto/surface/surfaces.hpp"
@@ -14,7 +14,7 @@ namespace plumb {
 
 namespace detail {
 
-/// c and g of both levels, moved, any length: w = (x, y, z) by c, v by g; `inner_..`: by the inner step alone.
+/// c and g of both arcs, moved, any length: w = (x, y, z) by c, v by g; `inner_..`: by the inner step alone.
 template <class S>
 struct MovedVectors {
   PerBody<S> wx, wy, wz, vx, vy, vz;
@@ -23,8 +23,8 @@ struct MovedVectors {
 
 template <class S, bool any_dual>
 [[nodiscard, gnu::always_inline]] inline MovedVectors<S>
-moved_vectors(const LevelShape<S>& outer, const Surfaces<S>& from, const PerBody<S>& d0, const PerBody<S>& d1) {
-  const LevelPoint<S>&i = from.inner, &o = from.outer;
+moved_vectors(const SuperellipseArc<S>& outer, const Surfaces<S>& from, const PerBody<S>& d0, const PerBody<S>& d1) {
+  const ArcPoint<S>&i = from.inner, &o = from.outer;
   const PerBody<S> wx = o.ca * i.ca, wy = o.ca * i.cb, vx = o.ga * i.ga, vy = o.ga * i.gb, q = o.ga / o.ca;
   MovedVectors<S> m;
   m.inner_wx = wx - d1 * i.gb;
@@ -66,17 +66,18 @@ template <class S>
 
 }  // namespace detail
 
-/// `from` moved by (d0, d1) of each body, on the surfaces of the levels given (the pair's, or rounder ones).
+/// `from` moved by (d0, d1) of each body, on the surfaces of the arcs given (the pair's, or rounder ones).
 template <class S, bool any_dual>
-inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner, const LevelShape<S>& outer,
-                          const Surfaces<S>& from, const PerBody<S>& d0, const PerBody<S>& d1, Surfaces<S>& out) {
-  const LevelPoint<S>&i = from.inner, &o = from.outer;
+inline void move_surfaces(const SuperellipsoidPair<S>& pair, const SuperellipseArc<S>& inner,
+                          const SuperellipseArc<S>& outer, const Surfaces<S>& from, const PerBody<S>& d0,
+                          const PerBody<S>& d1, Surfaces<S>& out) {
+  const ArcPoint<S>&i = from.inner, &o = from.outer;
   const detail::MovedVectors<S> m = detail::moved_vectors<S, any_dual>(outer, from, d0, d1);
   const Mask<S> pole = o.ga < S(1e-3) * o.ca;
   const PerBody<S> inner_switch = select<S>(pole, by_precision<S>(1e300, 1e38), inner.switch_t);
   const PerBody<S> radius_v = m.vx * i.ca + m.vy * i.cb;
   const Mask<S> reversed = radius_v < S(0.1) * o.ga && !outer.is_two;
-  // The new radii from the old inner point, to second order: then the two levels need not wait for each other.
+  // The new radii from the old inner point, to second order: then the two arcs need not wait for each other.
   const PerBody<S> radius_w = m.wx * i.ga + m.wy * i.gb;
   const PerBody<S> across_w = i.ca * m.wy - i.cb * m.wx, across_v = i.ga * m.vy - i.gb * m.vx;
   const PerBody<S> bend = i.ka * i.gb * i.gb + i.kb * i.ga * i.ga;
@@ -85,9 +86,9 @@ inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>
                        across_v * across_v < small * radius_v * radius_v && !reversed;
   const Mask<S> alone = reversed && o.t >= outer.switch_t;
   out.inner =
-      level_moved<S>(inner, inner_switch, i, select<S>(alone, m.inner_wx, m.wx), select<S>(alone, m.inner_wy, m.wy),
-                     select<S>(reversed, m.inner_vx, m.vx), select<S>(reversed, m.inner_vy, m.vy));
-  const LevelPoint<S>& n = out.inner;
+      moved_arc_point<S>(inner, inner_switch, i, select<S>(alone, m.inner_wx, m.wx), select<S>(alone, m.inner_wy, m.wy),
+                         select<S>(reversed, m.inner_vx, m.vx), select<S>(reversed, m.inner_vy, m.vy));
+  const ArcPoint<S>& n = out.inner;
   PerBody<S> new_radius_w = sqrt(radius_w * radius_w + bend * across_w * across_w);
   PerBody<S> new_radius_v = sqrt(radius_v * radius_v + across_v * across_v * min(S(1) / bend, PerBody<S>(S(1))));
   if (!all_of(near)) {
@@ -97,8 +98,8 @@ inline void move_surfaces(const SuperellipsoidPair<S>& pair, const LevelShape<S>
     new_radius_v =
         select<S>(pair_is_near, new_radius_v, sqrt((m.vx * m.vx + m.vy * m.vy) / (n.ga * n.ga + n.gb * n.gb)));
   }
-  out.outer =
-      level_moved<S>(outer, outer.switch_t, o, new_radius_w, m.wz, select<S>(reversed, radius_v, new_radius_v), m.vz);
+  out.outer = moved_arc_point<S>(outer, outer.switch_t, o, new_radius_w, m.wz,
+                                 select<S>(reversed, radius_v, new_radius_v), m.vz);
   // A negative radius turns the inner pair round.
   const PerBody<S> turn = out.outer.sign_a;
   out.outer.ca *= turn;

@@ -1,8 +1,8 @@
 // A surface point on each of two superellipsoids with its normal and derivatives, and the steps between such points.
 //
-// Two nested levels (superellipse_arc.hpp): the outer one pairs r = |(x, y)| with z, the inner one x with y, so that in gauge
+// Two nested arcs (superellipse_arc.hpp): the outer one pairs r = |(x, y)| with z, the inner one x with y, so that in gauge
 // coordinates (x/a, y/b, z/c) the chart's direction is w = (ou.ca in.ca, ou.ca in.cb, ou.cb).
-// Coordinates   d0 moves the outer level along its tangent, d1 the inner one, divided by ou.ca: no pole, for the two
+// Coordinates   d0 moves the outer arc along its tangent, d1 the inner one, divided by ou.ca: no pole, for the two
 //               tangents stay independent and of length about 1 where r vanishes
 // N             the normal times any length
 #pragma once
@@ -17,13 +17,13 @@ template <class S>
 struct SuperellipsoidPair {
   Vector3<PerBody<S>> semi_axes, inverse_axes;
   Matrix3<PerBody<S>> rotation;
-  LevelShape<S> inner, outer;
+  SuperellipseArc<S> inner, outer;
   Vector3<S> c;   ///< from body 1's centre to body 2's
   S size;         ///< the larger body's
   S reach;        ///< or the centre distance where that is more: what rounding is relative to
   bool any_dual;  ///< an exponent is below 2
   S greatest_nu;
-  S rolling_ball;  ///< radius of a ball that rolls inside the bodies' Minkowski sum
+  S inner_rolling_radius;  ///< radius of a ball that rolls inside the bodies' Minkowski sum
 };
 
 namespace detail {
@@ -32,7 +32,7 @@ namespace detail {
 /// the same semi-axes, m = n/(n-1) <= 2: a p-norm with p <= 2 is curved at least p - 1 times as much as the Euclidean norm.
 /// Exponents below 2 have points where a radius of curvature is 0.
 template <class S>
-[[nodiscard]] inline S rolling_ball(const SuperellipsoidPair<S>& pair) {
+[[nodiscard]] inline S inner_rolling_radius(const SuperellipsoidPair<S>& pair) {
   const Vector3<PerBody<S>>& a = pair.semi_axes;
   const PerBody<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
   const PerBody<S> radius = min(pair.outer.inverse, pair.inner.inverse) * least * least / longest;
@@ -52,21 +52,21 @@ superellipsoid_pair(const FramedPair<S>& framed, const PerBody<S>& n1, const Per
   out.semi_axes = a;
   out.inverse_axes = {S(1) / a.x, S(1) / a.y, S(1) / a.z};
   out.rotation = framed.rotation;
-  out.outer = level_of_exponents<S>(n1);
-  out.inner = level_of_exponents<S>(n2);
+  out.outer = arc_of_exponents<S>(n1);
+  out.inner = arc_of_exponents<S>(n2);
   out.c = framed.c;
   out.size = framed.size;
   out.reach = max(out.size, largest(out.c));
   out.any_dual = any_of(out.inner.dual) || any_of(out.outer.dual);
   out.greatest_nu = hmax(max(out.inner.nu, out.outer.nu));
-  out.rolling_ball = detail::rolling_ball(out);
+  out.inner_rolling_radius = detail::inner_rolling_radius(out);
   return out;
 }
 
 /// Body axes; the derivatives by d1 have no z component.
 template <class S>
 struct Surfaces {
-  LevelPoint<S> inner, outer;
+  ArcPoint<S> inner, outer;
   Vector3<PerBody<S>> point, normal;  ///< `normal` of any length
   Vector3<PerBody<S>> dpoint0, dnormal0;
   PerBody<S> dpoint1_x, dpoint1_y, dnormal1_x, dnormal1_y;
@@ -74,14 +74,14 @@ struct Surfaces {
 
 namespace detail {
 
-/// A level by what it means: c and g, or g and c where it is dual.
+/// An arc by what it means: c and g, or g and c where it is dual.
 template <class S>
 struct Roles {
   PerBody<S> point_a, point_b, dpoint_a, dpoint_b, normal_a, normal_b, dnormal_a, dnormal_b;
 };
 
 template <class S, bool any_dual>
-[[nodiscard, gnu::always_inline]] inline Roles<S> roles(const Mask<S>& dual, const LevelPoint<S>& at) {
+[[nodiscard, gnu::always_inline]] inline Roles<S> roles(const Mask<S>& dual, const ArcPoint<S>& at) {
   const PerBody<S> dca = -at.gb, dcb = at.ga, dga = -at.ka * at.gb, dgb = at.kb * at.ga;
   if constexpr (!any_dual) return {at.ca, at.cb, dca, dcb, at.ga, at.gb, dga, dgb};
   const auto either = [&](const PerBody<S>& g, const PerBody<S>& c) { return select<S>(dual, g, c); };
@@ -89,10 +89,10 @@ template <class S, bool any_dual>
           either(at.ca, at.ga), either(at.cb, at.gb), either(dca, dga), either(dcb, dgb)};
 }
 
-/// Points, normals and derivatives from the levels.
+/// Points, normals and derivatives from the arcs.
 template <class S, bool any_dual>
-[[gnu::always_inline]] inline void fill(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
-                                        const LevelShape<S>& outer, Surfaces<S>& out) {
+[[gnu::always_inline]] inline void fill(const SuperellipsoidPair<S>& pair, const SuperellipseArc<S>& inner,
+                                        const SuperellipseArc<S>& outer, Surfaces<S>& out) {
   const Roles<S> i = roles<S, any_dual>(inner.dual, out.inner), o = roles<S, any_dual>(outer.dual, out.outer);
   const PerBody<S> q = out.outer.ga / out.outer.ca;
   const PerBody<S> by_point = any_dual ? select<S>(outer.dual, q, S(1)) : PerBody<S>(S(1));
@@ -108,43 +108,43 @@ template <class S, bool any_dual>
   out.dnormal1_y = b.y * by_normal * i.dnormal_b;
 }
 
-/// The two levels at a vector in gauge coordinates: in g of a level where its mask holds, in c elsewhere.
+/// The two arcs at a vector in gauge coordinates: in g of an arc where its mask holds, in c elsewhere.
 template <class S>
-[[gnu::always_inline]] inline void set_levels(const LevelShape<S>& inner, const LevelShape<S>& outer,
-                                              const Vector3<PerBody<S>>& v, const Mask<S>& inner_is_g,
-                                              const Mask<S>& outer_is_g, Surfaces<S>& out) {
-  out.inner = level_at<S>(inner, v.x, v.y, inner_is_g);
+[[gnu::always_inline]] inline void set_arc_points(const SuperellipseArc<S>& inner, const SuperellipseArc<S>& outer,
+                                                  const Vector3<PerBody<S>>& v, const Mask<S>& inner_is_g,
+                                                  const Mask<S>& outer_is_g, Surfaces<S>& out) {
+  out.inner = arc_point_at<S>(inner, v.x, v.y, inner_is_g);
   const PerBody<S> a = select<S>(inner_is_g, out.inner.ga, out.inner.ca);
   const PerBody<S> b = select<S>(inner_is_g, out.inner.gb, out.inner.cb);
   const PerBody<S> radius = max(abs(v.x), abs(v.y)) / max(abs(a), abs(b));
-  out.outer = level_at<S>(outer, radius, v.z, outer_is_g);
+  out.outer = arc_point_at<S>(outer, radius, v.z, outer_is_g);
 }
 
 }  // namespace detail
 
 /// Where the gauge coordinates of the point are along v, or, where `is_normal`, those of the normal (n times the semi-axes).
 template <class S>
-[[nodiscard]] inline Surfaces<S> surfaces_at(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
-                                             const LevelShape<S>& outer, const Vector3<PerBody<S>>& v,
+[[nodiscard]] inline Surfaces<S> surfaces_at(const SuperellipsoidPair<S>& pair, const SuperellipseArc<S>& inner,
+                                             const SuperellipseArc<S>& outer, const Vector3<PerBody<S>>& v,
                                              const Mask<S>& is_normal) {
   Surfaces<S> out;
-  detail::set_levels<S>(inner, outer, v, is_normal != inner.dual, is_normal != outer.dual, out);
+  detail::set_arc_points<S>(inner, outer, v, is_normal != inner.dual, is_normal != outer.dual, out);
   detail::fill<S, true>(pair, inner, outer, out);
   return out;
 }
 
 /// Where the chart's direction is w: smooth for every exponent, whatever its meaning.
 template <class S>
-[[nodiscard]] inline Surfaces<S> surfaces_of_chart(const SuperellipsoidPair<S>& pair, const LevelShape<S>& inner,
-                                                   const LevelShape<S>& outer, const Vector3<PerBody<S>>& w) {
+[[nodiscard]] inline Surfaces<S> surfaces_of_chart(const SuperellipsoidPair<S>& pair, const SuperellipseArc<S>& inner,
+                                                   const SuperellipseArc<S>& outer, const Vector3<PerBody<S>>& w) {
   Surfaces<S> out;
-  detail::set_levels<S>(inner, outer, w, Mask<S>(false), Mask<S>(false), out);
+  detail::set_arc_points<S>(inner, outer, w, Mask<S>(false), Mask<S>(false), out);
   detail::fill<S, true>(pair, inner, outer, out);
   return out;
 }
 
-/// How far the step's coordinates are from where a level's second derivatives have no bound: its folds a = 0 and b = 0, for
-/// the inner level times what its step is divided by. At most 1. Levels with nu = 2 have none.
+/// How far the step's coordinates are from where an arc's second derivatives have no bound: its folds a = 0 and b = 0, for
+/// the inner arc times what its step is divided by. At most 1. Arcs with nu = 2 have none.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline PerBody<S> room_to_fold(const SuperellipsoidPair<S>& pair,
                                                                  const Surfaces<S>& at) {
@@ -188,7 +188,7 @@ template <class S>
 [[nodiscard]] inline Vector3<S> farthest_difference(const SuperellipsoidPair<S>& pair, const Vector3<S>& n) {
   const Vector3<PerBody<S>> v = times(to_body_axes(pair, n), pair.semi_axes);
   Surfaces<S> at;
-  detail::set_levels<S>(pair.inner, pair.outer, v, !pair.inner.dual, !pair.outer.dual, at);
+  detail::set_arc_points<S>(pair.inner, pair.outer, v, !pair.inner.dual, !pair.outer.dual, at);
   const auto i = detail::roles<S, true>(pair.inner.dual, at.inner),
              o = detail::roles<S, true>(pair.outer.dual, at.outer);
   const Vector3<PerBody<S>> p =
@@ -205,7 +205,7 @@ template <class S>
   const Matrix3<PerBody<S>> map{Vector3<PerBody<S>>{r.row0.x, r.row1.x, r.row2.x} * a.x,
                                 Vector3<PerBody<S>>{r.row0.y, r.row1.y, r.row2.y} * a.y,
                                 Vector3<PerBody<S>>{r.row0.z, r.row1.z, r.row2.z} * a.z};
-  const auto dual = [](const LevelShape<S>& level) { return select<S>(level.dual, level.nu, S(1) + level.inverse); };
+  const auto dual = [](const SuperellipseArc<S>& arc) { return select<S>(arc.dual, arc.nu, S(1) + arc.inverse); };
   const PerBody<S> m1 = dual(pair.outer), m2 = dual(pair.inner);
   return {SupportShape<S>{first(map), first<S>(m1), first<S>(m2)},
           SupportShape<S>{second(map), second<S>(m1), second<S>(m2)}};

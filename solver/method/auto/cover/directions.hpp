@@ -29,12 +29,12 @@
 
 namespace plumb {
 
-/// `limit`: of evaluations, as for Lowest.
+/// `limit`: of evaluations, as for Incumbent.
 template <class S, class Form, class Answer, int limit = last_limit>
-class DirectionSearch {
+class DirectionCover {
  public:
-  DirectionSearch(const Form& form, const S& size, const Answer& first, const std::optional<TurnSlope<S>>& turn)
-      : form_(form), found_(form, size, first, limit), turn_(turn) {
+  DirectionCover(const Form& form, const S& size, const Answer& first, const std::optional<RotationDerivative<S>>& turn)
+      : form_(form), found_(form, size, first, limit), rotation_derivative_(turn) {
     const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
     forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
   }
@@ -49,14 +49,14 @@ class DirectionSearch {
   [[nodiscard]] const Answer& best() const { return found_.best(); }
 
  private:
-  using Found = Lowest<S, Form, Answer>;
-  using Game = WitnessGame<S>;
-  using Corners = typename Game::Corners;
+  using Found = Incumbent<S, Form, Answer>;
+  using Mixtures = MixtureBound<S>;
+  using Corners = typename Mixtures::Corners;
   using Cell = DirectionCell<S>;
   static_assert(std::is_same_v<Corners, std::array<Vector3<S>, Cell::parts>>);
 
   static constexpr int deepest = std::min(Cell::deepest, std::numeric_limits<S>::digits - 2);  // 2^-26 of a face
-  static constexpr int first_game = 3;               // of wider cells no mixture says more than one witness
+  static constexpr int first_mixture = 3;            // of wider cells no mixture says more than one witness
   static constexpr int first_groove = 8;             // narrower cells are cut more than once
   static constexpr int few_cuts = 3, most_cuts = 8;  // evaluations in a cell, in one that can't be divided
   static constexpr int last_witnesses = 6;           // more save evaluations, and no time
@@ -68,11 +68,11 @@ class DirectionSearch {
   static constexpr double known_reach = 4;    // half edges of a cell
   static constexpr int first_insisting = 4;   // level: of wider cells a start may be far from the minimum
   static constexpr int last_insisting = 700;  // a descent below
-  static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Game::most_witnesses));
+  static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Mixtures::most_witnesses));
 
   struct Known {
     Vector3<S> normal;
-    DirectionSquare<S> explained{};  ///< by a level that only falls: s is the more convex for it
+    DirectionSquare<S> convex{};  ///< by a level that only falls: s is the more convex for it
     bool is_measured = false;
   };
 
@@ -89,15 +89,15 @@ class DirectionSearch {
   /// `above`: a witness of the cell above, none for a face.
   void look_at(const Cell& cell, const Vector3<S>* above) {
     const Corners corners = cell.corners();
-    if (is_mirrored(corners) || is_excluded(corners, above) || is_explained(corners)) return;
-    if (turn_ && turn_->has_one_sign(corners)) return;
-    if (becomes_excluded(cell, corners, above) || is_explained(corners)) return;
+    if (is_mirrored(corners) || is_excluded(corners, above) || is_in_convex_square(corners)) return;
+    if (rotation_derivative_ && rotation_derivative_->has_one_sign(corners)) return;
+    if (becomes_excluded(cell, corners, above) || is_in_convex_square(corners)) return;
     const Vector3<S> middle = cell.middle();
-    const bool is_due = cell.level > 0 && cell.level % solve_each == 0 && fruitless_ < most_fruitless;
+    const bool is_due = cell.depth > 0 && cell.depth % solve_each == 0 && fruitless_ < most_fruitless;
     if (is_due && !is_known_near(cell, middle)) explore_from(middle);
-    if (cell.level < deepest) return waiting_.push(cell, last_seen(0));
+    if (cell.depth < deepest) return waiting_.push(cell, last_seen(0));
     solve_from(middle, Tries::several);
-    is_too_deep_ = is_too_deep_ || !is_explained(corners);
+    is_too_deep_ = is_too_deep_ || !is_in_convex_square(corners);
   }
 
   [[nodiscard]] bool is_mirrored(const Corners& corners) const {
@@ -124,23 +124,23 @@ class DirectionSearch {
   /// Sees more of the cell; whether nothing in it is lower. Ends as well where o is lower than that of any common normal
   /// known, and where what the witnesses do not exclude is between the corners alone, which dividing brings closer.
   [[nodiscard]] bool becomes_excluded(const Cell& cell, const Corners& corners, const Vector3<S>* above) {
-    if (cell.level < first_game) return !see(cell.middle(), cell.level) && is_excluded(corners, last_seen(0));
-    Game game = witnesses_with(*above);
-    const int cuts = cell.level < first_groove ? 1 : cell.level < deepest ? few_cuts : most_cuts;
+    if (cell.depth < first_mixture) return !see(cell.middle(), cell.depth) && is_excluded(corners, last_seen(0));
+    Mixtures mixtures = witnesses_with(*above);
+    const int cuts = cell.depth < first_groove ? 1 : cell.depth < deepest ? few_cuts : most_cuts;
     for (int cut = 0; cut <= cuts; ++cut) {
-      const auto [mixture, place] = game.play(corners, found_.excluded_height());
+      const auto [mixture, place] = mixtures.solve(corners, found_.excluded_height());
       if (is_excluded(corners, mixture)) return true;
       const bool is_enough = cut == cuts || !found_.may_go_on();
-      if (is_enough || (cut > 0 && game.reaches(found_.excluded_height(), place))) return false;
-      if (see(place, cell.level)) return false;
+      if (is_enough || (cut > 0 && mixtures.reaches(found_.excluded_height(), place))) return false;
+      if (see(place, cell.depth)) return false;
       if (is_excluded(corners, last_seen(0))) return true;
-      game.add(last_seen(0));
+      mixtures.add(last_seen(0));
     }
     return false;
   }
 
-  [[nodiscard]] Game witnesses_with(const Vector3<S>& above) const {
-    Game out;
+  [[nodiscard]] Mixtures witnesses_with(const Vector3<S>& above) const {
+    Mixtures out;
     out.add(above);
     if (found_.is_found()) out.add(found_.witness(found_.best()));
     for (int back = 0; back < std::min(seen_count_, last_witnesses); ++back) out.add(last_seen(back));
@@ -159,12 +159,13 @@ class DirectionSearch {
     return true;
   }
 
-  [[nodiscard]] bool is_explained(const Corners& corners) {
+  [[nodiscard]] bool is_in_convex_square(const Corners& corners) {
     for (int k = 0; k < known_count_; ++k) {
       Known& known = known_[static_cast<std::size_t>(k)];
-      if (!known.is_measured) known.explained = convex_square<S>(form_.support_shapes(), known.normal, found_.level());
+      if (!known.is_measured)
+        known.convex = convex_square<S>(form_.support_shapes(), known.normal, found_.upper_bound());
       known.is_measured = true;
-      if (std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return known.explained.holds(v); }))
+      if (std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return known.convex.holds(v); }))
         return true;
     }
     return false;
@@ -207,7 +208,7 @@ class DirectionSearch {
 
   const Form& form_;
   Found found_;
-  std::optional<TurnSlope<S>> turn_;
+  std::optional<RotationDerivative<S>> rotation_derivative_;
   Vector3<S> forwards_;
   std::array<Known, most_known> known_;
   int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;

@@ -1,4 +1,4 @@
-// `auto` where the lowest common normals are a ring: bodies of revolution about one line that holds both centres.
+// `auto` where the lowest common normals are a circle: bodies of revolution about one line that holds both centres.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -32,8 +32,8 @@ Pair random_coaxial_pair(std::uint64_t index) {
   return pair;
 }
 
-TEST(Rings, TheLowestIsFoundOnEachOfThem) {
-  int rings = 0;
+TEST(CirclesOfMinima, TheLowestIsFoundOnEachOfThem) {
+  int circles = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
     const Pair pair = random_coaxial_pair(i);
     const Contact<double> found = find_method("auto")->solve(pair, {}, nullptr);
@@ -42,13 +42,13 @@ TEST(Rings, TheLowestIsFoundOnEachOfThem) {
     const Reference reference = find_reference(pair, Effort::bounds);
     EXPECT_LE(found.overlap, static_cast<double>(reference.overlap.upper) + 1e-12 * size_of(pair)) << i;
     const Vec3<double> axis = rotation<double>(pair.body1.quaternion).col(2);
-    rings += std::abs(axis.dot(found.normal)) < 0.99 ? 1 : 0;
+    circles += std::abs(axis.dot(found.normal)) < 0.99 ? 1 : 0;
   }
-  EXPECT_GT(rings, 50);
+  EXPECT_GT(circles, 50);
 }
 
 /// What rounding takes from the axis does not make it another problem.
-TEST(Rings, AnOffsetOfAFewEpsilonIsNone) {
+TEST(CirclesOfMinima, AnOffsetOfAFewEpsilonIsNone) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     Pair pair = random_coaxial_pair(i);
     Stream stream("rings, beside", 1, i);
@@ -70,8 +70,8 @@ Pair random_tilted_tips(double tilt, std::uint64_t index) {
   return pair;
 }
 
-/// o around the ring differs, by as little as a few epsilon.
-TEST(Rings, TheLowestIsFoundWhereTheyAreAllButRings) {
+/// o around the circle differs, by as little as a few epsilon.
+TEST(CirclesOfMinima, TheLowestIsFoundWhereTheyAreAlmostCircles) {
   for (const double tilt : {1e-15, 1e-13, 1e-12, 1e-10, 1e-8})
     for (std::uint64_t i = 0; i < 20; ++i) {
       const Pair pair = random_tilted_tips(tilt, i);
@@ -84,7 +84,7 @@ TEST(Rings, TheLowestIsFoundWhereTheyAreAllButRings) {
     }
 }
 
-TEST(Rings, InLongDoubleAsWell) {
+TEST(CirclesOfMinima, InLongDoubleAsWell) {
   for (std::uint64_t i = 0; i < 60; ++i) {
     Pair pair = random_coaxial_pair(i);
     pair.body1.quaternion = {1, 0, 0, 0};  // an axis without rounding
@@ -98,7 +98,7 @@ TEST(Rings, InLongDoubleAsWell) {
   }
 }
 
-TEST(Rings, AYesOrNoIsAnswered) {
+TEST(CirclesOfMinima, AYesOrNoIsAnswered) {
   const Want yes_or_no{false, false, false, false, false};
   for (std::uint64_t i = 0; i < 200; ++i) {
     const Pair pair = random_coaxial_pair(i);
@@ -108,7 +108,7 @@ TEST(Rings, AYesOrNoIsAnswered) {
 }
 
 /// A body of revolution inside a sphere up to 1000 times its size: o is all but constant.
-TEST(Rings, OfASmallBodyInALargeSphere) {
+TEST(CirclesOfMinima, OfASmallBodyInALargeSphere) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     Stream stream("rings, small", 1, i);
     Pair pair = random_coaxial_pair(i);
@@ -121,7 +121,7 @@ TEST(Rings, OfASmallBodyInALargeSphere) {
   }
 }
 
-TEST(Rings, AnAxisIsCommonToRoundingOrNotAtAll) {
+TEST(CirclesOfMinima, AnAxisIsCommonToRoundingOrNotAtAll) {
   Pair pair;
   pair.body1.shape.semi_axes << 1, 1, 2;
   pair.body2.shape.semi_axes << 3, 1, 1;

@@ -1,12 +1,12 @@
 // The searches for the lowest common normal, and what each may cost.
 //
-// Over latitudes         axes of revolution parallel, or all but that: meridian_search.hpp
-// Over all directions    else: direction_search.hpp
-// Over two heights       ellipsoids, where the first of these has not come to an end: ellipsoid_search.hpp
+// Over latitudes         axes of revolution parallel, or all but that: latitudes.hpp
+// Over all directions    else: directions.hpp
+// Over two heights       ellipsoids, where the first of these has not come to an end: heights.hpp
 #pragma once
 
-#include "solver/method/auto/cover/direction_search.hpp"
-#include "solver/method/auto/cover/meridian_search.hpp"
+#include "solver/method/auto/cover/directions.hpp"
+#include "solver/method/auto/cover/latitudes.hpp"
 
 namespace plumb {
 
@@ -16,7 +16,7 @@ struct HeldForm {
   const Form& free;
   Form held;
 
-  [[nodiscard]] S rolling_ball() const { return free.rolling_ball(); }
+  [[nodiscard]] S inner_rolling_radius() const { return free.inner_rolling_radius(); }
   [[nodiscard]] Vector3<S> centre() const { return free.centre(); }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return free.farthest(v); }
   [[nodiscard]] Answer solve(const Vector3<S>& v, Tries tries) const {
@@ -45,16 +45,16 @@ template <class Search, class... Arguments>
 /// The lowest common normal from `first` on, over latitudes; where they do not tell, what `last(form, best)` says.
 /// `Form`: incumbent.hpp. `size`: what the rounding of o is relative to.
 template <class S, class Form, class Answer, class Last>
-[[nodiscard]] Answer lowest_by_latitude(const BandPair<S>& bands, const Form& form, const S& size, const Answer& first,
-                                        const Last& last) {
+[[nodiscard]] Answer lowest_by_latitude(const ParallelAxesBound<S>& bands, const Form& form, const S& size,
+                                        const Answer& first, const Last& last) {
   const auto search = [&](const auto& of) {
-    using ByLatitude = MeridianSearch<S, std::decay_t<decltype(of)>, Answer>;
+    using ByLatitude = LatitudeCover<S, std::decay_t<decltype(of)>, Answer>;
     const auto [lowest, best] =
         search_by<ByLatitude>(of, size, first, bands.is_coaxial() ? last_limit : first_limit, bands);
     return lowest.status == Status::converged || bands.is_coaxial() ? lowest : last(of, best);
   };
-  const std::optional<Vector3<S>> ring = bands.ring_axis();
-  return ring ? search(HeldForm<S, Form, Answer>{form, form.held(*ring)}) : search(form);
+  const std::optional<Vector3<S>> ring = bands.circle_axis();
+  return ring ? search(HeldForm<S, Form, Answer>{form, form.without_rotation(*ring)}) : search(form);
 }
 
 }  // namespace plumb

@@ -13,7 +13,7 @@
 // Else      o is evaluated at the bound's direction, a local solve starts there where it is lower, and the cell is cut at that
 //           direction's height
 //
-// What it does not promise: as for direction_search.hpp.
+// What it does not promise: as for directions.hpp.
 #pragma once
 
 #include <algorithm>
@@ -21,15 +21,15 @@
 #include <cstdint>
 
 #include "solver/method/auto/cover/incumbent.hpp"
+#include "solver/method/auto/cover/sphere_minimum.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoids.hpp"
-#include "solver/method/auto/ellipsoid/sphere_minimum.hpp"
 
 namespace plumb {
 
 template <class S, class Form, class Answer>
-class EllipsoidSearch {
+class HeightCover {
  public:
-  EllipsoidSearch(const Form& form, const Answer& first, int limit, const EllipsoidPair<S>& pair)
+  HeightCover(const Form& form, const Answer& first, int limit, const EllipsoidPair<S>& pair)
       : pair_(pair), found_(form, pair.size, first, limit) {}
 
   [[nodiscard]] Answer lowest() {
@@ -41,7 +41,7 @@ class EllipsoidSearch {
   [[nodiscard]] const Answer& best() const { return found_.best(); }
 
  private:
-  using Found = Lowest<S, Form, Answer>;
+  using Found = Incumbent<S, Form, Answer>;
 
   // Each that is looked at becomes two, by one more height.
   static constexpr std::size_t most_cells = last_limit + 2, most_heights = last_limit + 4;
@@ -85,7 +85,7 @@ class EllipsoidSearch {
   };
 
   [[nodiscard]] bool is_complete() const {
-    return count_ == 0 || found_.is_settled() || cells_[0].bound >= found_.excluded_level();
+    return count_ == 0 || found_.is_settled() || cells_[0].bound >= found_.excluded_overlap();
   }
 
   [[nodiscard]] Ends whole() {
@@ -122,7 +122,7 @@ class EllipsoidSearch {
     const Seen seen = see(cell);
     const S bound =
         sum<S>(seen.there.h) - dot(seen.n, pair_.c) - cell.of1.loss(seen.height1) - cell.of2.loss(seen.height2);
-    if (bound >= found_.excluded_level()) return;
+    if (bound >= found_.excluded_overlap()) return;
     cells_[count_++] = {bound, ends};
     std::push_heap(cells_.begin(), end(), is_higher);
   }

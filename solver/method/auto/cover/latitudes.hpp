@@ -1,4 +1,4 @@
-// The search of direction_search.hpp for two bodies of revolution about parallel axes, or all but parallel ones (parallel_axes_bound.hpp).
+// The search of directions.hpp for two bodies of revolution about parallel axes, or all but parallel ones (parallel_axes_bound.hpp).
 //
 // The lowest o around a circle of latitude has a closed form, so that latitudes alone are looked at. Where both are of
 // revolution about one line that holds both centres (common_axis.hpp) the lowest common normals are a ring, or the line.
@@ -21,13 +21,13 @@
 namespace plumb {
 
 template <class S, class Form, class Answer>
-class MeridianSearch {
+class LatitudeCover {
  public:
-  MeridianSearch(const Form& form, const S& size, const Answer& first, int limit, const BandPair<S>& bands)
-      : bands_(bands), found_(form, size, first, limit), ball_(bands.is_parallel() ? found_.ball() : S(0)) {}
+  LatitudeCover(const Form& form, const S& size, const Answer& first, int limit, const ParallelAxesBound<S>& bound)
+      : bound_(bound), found_(form, size, first, limit), ball_(bound.is_parallel() ? found_.ball() : S(0)) {}
 
   [[nodiscard]] Answer lowest() {
-    for (int piece = bands_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
+    for (int piece = bound_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
     while (!is_complete() && found_.may_go_on() && !is_too_deep_) look_at(open_[--open_count_]);
     found_.solve_lower();
     return found_.answer(is_complete() && !is_too_deep_);
@@ -38,10 +38,10 @@ class MeridianSearch {
   static constexpr int deepest = std::numeric_limits<S>::digits - 5;
   static constexpr int most_cuts = 40;
 
-  using Witness = typename BandPair<S>::Witness;
+  using Witness = typename ParallelAxesBound<S>::Witness;
 
   struct Cell {
-    int piece, level;
+    int piece, depth;
     S middle;
     Witness witness;  ///< of the cell above
   };
@@ -58,22 +58,22 @@ class MeridianSearch {
   // NOLINTNEXTLINE(performance-unnecessary-value-param): a copy, for its place is taken by its halves
   void look_at(const Cell cell) {
     using std::ldexp;
-    const S half = ldexp(S(0.5), -cell.level);
+    const S half = ldexp(S(0.5), -cell.depth);
     const Latitude<S> from = latitude(cell.piece, cell.middle - half), to = latitude(cell.piece, cell.middle + half);
-    if (bands_.is_backwards(from, to) || (cell.level > 0 && is_excluded(from, to, cell.witness))) return;
+    if (bound_.is_backwards(from, to) || (cell.depth > 0 && is_excluded(from, to, cell.witness))) return;
     const Latitude<S> middle = latitude(cell.piece, cell.middle);
-    const Witness witness = bands_.witness(middle, ball_);
-    const Vector3<S> v = bands_.lowest(middle, witness);
+    const Witness witness = bound_.witness(middle, ball_);
+    const Vector3<S> v = bound_.lowest(middle, witness);
     if (is_excluded(from, to, witness)) return;
     if (found_.sees_lower(v, found_.farthest(v)))
       if (const auto start = descended(cell.piece, cell.middle - half, cell.middle + half))
         found_.solve_from(*start, Tries::several);
-    if (cell.level == deepest) {
+    if (cell.depth == deepest) {
       is_too_deep_ = true;
       return;
     }
-    push({cell.piece, cell.level + 1, cell.middle - half / 2, witness});
-    push({cell.piece, cell.level + 1, cell.middle + half / 2, witness});
+    push({cell.piece, cell.depth + 1, cell.middle - half / 2, witness});
+    push({cell.piece, cell.depth + 1, cell.middle + half / 2, witness});
   }
 
   /// The direction of lowest o at t of a piece, and the slope of that o along t, times any positive factor.
@@ -85,9 +85,9 @@ class MeridianSearch {
   [[nodiscard]] Seen seen_at(int piece, const S& t) {
     found_.count();
     const Latitude<S> at = latitude(piece, t), end = latitude(piece, t + S(1));
-    const Witness witness = bands_.witness(at, S(0));
-    const Latitude<S> gradient = bands_.gradient(at, witness), along{end.x - at.x, end.z - at.z};
-    return {bands_.lowest(at, witness), dot(gradient, along) * dot(at, at) - dot(gradient, at) * dot(along, at)};
+    const Witness witness = bound_.witness(at, S(0));
+    const Latitude<S> gradient = bound_.gradient(at, witness), along{end.x - at.x, end.z - at.z};
+    return {bound_.lowest(at, witness), dot(gradient, along) * dot(at, at) - dot(gradient, at) * dot(along, at)};
   }
 
   /// The direction where o is the lowest of a piece's cell, by regula falsi on its slope, cuts of a tenth at least; none where
@@ -109,12 +109,12 @@ class MeridianSearch {
   }
 
   [[nodiscard]] bool is_excluded(const Latitude<S>& from, const Latitude<S>& to, const Witness& witness) const {
-    const S height = found_.excluded_level() - ball_;
+    const S height = found_.excluded_overlap() - ball_;
     return witness.height(from) >= height * from.length() && witness.height(to) >= height * to.length();
   }
 
-  const BandPair<S>& bands_;
-  Lowest<S, Form, Answer> found_;
+  const ParallelAxesBound<S>& bound_;
+  Incumbent<S, Form, Answer> found_;
   S ball_;
   std::array<Cell, deepest + 5> open_;  ///< depth first: a cell a level, the last two, and the other pieces
   std::size_t open_count_ = 0;
