@@ -1,12 +1,13 @@
-// Newton's iteration of method/surface_newton.hpp from the first start of method/surface_contact.hpp, on a pack of pairs
+// Newton's iteration of method/auto/surface/surface_newton.hpp from the first start of the attempts, on a pack of pairs
 // with exponents of 2 and more. Lanes that need another attempt or the search over directions are not settled.
 //
 // A lane's answer is kept when it ends, for a step of zero would not give the same bits again.
 #pragma once
 
 #include "solver/batch/pack_pair.hpp"
-#include "solver/method/auto/surface/surface_contact.hpp"
 #include "solver/method/auto/surface/surface_iteration.hpp"
+#include "solver/method/auto/surface/surface_start.hpp"
+#include "solver/method/auto/surface/surface_step.hpp"
 
 namespace plumb {
 
@@ -24,7 +25,7 @@ class SurfacePack {
 
   [[nodiscard]] PackContact<P> solve() {
     const SurfaceStart<P> start{pair_};
-    *here_ = start.at(start.direction(), StartKind::mixed, pair_.inner, pair_.outer);
+    *here_ = start.at(start.direction(), StartPoint::mixed, pair_.inner, pair_.outer);
     set_equations(pair_, *here_, f_);
     P last(std::numeric_limits<double>::infinity());
     for (int i = 0;; ++i) {
@@ -41,7 +42,7 @@ class SurfacePack {
 
  private:
   // Of the first attempt alone; a pack waits for its slowest lane.
-  static constexpr int most_iterations = 14;
+  static constexpr int most_iterations = budget::first_steps;
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough(const P& now, const P& last) const {
     return f_.opposite && is_at_rest(now, last, tolerance_);

@@ -8,8 +8,8 @@
 #include "properties/generators/families.hpp"
 #include "properties/laws/laws.hpp"
 #include "properties/tests/kept_references.hpp"
-#include "solver/method/auto/ellipsoid/ellipsoid_contact.hpp"
-#include "solver/method/auto/surface/surface_descent.hpp"
+#include "solver/method/auto/ellipsoid/ellipsoid_solver.hpp"
+#include "solver/method/auto/surface/surface_solver.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/shape/curvature.hpp"
 
@@ -53,13 +53,13 @@ TEST(Automatic, TheGuardsLetNoHigherMinimumPass) {
     const PairFrame<double> frame(pair);
     const EllipsoidPair<double> ellipsoids = ellipsoid_pair(framed_pair(pair, frame));
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
-    const EllipsoidForm<double> form{ellipsoids, {}, {}};
+    const EllipsoidSolver<double> solver{ellipsoids, {}, {}};
     for (const Vector3<double>& start :
          {Vector3<double>{1, 0.1, 0}, {-1, 0, 0.1}, {0, 1, 0.1}, {0, -1, -0.1}, {0.1, 0, 1}}) {
-      const EllipsoidContact<double> found = form.solve(start);
+      const EllipsoidContact<double> found = solver.solve(start);
       if (found.status != Status::converged) continue;
       const bool is_higher = frame.to_world_length(found.overlap) > lowest + 1e-12 * size_of(pair);
-      const bool passes = is_surely_lowest(ellipsoids, found);
+      const bool passes = solver.is_surely_lowest(found);
       EXPECT_FALSE(is_higher && passes) << i;
       passed += passes ? 1 : 0;
       rejected += is_higher ? 1 : 0;
@@ -76,15 +76,16 @@ TEST(Automatic, EachSearchFindsTheLowestFromAnyOther) {
     const Pair pair = deep_ellipsoids(i);
     const PairFrame<double> frame(pair);
     const EllipsoidPair<double> ellipsoids = ellipsoid_pair(framed_pair(pair, frame));
-    const EllipsoidForm<double> form{ellipsoids, {}, {}};
-    const EllipsoidContact<double> first = form.solve({0.1, 0, 1});
-    using Form = EllipsoidForm<double>;
-    using Answer = EllipsoidContact<double>;
-    const Answer by_direction =
-        DirectionCover<double, Form, Answer>(form, ellipsoids.size, first, std::nullopt).lowest();
-    const Answer by_heights = HeightCover<double, Form, Answer>(form, first, last_limit, ellipsoids).lowest();
+    const EllipsoidSolver<double> solver{ellipsoids, {}, {}};
+    const EllipsoidContact<double> first = solver.solve({0.1, 0, 1});
+    using Solver = EllipsoidSolver<double>;
+    using Directions = DirectionCover<double, Solver, budget::last_search>;
+    const std::optional<RotationDerivative<double>> no_rotation;
+    const auto by_direction = branch_and_bound<Directions>(solver, first, budget::last_search, no_rotation).lowest;
+    const auto by_heights =
+        branch_and_bound<HeightCover<double, Solver>>(solver, first, budget::last_search, ellipsoids).lowest;
     const auto lowest = static_cast<double>(find_reference(pair, Effort::bounds).overlap.upper);
-    for (const Answer& found : {by_direction, by_heights}) {
+    for (const EllipsoidContact<double>& found : {by_direction, by_heights}) {
       ASSERT_EQ(found.status, Status::converged) << i;
       EXPECT_LE(frame.to_world_length(found.overlap), lowest + 1e-13 * size_of(pair)) << i;
     }

@@ -1,8 +1,8 @@
 // Bodies of the templates of automatic.hpp; included only where they are instantiated.
 #pragma once
 
-#include "solver/method/auto/ellipsoid/ellipsoid_contact.hpp"
-#include "solver/method/auto/surface/surface_descent.hpp"
+#include "solver/method/auto/ellipsoid/ellipsoid_solver.hpp"
+#include "solver/method/auto/surface/surface_solver.hpp"
 #include "solver/method/automatic.hpp"
 #include "solver/method/common.hpp"
 #include "solver/method/derivatives.hpp"
@@ -15,19 +15,7 @@ namespace detail {
   return shape.n1 == 2 && shape.n2 == 2;
 }
 
-template <class S>
-[[nodiscard]] bool has_charts(const Contact<S>* last) {
-  return last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
-}
-
-/// The mean of the normals at the last points; zero, or short, where there is none.
-template <class S>
-[[nodiscard]] Vector3<S> warm_direction(const EllipsoidPair<S>& pair, const Contact<S>* last) {
-  if (!has_charts(last)) return {S(0), S(0), S(0)};
-  return sum(normals_at(pair, per_body(Vector3<S>::of(last->chart1), Vector3<S>::of(Vec3<S>(-last->chart2)))));
-}
-
-/// What both forms found, in the pair's frame.
+/// What either solver found, in the pair's frame.
 template <class S>
 struct Found {
   Status status;
@@ -115,27 +103,33 @@ template <class S>
   return holds(placed.body1) && holds(placed.body2);
 }
 
+//! [auto]
+/// The common normal of lowest overlap. `solver`: EllipsoidSolver or SurfaceSolver.
+template <class S, class Solver>
+[[nodiscard]] Found<S> lowest_common_normal(const Solver& solver, const Pair& bodies, const Want& want,
+                                            const Contact<S>* last) {
+  auto found = solver.local(bodies, last);
+  const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, solver.point1(found), solver.point2(found));
+  if (!is_answered && !solver.is_surely_lowest(found) && !solver.is_asked_to_stop(found))
+    found = solver.searched(bodies, found, last);
+  return {is_answered ? Status::converged : found.status,
+          found.overlap,
+          found.normal,
+          solver.point1(found),
+          solver.point2(found),
+          solver.chart1(found),
+          solver.chart2(found),
+          found.iterations,
+          found.evaluations,
+          is_answered};
+}
+//! [auto]
+
 template <class S>
 [[nodiscard]] Found<S> solve_ellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
                                         const Contact<S>* last) {
   const EllipsoidPair<S> pair = ellipsoid_pair(framed);
-  const Vector3<S> warm = warm_direction(pair, last);
-  const bool is_warm = largest(warm) > S(0.5);
-  EllipsoidContact<S> found = is_warm ? local_contact(pair, want, warm) : cold_contact(pair, want);
-  const auto point2 = [&] { return pair.c - second(found.at.touch.p); };
-  const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, first(found.at.touch.p), point2());
-  if (!is_answered) found = lowest_contact(bodies, pair, want, found, is_warm);
-  const Touch<S>& touch = found.at.touch;
-  return {is_answered ? Status::converged : found.status,
-          found.overlap,
-          found.normal,
-          first(touch.p),
-          point2(),
-          first(touch.u),
-          second(touch.u) * S(-1),
-          found.iterations,
-          found.evaluations,
-          is_answered};
+  return lowest_common_normal<S>(EllipsoidSolver<S>{pair, want}, bodies, want, last);
 }
 
 template <class S>
@@ -146,22 +140,7 @@ template <class S>
   };
   const SuperellipsoidPair<S> pair =
       superellipsoid_pair(framed, exponents(&Superellipsoid<double>::n1), exponents(&Superellipsoid<double>::n2));
-  const bool is_warm = has_charts(last);
-  Vector3<PerBody<S>> warm;
-  if (is_warm) warm = per_body(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
-  SurfaceContact<S> found = local_contact(bodies, pair, want, is_warm ? &warm : nullptr);
-  const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, found.point1, found.point2);
-  if (!is_answered) found = lowest_contact(bodies, pair, want, found);
-  return {is_answered ? Status::converged : found.status,
-          found.overlap,
-          found.normal,
-          found.point1,
-          found.point2,
-          first(found.chart),
-          second(found.chart),
-          found.iterations,
-          found.evaluations,
-          is_answered};
+  return lowest_common_normal<S>(SurfaceSolver<S>(pair, want), bodies, want, last);
 }
 
 }  // namespace detail

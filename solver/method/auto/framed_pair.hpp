@@ -41,6 +41,12 @@ template <class S>
 
 }  // namespace detail
 
+/// Whether an earlier contact has what a warm start needs.
+template <class S>
+[[nodiscard]] bool has_charts(const Contact<S>* last) {
+  return last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
+}
+
 template <class S>
 [[nodiscard, gnu::always_inline]] inline FramedPair<S> framed_pair(const Pair& pair, const PairFrame<S>& frame) {
   const std::array<S, 4> q1 = detail::near_one<S>(pair.body1.quaternion),

@@ -1,31 +1,26 @@
-// The searches for the lowest common normal, and what each may cost.
+// The branch and bound for the lowest common normal. Its covers, each a way to divide the directions into cells:
 //
-// Over latitudes         axes of revolution parallel, or all but that: latitudes.hpp
-// Over all directions    else: directions.hpp
-// Over two heights       ellipsoids, where the first of these has not come to an end: heights.hpp
+// Latitudes    axes of revolution parallel, or nearly parallel (latitudes.hpp)
+// Directions   all other pairs (directions.hpp)
+// Heights      ellipsoids, where the first of these does not come to an end (heights.hpp)
+//
+// Its proofs are made in the scalar's own rounding; proofs by intervals are reference/'s. The number of evaluations is
+// limited. An answer is not called converged where cells are left, or where a lower overlap was seen on the way.
 #pragma once
 
+#include "solver/method/auto/budgets.hpp"
 #include "solver/method/auto/cover/directions.hpp"
+#include "solver/method/auto/cover/heights.hpp"
 #include "solver/method/auto/cover/latitudes.hpp"
 
 namespace plumb {
 
-/// A form whose solves do not turn about a line about which o is all but the same; where that fails they are free to.
-template <class S, class Form, class Answer>
-struct HeldForm {
-  const Form& free;
-  Form held;
-
-  [[nodiscard]] S inner_rolling_radius() const { return free.inner_rolling_radius(); }
-  [[nodiscard]] Vector3<S> centre() const { return free.centre(); }
-  [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return free.farthest(v); }
-  [[nodiscard]] Answer solve(const Vector3<S>& v, Tries tries) const {
-    const Answer first = held.solve(v, Tries::one);
-    if (first.status == Status::converged) return first;
-    Answer out = free.solve(v, tries);
-    out.evaluations += first.evaluations;
-    return out;
-  }
+template <class C>
+concept Cover = requires(C& cover, const C& seen) {
+  cover.start();         ///< with the widest cells
+  cover.look_at_next();  ///< excludes a cell, or divides it
+  { seen.is_empty() } -> std::same_as<bool>;
+  { seen.has_left_out() } -> std::same_as<bool>;  ///< a cell that is too small to be divided
 };
 
 template <class Answer>
@@ -34,27 +29,72 @@ struct Searched {
   Answer best;    ///< what another search goes on from
 };
 
-/// What a search finds. Not inlined: its cells are on the stack where there is a search, and gone before the next one.
-template <class Search, class... Arguments>
-[[nodiscard, gnu::noinline]] auto search_by(const Arguments&... arguments) {
-  Search search(arguments...);
-  const auto lowest = search.lowest();
-  return Searched<std::decay_t<decltype(lowest)>>{lowest, search.best()};
+//! [branch_and_bound]
+/// The lowest common normal from `first` on. Not inlined: the cells are on the stack, and gone before the next search.
+template <Cover Cells, class Solver, class... Geometry>
+[[nodiscard, gnu::noinline]] Searched<typename Solver::Answer>
+branch_and_bound(const Solver& solver, const typename Solver::Answer& first, int budget, const Geometry&... geometry) {
+  typename Cells::Incumbent incumbent(solver, first, budget);
+  Cells cells(incumbent, geometry...);
+  cells.start();
+  while (!cells.is_empty() && !incumbent.is_settled() && incumbent.may_go_on()) cells.look_at_next();
+  incumbent.solve_lower();
+  const bool is_complete = (cells.is_empty() || incumbent.is_settled()) && !cells.has_left_out();
+  return {incumbent.answer(is_complete), incumbent.best()};
 }
+//! [branch_and_bound]
 
-/// The lowest common normal from `first` on, over latitudes; where they do not tell, what `last(form, best)` says.
-/// `Form`: incumbent.hpp. `size`: what the rounding of o is relative to.
-template <class S, class Form, class Answer, class Last>
-[[nodiscard]] Answer lowest_by_latitude(const ParallelAxesBound<S>& bands, const Form& form, const S& size,
-                                        const Answer& first, const Last& last) {
-  const auto search = [&](const auto& of) {
-    using ByLatitude = LatitudeCover<S, std::decay_t<decltype(of)>, Answer>;
-    const auto [lowest, best] =
-        search_by<ByLatitude>(of, size, first, bands.is_coaxial() ? last_limit : first_limit, bands);
-    return lowest.status == Status::converged || bands.is_coaxial() ? lowest : last(of, best);
+/// A solver whose solves do not turn about a line where o is nearly the same all around it. Where that fails they may.
+template <class S, class Solver>
+struct WithoutRotation {
+  using Answer = typename Solver::Answer;
+
+  const Solver& free;
+  std::optional<Solver> held;
+
+  WithoutRotation(const Solver& solver, const std::optional<Vector3<S>>& axis) : free(solver) {
+    if (axis) held.emplace(solver.without_rotation(*axis));
+  }
+
+  [[nodiscard]] S inner_rolling_radius() const { return free.inner_rolling_radius(); }
+  [[nodiscard]] Vector3<S> centre() const { return free.centre(); }
+  [[nodiscard]] S size() const { return free.size(); }
+  [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return free.farthest(v); }
+  [[nodiscard]] Answer solve(const Vector3<S>& v, Attempts attempts) const {
+    if (!held) return free.solve(v, attempts);
+    const Answer first = held->solve(v, Attempts::one);
+    if (first.status == Status::converged) return first;
+    Answer out = free.solve(v, attempts);
+    out.evaluations += first.evaluations;
+    return out;
+  }
+};
+
+/// The lowest common normal from `first` on: by latitudes where the axes are parallel, by directions else, and where that
+/// does not come to an end by the cover that suits the solver.
+template <class S, class Solver>
+[[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_search(const Solver& solver, const PlacedPair<S>& placed,
+                                                                      const typename Solver::Answer& first) {
+  using Answer = typename Solver::Answer;
+  using Held = WithoutRotation<S, Solver>;
+  constexpr bool ends_by_heights = Solver::last_cover == LastCover::heights;
+  constexpr int by_directions = ends_by_heights ? budget::first_search : budget::last_search;
+  const auto search_directions = [&](const Answer& from) {
+    using Directions = DirectionCover<S, Solver, by_directions>;
+    return branch_and_bound<Directions>(solver, from, by_directions, RotationDerivative<S>::of(placed));
   };
-  const std::optional<Vector3<S>> ring = bands.circle_axis();
-  return ring ? search(HeldForm<S, Form, Answer>{form, form.without_rotation(*ring)}) : search(form);
+  const std::optional<ParallelAxesBound<S>> parallel = ParallelAxesBound<S>::of(placed);
+  const bool is_coaxial = parallel && parallel->is_coaxial();
+  const Held held(solver, parallel ? parallel->circle_axis() : std::nullopt);
+  const int by_latitudes = is_coaxial ? budget::last_search : budget::first_search;
+  const Searched<Answer> found = parallel
+                                     ? branch_and_bound<LatitudeCover<S, Held>>(held, first, by_latitudes, *parallel)
+                                     : search_directions(first);
+  if (found.lowest.status == Status::converged || is_coaxial) return found.lowest;
+  if constexpr (ends_by_heights)
+    return branch_and_bound<HeightCover<S, Held>>(held, found.best, budget::last_search, solver.pair).lowest;
+  if (Solver::last_cover == LastCover::directions && parallel) return search_directions(found.best).lowest;
+  return found.lowest;
 }
 
 }  // namespace plumb

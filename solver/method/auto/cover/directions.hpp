@@ -1,22 +1,19 @@
-// The last resort of `auto`: a search over all directions for a common normal lower than the one at hand.
+// A cover of all directions: a quadtree on the faces of a cube, depth by depth (direction_cells.hpp).
 //
 // f(v) = max over both bodies of v.(p1 - p2) is o(v/|v|) |v|: convex, of degree 1, and g(v) = p1 - p2 is its gradient.
-// s(v) = f(v) - o |v| with o > 0 the level at hand; what is sought is a direction with s < 0.
+// s(v) = f(v) - o* |v| with o* > 0 the incumbent's bound. A lower common normal is a direction with s < 0.
 //
-// Half      the bodies are their own mirror images through their centres, so that o(-n) = o(n) + 2 n.c: the lowest common normal
-//           has n.c >= 0, and only such directions are looked at (c from body 1's centre to body 2's)
-// Cells     a quadtree on the faces of a cube of directions, level by level (direction_cells.hpp)
-// Excluded  where a witness (incumbent.hpp) says so at a cell's four corners, or a mixture of several does (mixture_bound.hpp)
-// Turned    where o changes as directions turn about an axis of revolution (rotation_derivative.hpp): a common normal has no such slope
-// Explained in a square about a known common normal n on which s is convex, for f is curved by more than the level there
-//           (curvature_bound.hpp): s lies above its tangent plane at n, (o(n) - o) n.v
-// Else      o is evaluated at the cell's middle, or where the witnesses are the lowest, which in narrow grooves of o is
-//           another matter; then the cell is divided. A local solve starts there where o is lower, and at every third level
-//           anyway: what it finds becomes known
+// Half        the bodies are their own mirror images through their centres, so that o(-n) = o(n) + 2 n.c. The lowest common
+//             normal has n.c >= 0, c from body 1's centre to body 2's: only such directions are looked at
+// Excluded    by a witness (incumbent.hpp) at a cell's four corners, or by a mixture of several (mixture_bound.hpp)
+// Rotation    a cell where o changes as directions turn about an axis of revolution has no common normal
+//             (rotation_derivative.hpp)
+// Convex      in a square about a known common normal n on which s is convex (curvature_bound.hpp). s lies above its tangent
+//             plane at n there, (o(n) - o*) n.v
+// Divided     o is evaluated at the cell's middle, or where the witnesses are the lowest. In narrow grooves of o those two
+//             are far apart. A local solve starts there where o is lower, and at every third depth in any case
 //
-// What it does not promise. Its proofs are made in the scalar's own rounding, not in intervals: those are reference/'s
-// business. The number of evaluations is limited: an answer is not called converged where cells are left, or above any o
-// that was seen on the way.
+// Cells are looked at first in, first out. The best first, other pairs stall: the local solves start elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -29,56 +26,23 @@
 
 namespace plumb {
 
-/// `limit`: of evaluations, as for Incumbent.
-template <class S, class Form, class Answer, int limit = last_limit>
+/// `budget`: of evaluations, the incumbent's or more.
+template <class S, class Solver, int budget>
 class DirectionCover {
  public:
-  DirectionCover(const Form& form, const S& size, const Answer& first, const std::optional<RotationDerivative<S>>& turn)
-      : form_(form), found_(form, size, first, limit), rotation_derivative_(turn) {
-    const Vector3<S> forwards = form.centre() * (S(1) / largest(form.centre()));
+  using Incumbent = plumb::Incumbent<S, Solver>;
+
+  DirectionCover(Incumbent& incumbent, const std::optional<RotationDerivative<S>>& rotation)
+      : incumbent_(incumbent), rotation_(rotation) {
+    const Vector3<S> c = incumbent.solver().centre(), forwards = c * (S(1) / largest(c));
     forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
   }
 
-  /// The lowest common normal found, with the iterations of its own solve and the evaluations of the whole search.
-  [[nodiscard]] Answer lowest() {
-    if (const Answer first = found_.best(); found_.is_found()) take(first);
-    while (!is_complete() && found_.may_go_on()) look_at_next();
-    found_.solve_lower();
-    return found_.answer(is_complete() && !is_too_deep_);
+  void start() {
+    if (const Answer first = incumbent_.best(); incumbent_.is_found()) take(first);
   }
-  [[nodiscard]] const Answer& best() const { return found_.best(); }
-
- private:
-  using Found = Incumbent<S, Form, Answer>;
-  using Mixtures = MixtureBound<S>;
-  using Corners = typename Mixtures::Corners;
-  using Cell = DirectionCell<S>;
-  static_assert(std::is_same_v<Corners, std::array<Vector3<S>, Cell::parts>>);
-
-  static constexpr int deepest = std::min(Cell::deepest, std::numeric_limits<S>::digits - 2);  // 2^-26 of a face
-  static constexpr int first_mixture = 3;            // of wider cells no mixture says more than one witness
-  static constexpr int first_groove = 8;             // narrower cells are cut more than once
-  static constexpr int few_cuts = 3, most_cuts = 8;  // evaluations in a cell, in one that can't be divided
-  static constexpr int last_witnesses = 6;           // more save evaluations, and no time
-  static constexpr std::size_t kept_witnesses = 8;   // a power of two
-  static constexpr int solve_each = 3;               // levels between two local solves
-  static constexpr int most_known = 16;
-  static constexpr int most_fruitless = 4;    // solves in a row that find what is known
-  static constexpr int patience = 2;          // levels from a solve in vain to the next
-  static constexpr double known_reach = 4;    // half edges of a cell
-  static constexpr int first_insisting = 4;   // level: of wider cells a start may be far from the minimum
-  static constexpr int last_insisting = 700;  // a descent below
-  static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Mixtures::most_witnesses));
-
-  struct Known {
-    Vector3<S> normal;
-    DirectionSquare<S> convex{};  ///< by a level that only falls: s is the more convex for it
-    bool is_measured = false;
-  };
-
-  [[nodiscard]] bool is_complete() const {
-    return (next_face_ == Cell::faces && waiting_.is_empty()) || found_.is_settled();
-  }
+  [[nodiscard]] bool is_empty() const { return next_face_ == Cell::faces && waiting_.is_empty(); }
+  [[nodiscard]] bool has_left_out() const { return has_left_out_; }
 
   void look_at_next() {
     if (next_face_ < Cell::faces) return look_at({0, 0, next_face_++, 0}, nullptr);
@@ -86,18 +50,47 @@ class DirectionCover {
     look_at(cell, &waiting_.witness());
   }
 
+ private:
+  using Answer = typename Incumbent::Answer;
+  using Mixtures = MixtureBound<S>;
+  using Corners = typename Mixtures::Corners;
+  using Cell = DirectionCell<S>;
+  static_assert(std::is_same_v<Corners, std::array<Vector3<S>, Cell::parts>>);
+
+  static constexpr int deepest = std::min(Cell::deepest, std::numeric_limits<S>::digits - 2);  // 2^-26 of a face
+  static constexpr int first_mixture = 3;            // depth: of wider cells no mixture says more than one witness
+  static constexpr int first_groove = 8;             // depth: narrower cells are cut more than once
+  static constexpr int few_cuts = 3, most_cuts = 8;  // evaluations in a cell, in one that can't be divided
+  static constexpr int last_witnesses = 6;           // more save evaluations, and no time
+  static constexpr std::size_t kept_witnesses = 8;   // a power of two
+  static constexpr int solve_each = 3;               // depths between two local solves
+  static constexpr int most_known = 16;
+  static constexpr int most_fruitless = 4;    // solves in a row that find what is known
+  static constexpr int patience = 2;          // depths from a solve in vain to the next
+  static constexpr double known_reach = 4;    // half edges of a cell
+  static constexpr int first_insisting = 4;   // depth: of wider cells a start may be far from the minimum
+  static constexpr int last_insisting = 700;  // evaluations: a descent below the first search's budget
+  static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Mixtures::most_witnesses));
+
+  /// A common normal, and where it explains every direction. The bound only falls: s is the more convex for it.
+  struct Known {
+    Vector3<S> normal;
+    DirectionSquare<S> convex{};
+    bool is_measured = false;
+  };
+
   /// `above`: a witness of the cell above, none for a face.
   void look_at(const Cell& cell, const Vector3<S>* above) {
     const Corners corners = cell.corners();
     if (is_mirrored(corners) || is_excluded(corners, above) || is_in_convex_square(corners)) return;
-    if (rotation_derivative_ && rotation_derivative_->has_one_sign(corners)) return;
+    if (rotation_ && rotation_->has_one_sign(corners)) return;
     if (becomes_excluded(cell, corners, above) || is_in_convex_square(corners)) return;
     const Vector3<S> middle = cell.middle();
     const bool is_due = cell.depth > 0 && cell.depth % solve_each == 0 && fruitless_ < most_fruitless;
     if (is_due && !is_known_near(cell, middle)) explore_from(middle);
     if (cell.depth < deepest) return waiting_.push(cell, last_seen(0));
-    solve_from(middle, Tries::several);
-    is_too_deep_ = is_too_deep_ || !is_in_convex_square(corners);
+    solve_from(middle, Attempts::several);
+    has_left_out_ = has_left_out_ || !is_in_convex_square(corners);
   }
 
   [[nodiscard]] bool is_mirrored(const Corners& corners) const {
@@ -105,7 +98,7 @@ class DirectionCover {
   }
 
   [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>& witness) const {
-    const S height = found_.excluded_height();
+    const S height = incumbent_.excluded_height();
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(witness, v) >= height; });
   }
 
@@ -128,10 +121,10 @@ class DirectionCover {
     Mixtures mixtures = witnesses_with(*above);
     const int cuts = cell.depth < first_groove ? 1 : cell.depth < deepest ? few_cuts : most_cuts;
     for (int cut = 0; cut <= cuts; ++cut) {
-      const auto [mixture, place] = mixtures.solve(corners, found_.excluded_height());
+      const auto [mixture, place] = mixtures.solve(corners, incumbent_.excluded_height());
       if (is_excluded(corners, mixture)) return true;
-      const bool is_enough = cut == cuts || !found_.may_go_on();
-      if (is_enough || (cut > 0 && mixtures.reaches(found_.excluded_height(), place))) return false;
+      const bool is_enough = cut == cuts || !incumbent_.may_go_on();
+      if (is_enough || (cut > 0 && mixtures.reaches(incumbent_.excluded_height(), place))) return false;
       if (see(place, cell.depth)) return false;
       if (is_excluded(corners, last_seen(0))) return true;
       mixtures.add(last_seen(0));
@@ -142,20 +135,20 @@ class DirectionCover {
   [[nodiscard]] Mixtures witnesses_with(const Vector3<S>& above) const {
     Mixtures out;
     out.add(above);
-    if (found_.is_found()) out.add(found_.witness(found_.best()));
+    if (incumbent_.is_found()) out.add(incumbent_.witness(incumbent_.best()));
     for (int back = 0; back < std::min(seen_count_, last_witnesses); ++back) out.add(last_seen(back));
     return out;
   }
 
   /// Evaluates o along v; whether it is lower than that of any common normal known. Solves from there then, unless that was in
   /// vain a short while ago.
-  bool see(const Vector3<S>& v, int level) {
-    const Vector3<S> g = found_.farthest(v);
-    seen_[place_of(seen_count_++)] = found_.witness(v, g);
-    if (!found_.sees_lower(v, g)) return false;
-    if (level < next_solve_) return true;
-    const bool is_worth_more = level >= first_insisting && found_.best().evaluations < last_insisting;
-    next_solve_ = solve_from(v, is_worth_more ? Tries::several : Tries::one) ? 0 : level + patience;
+  bool see(const Vector3<S>& v, int depth) {
+    const Vector3<S> g = incumbent_.farthest(v);
+    seen_[place_of(seen_count_++)] = incumbent_.witness(v, g);
+    if (!incumbent_.sees_lower(v, g)) return false;
+    if (depth < next_solve_) return true;
+    const bool is_worth_more = depth >= first_insisting && incumbent_.best().evaluations < last_insisting;
+    next_solve_ = solve_from(v, is_worth_more ? Attempts::several : Attempts::one) ? 0 : depth + patience;
     return true;
   }
 
@@ -163,7 +156,7 @@ class DirectionCover {
     for (int k = 0; k < known_count_; ++k) {
       Known& known = known_[static_cast<std::size_t>(k)];
       if (!known.is_measured)
-        known.convex = convex_square<S>(form_.support_shapes(), known.normal, found_.upper_bound());
+        known.convex = convex_square<S>(incumbent_.solver().support_shapes(), known.normal, incumbent_.bound());
       known.is_measured = true;
       if (std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return known.convex.holds(v); }))
         return true;
@@ -172,17 +165,17 @@ class DirectionCover {
   }
 
   /// Whether the common normal found is the lowest so far.
-  bool solve_from(const Vector3<S>& v, Tries tries) {
-    const Answer found = found_.solve(v, tries);
+  bool solve_from(const Vector3<S>& v, Attempts attempts) {
+    const Answer found = incumbent_.solve(v, attempts);
     return found.status == Status::converged && take(found);
   }
 
   bool take(const Answer& found) {
     remember(found);
-    const bool is_lower = found_.take(found);
-    const bool is_backwards =
-        dot(found.normal, form_.centre()) < -found_.rounding() && found_.may_go_on();  // then -n is as much lower
-    if (is_backwards && found.overlap <= found_.best().overlap) solve_from(found.normal * S(-1), Tries::several);
+    const bool is_lower = incumbent_.take(found);
+    const bool is_backwards = dot(found.normal, incumbent_.solver().centre()) < -incumbent_.rounding() &&
+                              incumbent_.may_go_on();  // then -n is as much lower
+    if (is_backwards && found.overlap <= incumbent_.best().overlap) solve_from(found.normal * S(-1), Attempts::several);
     return is_lower;
   }
 
@@ -195,7 +188,7 @@ class DirectionCover {
 
   void explore_from(const Vector3<S>& v) {
     const int known = known_count_;
-    solve_from(v, Tries::one);
+    solve_from(v, Attempts::one);
     fruitless_ = known_count_ > known ? 0 : fruitless_ + 1;
   }
 
@@ -206,17 +199,16 @@ class DirectionCover {
     if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)].normal = found.normal;
   }
 
-  const Form& form_;
-  Found found_;
-  std::optional<RotationDerivative<S>> rotation_derivative_;
+  Incumbent& incumbent_;
+  std::optional<RotationDerivative<S>> rotation_;
   Vector3<S> forwards_;
   std::array<Known, most_known> known_;
   int known_count_ = 0, fruitless_ = 0, seen_count_ = 0;
   std::array<Vector3<S>, kept_witnesses> seen_;  ///< the last; number k has the place k modulo their number
-  DirectionQueue<S, limit> waiting_;             ///< a cell that is divided costs an evaluation or more
+  DirectionQueue<S, budget> waiting_;            ///< a cell that is divided costs an evaluation or more
   int next_face_ = 0;
-  int next_solve_ = 0;  ///< the level of the next local solve where o is lower
-  bool is_too_deep_ = false;
+  int next_solve_ = 0;  ///< the depth of the next local solve where o is lower
+  bool has_left_out_ = false;
 };
 
 }  // namespace plumb

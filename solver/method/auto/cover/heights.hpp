@@ -1,50 +1,45 @@
-// The last resort of `auto` for two ellipsoids: a search over their two support heights for the lowest o.
+// A cover of two ellipsoids' support heights, for the lowest o.
 //
 // On directions n whose h1 = |A1 n| is in [a, a'] the root's chord over the squares is not above it,
 //     h1 >= (|A1 n|^2 + a a') / (a + a')
 // and the same of h2 in [b, b']. With M = A1'A1 / (a + a') + A2'A2 / (b + b') all such n have
 //     o(n) >= a a' / (a + a') + b b' / (b + b') + n.M n - n.c
-// whose minimum over ALL unit n is known (sphere_minimum.hpp). Outside of [a, a'] the chord is above the root, so that the bound is below the
-// lowest o by the chords' loss alone, the square of a cell's width: no more where the lowest common normals are a ring,
-// or all but one, or mirror images of each other, for those have the same two heights.
+// The minimum over ALL unit n is known (sphere_minimum.hpp). Outside of [a, a'] the chord is above the root. So the bound is
+// below the lowest o by the chords' loss alone, the square of a cell's width. That holds as well where the lowest common
+// normals are a circle, or nearly one, or mirror images of each other: those have the same two heights.
 //
-// Cells     rectangles of heights, the one of the lowest bound first
-// Excluded  where the bound is not below the level
-// Else      o is evaluated at the bound's direction, a local solve starts there where it is lower, and the cell is cut at that
-//           direction's height
-//
-// What it does not promise: as for directions.hpp.
+// Cells      rectangles of heights, the one of the lowest bound first
+// Excluded   where the bound is not below the incumbent's
+// Divided    else, at the height of the bound's direction. o is evaluated there, and a local solve starts where it is lower
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "solver/method/auto/budgets.hpp"
 #include "solver/method/auto/cover/incumbent.hpp"
 #include "solver/method/auto/cover/sphere_minimum.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoids.hpp"
 
 namespace plumb {
 
-template <class S, class Form, class Answer>
+template <class S, class Solver>
 class HeightCover {
  public:
-  HeightCover(const Form& form, const Answer& first, int limit, const EllipsoidPair<S>& pair)
-      : pair_(pair), found_(form, pair.size, first, limit) {}
+  using Incumbent = plumb::Incumbent<S, Solver>;
 
-  [[nodiscard]] Answer lowest() {
-    push(whole());
-    while (!is_complete() && found_.may_go_on()) look_at(pop().ends);
-    found_.solve_lower();
-    return found_.answer(is_complete());
-  }
-  [[nodiscard]] const Answer& best() const { return found_.best(); }
+  HeightCover(Incumbent& incumbent, const EllipsoidPair<S>& pair) : incumbent_(incumbent), pair_(pair) {}
+
+  void start() { push(whole()); }
+  [[nodiscard]] bool is_empty() const { return count_ == 0 || cells_[0].bound >= incumbent_.excluded_overlap(); }
+  [[nodiscard]] static bool has_left_out() { return false; }
+
+  void look_at_next() { look_at(pop().ends); }
 
  private:
-  using Found = Incumbent<S, Form, Answer>;
-
   // Each that is looked at becomes two, by one more height.
-  static constexpr std::size_t most_cells = last_limit + 2, most_heights = last_limit + 4;
+  static constexpr std::size_t most_cells = budget::last_search + 2, most_heights = budget::last_search + 4;
   static constexpr double least_share = 0.25;  // of a cell's width on either side of a cut
 
   /// Of one body's heights.
@@ -84,10 +79,6 @@ class HeightCover {
     S height1, height2;
   };
 
-  [[nodiscard]] bool is_complete() const {
-    return count_ == 0 || found_.is_settled() || cells_[0].bound >= found_.excluded_overlap();
-  }
-
   [[nodiscard]] Ends whole() {
     using std::max;
     using std::min;
@@ -122,7 +113,7 @@ class HeightCover {
     const Seen seen = see(cell);
     const S bound =
         sum<S>(seen.there.h) - dot(seen.n, pair_.c) - cell.of1.loss(seen.height1) - cell.of2.loss(seen.height2);
-    if (bound >= found_.excluded_overlap()) return;
+    if (bound >= incumbent_.excluded_overlap()) return;
     cells_[count_++] = {bound, ends};
     std::push_heap(cells_.begin(), end(), is_higher);
   }
@@ -137,8 +128,8 @@ class HeightCover {
   void look_at(const Ends& ends) {
     const Rectangle cell = rectangle(ends);
     const auto [n, there, height1, height2] = see(cell);
-    found_.count();
-    if (found_.sees_lower(n, sum(there.p) - pair_.c)) found_.solve_from(n, Tries::several);
+    incumbent_.count();
+    if (incumbent_.sees_lower(n, sum(there.p) - pair_.c)) incumbent_.solve_from(n, Attempts::several);
     Ends low = ends, high = ends;
     if (cell.of1.loss(height1) > cell.of2.loss(height2))
       low.high1 = high.low1 = add(cell.of1.cut(height1));
@@ -148,8 +139,8 @@ class HeightCover {
     push(high);
   }
 
+  Incumbent& incumbent_;
   const EllipsoidPair<S>& pair_;
-  Found found_;
   std::array<Cell, most_cells> cells_;
   std::array<S, most_heights> heights_;
   std::size_t count_ = 0, height_count_ = 0;

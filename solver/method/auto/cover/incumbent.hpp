@@ -1,54 +1,61 @@
-// What a search for the lowest common normal has found, and what it saw on the way.
+// The incumbent of a branch and bound: the lowest common normal found so far, and the lowest overlap seen on the way.
 //
-// `Form` offers   Vector3<S> farthest(v): p1 - p2 of the points farthest along v and -v, for any v but zero
-//                 Answer solve(v, tries): a local solve; Answer has status, overlap,
-//                 normal, iterations, evaluations
-//                 Vector3<S> centre(): from body 1's centre to body 2's
-//                 S inner_rolling_radius(): radius of a ball that rolls inside the bodies' Minkowski sum K, or less
-//                 std::array<SupportShape<S>, 2> support_shapes()
-//
-// Witness         K = K' + (ball of radius r), so that o - r is the overlap with K'. f'(v) = (o - r)|v| >= g'.v for any g' of K',
-//                 wherever it was found, and g'.v - (level - r)|v| is concave: where it is not negative at some
-//                 directions nothing between them is lower. It is not concave where the level is below r; but then any
-//                 common normal of that o is the lowest, whatever was excluded
-// Slack           16 epsilon twice: cells are excluded to that below the lowest o seen, and an answer is one to that above it
+// Witness   K, the bodies' Minkowski sum, is K' + (ball of radius r), so that o - r is the overlap with K'. For any g' of K',
+//           wherever it was found, (o - r)|v| >= g'.v. With the bound o*, g'.v - (o* - r)|v| is concave: where it is not
+//           negative at some directions, nothing between them is lower. It is not concave where o* < r. But then any
+//           common normal of that overlap is the lowest, whatever was excluded
+// Slack     16 epsilon twice: cells are excluded to that below the bound, and an answer is accepted to that above it
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 
 #include "solver/method/auto/cover/curvature_bound.hpp"
 
 namespace plumb {
 
-/// Evaluations, all that came before among them, of a search that another follows, and of the last, its last solve apart: the
-/// laws call 2000 slow.
-inline constexpr int first_limit = 850, last_limit = 1650;
+/// How many attempts a local solve is worth.
+enum class Attempts { one, several, all };
 
-/// How much a local solve is worth.
-enum class Tries { one, several, all };
+/// What a search ends with where latitudes, or directions, do not tell.
+enum class LastCover { none, directions, heights };
 
-template <class S, class Form, class Answer>
+/// What a search asks of the bodies. `Answer` has status, overlap, normal, iterations and evaluations.
+template <class T, class S>
+concept LocalSolver = requires(const T& solver, const Vector3<S>& v) {
+  typename T::Answer;
+  { solver.solve(v, Attempts::one) } -> std::same_as<typename T::Answer>;
+  { solver.farthest(v) } -> std::same_as<Vector3<S>>;    ///< p1 - p2 of the points farthest along v and -v, v not zero
+  { solver.centre() } -> std::same_as<Vector3<S>>;       ///< from body 1's centre to body 2's
+  { solver.size() } -> std::same_as<S>;                  ///< what the rounding of o is relative to
+  { solver.inner_rolling_radius() } -> std::same_as<S>;  ///< of a ball that rolls inside K, or less
+};
+
+template <class S, LocalSolver<S> Solver>
 class Incumbent {
  public:
-  /// `first`: an answer or not, with the evaluations so far; `limit`: of these and the search's own, last_limit at most.
-  Incumbent(const Form& form, const S& size, const Answer& first, int limit)
-      : form_(form), size_(size), ball_(form.inner_rolling_radius() * (S(1) - S(8) * epsilon<S>())), best_(first),
-        limit_(std::min(limit, last_limit)) {}
+  using Answer = typename Solver::Answer;
 
+  /// `first`: an answer or not, with the evaluations so far; `budget`: of these and the search's own.
+  Incumbent(const Solver& solver, const Answer& first, int budget)
+      : solver_(solver), size_(solver.size()),
+        rolling_radius_(solver.inner_rolling_radius() * (S(1) - S(8) * epsilon<S>())), best_(first), budget_(budget) {}
+
+  [[nodiscard]] const Solver& solver() const { return solver_; }
   [[nodiscard]] const Answer& best() const { return best_; }
   [[nodiscard]] bool is_found() const { return best_.status == Status::converged; }
-  [[nodiscard]] bool may_go_on() const { return best_.evaluations < limit_; }
+  [[nodiscard]] bool may_go_on() const { return best_.evaluations < budget_; }
 
-  /// The lowest o that was seen, of a common normal or not: that of the lowest common normal is not above it.
-  [[nodiscard]] S upper_bound() const { return std::min(found_overlap(), lowest_seen_); }
+  /// The lowest overlap seen, of a common normal or not: that of the lowest common normal is not above it.
+  [[nodiscard]] S bound() const { return std::min(found_overlap(), lowest_seen_); }
 
   /// There is one common normal of o <= r: nothing is lower.
-  [[nodiscard]] bool is_settled() const { return !(found_overlap() > ball_); }
+  [[nodiscard]] bool is_settled() const { return !(found_overlap() > rolling_radius_); }
 
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     count();
-    return form_.farthest(v);
+    return solver_.farthest(v);
   }
 
   /// An evaluation of o.
@@ -56,16 +63,18 @@ class Incumbent {
 
   /// g' at v, from g = farthest(v).
   [[nodiscard]] Vector3<S> witness(const Vector3<S>& v, const Vector3<S>& g) const {
-    return g - v * (ball_ / length(v));
+    return g - v * (rolling_radius_ / length(v));
   }
 
   /// g' of a common normal, to its residual.
-  [[nodiscard]] Vector3<S> witness(const Answer& found) const { return found.normal * (found.overlap - ball_); }
+  [[nodiscard]] Vector3<S> witness(const Answer& found) const {
+    return found.normal * (found.overlap - rolling_radius_);
+  }
 
-  /// A witness as high as this along a unit vector shows that o there is not below the level, to rounding.
-  [[nodiscard]] S excluded_height() const { return excluded_overlap() - ball_; }
-  [[nodiscard]] S excluded_overlap() const { return upper_bound() - rounding(); }
-  [[nodiscard]] const S& ball() const { return ball_; }
+  /// A witness as high as this along a unit vector shows that o there is not below the bound, to rounding.
+  [[nodiscard]] S excluded_height() const { return excluded_overlap() - rolling_radius_; }
+  [[nodiscard]] S excluded_overlap() const { return bound() - rounding(); }
+  [[nodiscard]] const S& rolling_radius() const { return rolling_radius_; }
 
   /// Whether o along v is below that of every common normal found; g = farthest(v).
   [[nodiscard]] bool sees_lower(const Vector3<S>& v, const Vector3<S>& g) {
@@ -74,8 +83,8 @@ class Incumbent {
     return here < found_overlap() - rounding();
   }
 
-  [[nodiscard]] Answer solve(const Vector3<S>& v, Tries tries) {
-    const Answer found = form_.solve(v, tries);
+  [[nodiscard]] Answer solve(const Vector3<S>& v, Attempts attempts) {
+    const Answer found = solver_.solve(v, attempts);
     best_.evaluations += found.evaluations;
     return found;
   }
@@ -89,17 +98,17 @@ class Incumbent {
     return true;
   }
 
-  void solve_from(const Vector3<S>& v, Tries tries) {
-    const Answer found = solve(v, tries);
+  void solve_from(const Vector3<S>& v, Attempts attempts) {
+    const Answer found = solve(v, attempts);
     if (found.status == Status::converged) take(found);
   }
 
   /// Solves once more where o was seen below every common normal found.
   void solve_lower() {
-    if (has_seen_lower() && may_go_on()) solve_from(seen_along_, Tries::all);
+    if (has_seen_lower() && may_go_on()) solve_from(seen_along_, Attempts::all);
   }
 
-  /// The lowest; not converged where it is not known to be that, or o was seen below it.
+  /// The lowest. Not converged where the search is not complete, or where o was seen below it.
   [[nodiscard]] Answer answer(bool is_complete) const {
     Answer out = best_;
     if (is_found() && (!is_complete || has_seen_lower())) out.status = Status::stalled;
@@ -114,13 +123,13 @@ class Incumbent {
 
   [[nodiscard]] bool has_seen_lower() const { return lowest_seen_ < found_overlap() - rounding(); }
 
-  /// o of the lowest common normal found.
+  /// Of the lowest common normal found.
   [[nodiscard]] S found_overlap() const { return is_found() ? best_.overlap : std::numeric_limits<S>::infinity(); }
 
-  const Form& form_;
-  S size_, ball_;
+  const Solver& solver_;
+  S size_, rolling_radius_;
   Answer best_;
-  int limit_;  ///< of evaluations
+  int budget_;  ///< of evaluations
   S lowest_seen_ = std::numeric_limits<S>::infinity();
   Vector3<S> seen_along_{};  ///< of any length
 };

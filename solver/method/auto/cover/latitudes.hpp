@@ -1,16 +1,15 @@
-// The search of directions.hpp for two bodies of revolution about parallel axes, or all but parallel ones (parallel_axes_bound.hpp).
+// A cover of latitudes, for two bodies of revolution about parallel axes, or nearly parallel ones (parallel_axes_bound.hpp).
 //
-// The lowest o around a circle of latitude has a closed form, so that latitudes alone are looked at. Where both are of
-// revolution about one line that holds both centres (common_axis.hpp) the lowest common normals are a ring, or the line.
+// The lowest o around a circle of latitude has a closed form: only latitudes are looked at. Where both are of revolution
+// about one line that holds both centres (common_axis.hpp) the lowest common normals are a circle, or the line.
 //
-// Cells     halves of halves of the half circle's four straight pieces: the axis + t across, and across + t the axis, t in [0, 1],
-//           and the same of the axis backwards but where o is the same all around a circle: the half towards the other body
-//           is the lower one then
-// Excluded  where a witness (parallel_axes_bound.hpp) says so at a cell's two ends, to rounding. In one dimension that is all it takes: cells
-//           about the minimum end where they are shorter than the square root of the rounding
-// Else      the cell is halved. Where o is lower at its middle, the root of its slope between its ends is the start of a local
-//           solve: from afar those creep where o is all but constant, for a body 1e5 times the other's size
-// Too deep  flats across the axes: o jumps within the tilt, and latitudes do not tell. The search of all directions may
+// Cells      halves of halves of the half circle's four straight pieces: the axis + t across, across + t the axis, t in [0, 1],
+//            and the same with the axis backwards. Coaxial bodies need the first two: the half towards the other body is lower
+// Excluded   where a witness (parallel_axes_bound.hpp) says so at a cell's two ends, to rounding. Cells about the minimum end
+//            where they are shorter than the square root of the rounding
+// Divided    else. Where o is lower at a cell's middle, a local solve starts at the root of o's slope between the cell's ends.
+//            From afar such a solve creeps where o is nearly constant, for a body 1e5 times the other's size
+// Left out   flats across the axes: o jumps within the tilt, and latitudes do not tell. The search of all directions may
 #pragma once
 
 #include <array>
@@ -20,19 +19,22 @@
 
 namespace plumb {
 
-template <class S, class Form, class Answer>
+template <class S, class Solver>
 class LatitudeCover {
  public:
-  LatitudeCover(const Form& form, const S& size, const Answer& first, int limit, const ParallelAxesBound<S>& bound)
-      : bound_(bound), found_(form, size, first, limit), ball_(bound.is_parallel() ? found_.ball() : S(0)) {}
+  using Incumbent = plumb::Incumbent<S, Solver>;
 
-  [[nodiscard]] Answer lowest() {
-    for (int piece = bound_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
-    while (!is_complete() && found_.may_go_on() && !is_too_deep_) look_at(open_[--open_count_]);
-    found_.solve_lower();
-    return found_.answer(is_complete() && !is_too_deep_);
+  LatitudeCover(Incumbent& incumbent, const ParallelAxesBound<S>& bound)
+      : incumbent_(incumbent), bound_(bound), rolling_radius_(bound.is_parallel() ? incumbent.rolling_radius() : S(0)) {
   }
-  [[nodiscard]] const Answer& best() const { return found_.best(); }
+
+  void start() {
+    for (int piece = bound_.is_coaxial() ? 2 : 4; piece-- > 0;) push({piece, 0, S(0.5), {}});
+  }
+  [[nodiscard]] bool is_empty() const { return open_count_ == 0; }
+  [[nodiscard]] bool has_left_out() const { return has_left_out_; }
+
+  void look_at_next() { look_at(open_[--open_count_]); }
 
  private:
   static constexpr int deepest = std::numeric_limits<S>::digits - 5;
@@ -51,8 +53,6 @@ class LatitudeCover {
     return piece % 2 == 0 ? Latitude<S>{S(1), side * t} : Latitude<S>{t, side};
   }
 
-  [[nodiscard]] bool is_complete() const { return open_count_ == 0 || found_.is_settled(); }
-
   void push(const Cell& cell) { open_[open_count_++] = cell; }
 
   // NOLINTNEXTLINE(performance-unnecessary-value-param): a copy, for its place is taken by its halves
@@ -62,18 +62,21 @@ class LatitudeCover {
     const Latitude<S> from = latitude(cell.piece, cell.middle - half), to = latitude(cell.piece, cell.middle + half);
     if (bound_.is_backwards(from, to) || (cell.depth > 0 && is_excluded(from, to, cell.witness))) return;
     const Latitude<S> middle = latitude(cell.piece, cell.middle);
-    const Witness witness = bound_.witness(middle, ball_);
+    const Witness witness = bound_.witness(middle, rolling_radius_);
     const Vector3<S> v = bound_.lowest(middle, witness);
     if (is_excluded(from, to, witness)) return;
-    if (found_.sees_lower(v, found_.farthest(v)))
+    if (incumbent_.sees_lower(v, incumbent_.farthest(v)))
       if (const auto start = descended(cell.piece, cell.middle - half, cell.middle + half))
-        found_.solve_from(*start, Tries::several);
-    if (cell.depth == deepest) {
-      is_too_deep_ = true;
-      return;
-    }
+        incumbent_.solve_from(*start, Attempts::several);
+    if (cell.depth == deepest) return leave_out();
     push({cell.piece, cell.depth + 1, cell.middle - half / 2, witness});
     push({cell.piece, cell.depth + 1, cell.middle + half / 2, witness});
+  }
+
+  /// No cell can tell any more.
+  void leave_out() {
+    has_left_out_ = true;
+    open_count_ = 0;
   }
 
   /// The direction of lowest o at t of a piece, and the slope of that o along t, times any positive factor.
@@ -83,7 +86,7 @@ class LatitudeCover {
   };
 
   [[nodiscard]] Seen seen_at(int piece, const S& t) {
-    found_.count();
+    incumbent_.count();
     const Latitude<S> at = latitude(piece, t), end = latitude(piece, t + S(1));
     const Witness witness = bound_.witness(at, S(0));
     const Latitude<S> gradient = bound_.gradient(at, witness), along{end.x - at.x, end.z - at.z};
@@ -95,7 +98,7 @@ class LatitudeCover {
   [[nodiscard]] std::optional<Vector3<S>> descended(int piece, S from, S to) {
     Seen at_from = seen_at(piece, from), at_to = seen_at(piece, to);
     if (at_from.slope > S(0) || at_to.slope < S(0)) return std::nullopt;
-    for (int cuts = 0; cuts < most_cuts && to - from > epsilon<S>() && found_.may_go_on(); ++cuts) {
+    for (int cuts = 0; cuts < most_cuts && to - from > epsilon<S>() && incumbent_.may_go_on(); ++cuts) {
       const S share = at_from.slope / (at_from.slope - at_to.slope);
       const S cut = cuts % 3 == 2 ? S(0.5) : share > S(0.1) ? std::min(share, S(0.9)) : S(0.1);
       const S middle = from + (to - from) * cut;
@@ -109,16 +112,16 @@ class LatitudeCover {
   }
 
   [[nodiscard]] bool is_excluded(const Latitude<S>& from, const Latitude<S>& to, const Witness& witness) const {
-    const S height = found_.excluded_overlap() - ball_;
+    const S height = incumbent_.excluded_overlap() - rolling_radius_;
     return witness.height(from) >= height * from.length() && witness.height(to) >= height * to.length();
   }
 
+  Incumbent& incumbent_;
   const ParallelAxesBound<S>& bound_;
-  Incumbent<S, Form, Answer> found_;
-  S ball_;
+  S rolling_radius_;  ///< of what rolls inside the bodies' sum, 0 for axes that are not quite parallel
   std::array<Cell, deepest + 5> open_;  ///< depth first: a cell a level, the last two, and the other pieces
   std::size_t open_count_ = 0;
-  bool is_too_deep_ = false;
+  bool has_left_out_ = false;
 };
 
 }  // namespace plumb

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "solver/least_squares.hpp"
+#include "solver/method/auto/surface/attempts.hpp"
 #include "solver/method/auto/surface/surface_iteration.hpp"
 #include "solver/method/auto/surface/surface_step.hpp"
 #include "solver/method/auto/surface/surface_turn.hpp"
@@ -29,14 +30,6 @@ struct SurfaceContact {
   bool minimum = false;
   int iterations = 0;
   int evaluations = 0;
-};
-
-/// One attempt: exponents raised from `cap` by the factor `growth` at each step (no cap: infinity).
-struct Attempt {
-  double cap = std::numeric_limits<double>::infinity();
-  double growth = 1;
-  int limit = 40;
-  bool line_search = false;
 };
 
 template <class S, bool any_dual>

@@ -1,0 +1,16 @@
+// What `auto` may spend, each number once: steps of Newton's iteration and evaluations of the overlap.
+#pragma once
+
+namespace plumb::budget {
+
+/// Steps of a first local solve. A caller whose iteration limit is below this asks to stop without a search.
+inline constexpr int first_steps = 14;
+
+/// Evaluations of a descent, and those after which no other attempt of the cold start begins: what is left is the search's.
+inline constexpr int descent = 200, cold_attempts = 200;
+
+/// Evaluations of a search that another follows, and of the last. All that came before count; the last solve does not. The
+/// laws call an answer slow from 2000 on (properties/laws/allowance.hpp).
+inline constexpr int first_search = 850, last_search = 1650;
+
+}  // namespace plumb::budget
