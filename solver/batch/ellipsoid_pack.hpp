@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/batch/pack_pair.hpp"
+#include "solver/method/auto/budgets.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoid_guard.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoid_steps.hpp"
 #include "solver/scalar.hpp"
@@ -19,7 +20,7 @@ class EllipsoidPack {
 
   [[gnu::always_inline]] EllipsoidPack(const EllipsoidPair<P>& pair, const Want& want)
       : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)),
-        floor_(P(newton::noise_multiple * std::numeric_limits<double>::epsilon()) * pair.size),
+        floor_(P(tolerance::noise_multiple * std::numeric_limits<double>::epsilon()) * pair.size),
         enough_(max(floor_, P(want.tolerance) * pair.size)), at_(direction_point(pair, start(pair))) {}
 
   [[nodiscard, gnu::always_inline]] PackContact<P> solve() {
@@ -38,15 +39,15 @@ class EllipsoidPack {
 
   /// Lanes of coinciding centres get NaN, and are not settled.
   [[nodiscard, gnu::always_inline]] static Vector3<P> start(const EllipsoidPair<P>& pair) {
-    const Vector3<P> n = blend(pair.size > far_apart<P>(), pair.c, start_by_centres(pair));
+    const Vector3<P> n = blend(pair.size > tolerance::far_apart.of<P>(), pair.c, start_by_centres(pair));
     return cold_start(pair, n * (P(1.0) / largest(n)));
   }
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough() const {
     const Lanes enough = at_.error <= enough_;
-    const Lanes near = at_.error <= newton::near<P>() * pair_.size;
+    const Lanes near = at_.error <= tolerance::near.of<P>() * pair_.size;
     if (none_of(near && !enough)) return enough;
-    const P noise(newton::noise_multiple * std::numeric_limits<double>::epsilon());
+    const P noise(tolerance::noise_multiple * std::numeric_limits<double>::epsilon());
     return enough || (near && at_.error <= noise * reach(pair_, at_));
   }
 
@@ -65,7 +66,7 @@ class EllipsoidPack {
     Vector3<P> step = newton_step(h, at_);
     P turn = squared_turn(pair_, at_, step);
     iterations_ = blend(active, iterations_ + P(1.0), iterations_);
-    Lanes last = active && turn < newton::last_turn<P>() * newton::last_turn<P>();
+    Lanes last = active && turn < last_turn<P>() * last_turn<P>();
     if (any_of(last)) {
       last = last && landing_error(h, at_, step) <= floor_;
       last_step_ = blend(last, step, last_step_);
@@ -73,7 +74,7 @@ class EllipsoidPack {
       active = active && !last;
       if (none_of(active)) return;
     }
-    const P longest(newton::longest_turn * newton::longest_turn);
+    const P longest(tolerance::longest_turn * tolerance::longest_turn);
     const Lanes cut = active && turn > longest;
     if (any_of(cut)) {
       step = step * blend(cut, P(sqrt(longest / turn)), P(1.0));
@@ -83,7 +84,7 @@ class EllipsoidPack {
   }
 
   [[gnu::always_inline]] void search(const Lanes& active, Vector3<P> step, P turn) {
-    const P shortest = newton::short_turn<P>() * newton::short_turn<P>();
+    const P shortest = tolerance::short_turn.of<P>() * tolerance::short_turn.of<P>();
     const Lanes searching = active && !(turn < shortest);
     const Vector3<P> n = at_.n;
     if (none_of(searching)) return evaluate(active, n + step);
@@ -91,8 +92,8 @@ class EllipsoidPack {
     evaluate(active, n + step);
     for (Lanes again = too_high(searching && turn > shortest, here); any_of(again);
          again = too_high(again && turn > shortest, here)) {
-      step = step * blend(again, P(newton::shorter), P(1.0));
-      turn *= blend(again, P(newton::shorter * newton::shorter), P(1.0));
+      step = step * blend(again, P(tolerance::shorter), P(1.0));
+      turn *= blend(again, P(tolerance::shorter * tolerance::shorter), P(1.0));
       evaluate(again, n + step);
     }
   }
@@ -123,14 +124,14 @@ class EllipsoidPack {
     if (none_of(lanes)) return;
     const Vector3<PerBody<P>> p = at_.touch.p;
     Settling<P> now = settling(pair_, at_);
-    for (int i = 0; i < newton::most_settling; ++i) {
+    for (int i = 0; i < budget::settling_steps; ++i) {
       const Lanes moving = lanes && now.error > floor_;
       if (none_of(moving)) break;
       evaluations_ = blend(moving, evaluations_ + P(1.0), evaluations_);
       at_.touch.u = blend(Mask<P>(moving, moving), moved_points(pair_, at_, now), at_.touch.u);
       now = settling(pair_, at_);
     }
-    settled_ = settled_ && (!lanes || now.error <= P(newton::settled_multiple) * floor_);
+    settled_ = settled_ && (!lanes || now.error <= P(tolerance::settled_multiple) * floor_);
     normal_ = blend(lanes, now.n, normal_);
     at_.touch.p = blend(Mask<P>(lanes, lanes), at_.touch.p, p);
   }

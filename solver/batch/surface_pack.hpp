@@ -18,7 +18,7 @@ class SurfacePack {
 
   [[gnu::always_inline]] SurfacePack(const SuperellipsoidPair<P>& pair, const Want& want)
       : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)),
-        tolerance_(std::max(4 * epsilon<double>(), want.tolerance)) {}
+        tolerance_(std::max(tolerance::residual * epsilon<double>(), want.tolerance)) {}
 
   SurfacePack(const SurfacePack&) = delete;
   SurfacePack& operator=(const SurfacePack&) = delete;

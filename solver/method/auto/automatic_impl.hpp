@@ -98,7 +98,8 @@ template <class S>
   const PlacedPair<S> placed = place<S>(pair);
   const Vec3<S> middle = ((point1 + point2) * S(0.5)).eigen();
   const auto holds = [&](const PlacedBody<S>& body) {
-    return gauge<S>(body.shape, body.to_body(middle)) < S(1) - power_noise<S>(placed) * S(16) * epsilon<S>();
+    return gauge<S>(body.shape, body.to_body(middle)) <
+           S(1) - power_noise<S>(placed) * S(tolerance::own_noise) * epsilon<S>();
   };
   return holds(placed.body1) && holds(placed.body2);
 }

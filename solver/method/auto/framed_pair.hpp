@@ -1,6 +1,7 @@
 // A pair in its own frame, as place() of pose.hpp makes it and with the same bits, both bodies side by side.
 #pragma once
 
+#include "solver/method/auto/tolerances.hpp"
 #include "solver/method/per_body.hpp"
 #include "solver/pose.hpp"
 

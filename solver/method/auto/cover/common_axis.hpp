@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
+#include "solver/method/auto/tolerances.hpp"
 #include "solver/method/vector3.hpp"
 #include "solver/pose.hpp"
 #include "solver/scalar.hpp"
@@ -19,7 +20,7 @@ template <class S>
 [[nodiscard]] bool is_same(const S& a, const S& b) {
   using std::abs;
   using std::max;
-  return abs(a - b) <= S(4) * epsilon<S>() * max(a, b);
+  return abs(a - b) <= S(tolerance::same_length) * epsilon<S>() * max(a, b);
 }
 
 /// Which of a body's own axes it is of revolution about, to rounding.
@@ -53,7 +54,7 @@ template <class S>
   const Revolution kind1 = detail::revolution_of(placed.body1.shape), kind2 = detail::revolution_of(placed.body2.shape);
   if (kind1 == Revolution::none || kind2 == Revolution::none) return std::nullopt;
   const Vec3<S>& c = placed.body2.centre;
-  const S rounding = S(8) * epsilon<S>();
+  const S rounding = S(tolerance::common_axis) * epsilon<S>();
   const bool are_spheres = kind1 == Revolution::about_all && kind2 == Revolution::about_all;
   if (are_spheres && !c.isZero(S(0))) return Vector3<S>::of(c.stableNormalized());
   const bool follows_second = kind1 == Revolution::about_all;

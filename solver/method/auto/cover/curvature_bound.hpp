@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/method/auto/tolerances.hpp"
 #include "solver/method/vector3.hpp"
 #include "solver/scalar.hpp"
 #include "solver/shape/tangent.hpp"
@@ -80,7 +81,7 @@ template <class S>
   using std::max;
   using std::min;
   using std::sqrt;
-  const S most = by_precision<S>(1e60, 1e12);  // in the place of infinity: its square is finite
+  const S most = tolerance::largest_curvature.of<S>();  // in the place of infinity: its square is finite
   if (m == S(2)) {
     const S value = sqrt(S(1) + r * r), inverse = S(1) / value;
     return {value, inverse, r * inverse, inverse * inverse * inverse};
@@ -245,15 +246,15 @@ template <class S>
   return best;
 }
 
-/// The widest square about n, unit, on which s = f - level |v| is convex, by f's curvature alone (|v| >= 1 there); of reach 0
+/// The widest square about n, unit, on which s = f - o* |v| is convex, by f's curvature alone (|v| >= 1 there); of reach 0
 /// where none is found.
 template <class S>
 [[nodiscard]] inline DirectionSquare<S> convex_square(const std::array<SupportShape<S>, 2>& shapes, const Vector3<S>& n,
-                                                      const S& level) {
+                                                      const S& overlap) {
   constexpr double widest = 0.25, narrowest = 1e-9;
   const Tangent<S> across = tangent_basis<S>(n.eigen());
   DirectionSquare<S> out{n, {Vector3<S>::of(across.col(0)), Vector3<S>::of(across.col(1))}, S(widest)};
-  const S wanted = level * (S(1) + by_precision<S>(1e-9, 1e-4));
+  const S wanted = overlap * (S(1) + tolerance::proof_margin.of<S>());
   for (; out.reach > S(narrowest); out.reach *= S(0.5))
     if (curvature_bound<S>(shapes, out, wanted) > wanted) return out;
   out.reach = S(0);

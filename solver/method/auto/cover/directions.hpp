@@ -193,9 +193,8 @@ class DirectionCover {
   }
 
   void remember(const Answer& found) {
-    const S same = by_precision<S>(1e-6, 1e-3);
     for (int k = 0; k < known_count_; ++k)
-      if (largest(known_[static_cast<std::size_t>(k)].normal - found.normal) < same) return;
+      if (largest(known_[static_cast<std::size_t>(k)].normal - found.normal) < tolerance::same_normal.of<S>()) return;
     if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)].normal = found.normal;
   }
 

@@ -40,7 +40,8 @@ class Incumbent {
   /// `first`: an answer or not, with the evaluations so far; `budget`: of these and the search's own.
   Incumbent(const Solver& solver, const Answer& first, int budget)
       : solver_(solver), size_(solver.size()),
-        rolling_radius_(solver.inner_rolling_radius() * (S(1) - S(8) * epsilon<S>())), best_(first), budget_(budget) {}
+        rolling_radius_(solver.inner_rolling_radius() * (S(1) - S(tolerance::touching) * epsilon<S>())), best_(first),
+        budget_(budget) {}
 
   [[nodiscard]] const Solver& solver() const { return solver_; }
   [[nodiscard]] const Answer& best() const { return best_; }
@@ -116,11 +117,9 @@ class Incumbent {
   }
 
   /// Of o.
-  [[nodiscard]] S rounding() const { return S(noise) * epsilon<S>() * size_; }
+  [[nodiscard]] S rounding() const { return S(tolerance::search_noise) * epsilon<S>() * size_; }
 
  private:
-  static constexpr double noise = 16;  // epsilon times this and the size: as much as a residual may be
-
   [[nodiscard]] bool has_seen_lower() const { return lowest_seen_ < found_overlap() - rounding(); }
 
   /// Of the lowest common normal found.

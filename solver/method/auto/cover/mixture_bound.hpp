@@ -14,6 +14,7 @@
 #include <array>
 #include <utility>
 
+#include "solver/method/auto/tolerances.hpp"
 #include "solver/method/vector3.hpp"
 #include "solver/scalar.hpp"
 
@@ -38,7 +39,7 @@ class MixtureBound {
     const S wanted = (height - lowest_) * scale_ + S(1);
     for (int pivots = 0; pivots < most_pivots && total_ * wanted <= S(1); ++pivots) {
       const std::size_t column = entering(), row = leaving(column);
-      if (!(objective_[column] > tiny()) || row == count_) break;
+      if (!(objective_[column] > tolerance::least_gain.of<S>()) || row == count_) break;
       pivot(row, column);
     }
     return best(corners);
@@ -53,9 +54,6 @@ class MixtureBound {
 
  private:
   static constexpr int most_pivots = 24;
-  static constexpr double least_gain = 1e-12,
-                          least_gain_in_float = 1e-5;  // and pivot: the tableau's numbers are about 1
-  [[nodiscard]] static S tiny() { return by_precision<S>(least_gain, least_gain_in_float); }
   using Row = std::array<S, corner_count>;
 
   /// Heights between 1 and 2.
@@ -87,7 +85,7 @@ class MixtureBound {
     std::size_t best = count_;
     for (std::size_t j = 0; j < count_; ++j) {
       const S& entry = rows_[j][column];
-      if (!(entry > tiny())) continue;
+      if (!(entry > tolerance::least_gain.of<S>())) continue;
       if (best == count_ || right_[j] * rows_[best][column] < right_[best] * entry) best = j;
     }
     return best;

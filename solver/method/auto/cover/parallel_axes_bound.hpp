@@ -68,7 +68,7 @@ class ParallelAxesBound {
     const Revolution kind1 = detail::revolution_of(pair.body1.shape), kind2 = detail::revolution_of(pair.body2.shape);
     if (kind1 == Revolution::none || kind2 == Revolution::none) return std::nullopt;
     const ParallelAxesBound out(pair, kind1, kind2);
-    if (!(dot(out.tilt_, out.tilt_) <= S(most_square) * epsilon<S>())) return std::nullopt;
+    if (!(dot(out.tilt_, out.tilt_) <= S(tolerance::squared_tilt) * epsilon<S>())) return std::nullopt;
     return out;
   }
 
@@ -109,8 +109,8 @@ class ParallelAxesBound {
   /// The axis, where o is all but the same all around each circle of latitude: so level that Newton's iteration takes the rounding
   /// of o's second derivative for it.
   [[nodiscard]] std::optional<Vector3<S>> circle_axis() const {
-    const S level = by_precision<S>(1e-7, 1e-3);
-    return is_coaxial() || largest(centre_) + largest(tilt_) > level ? std::nullopt : std::optional(axis_);
+    return is_coaxial() || largest(centre_) + largest(tilt_) > tolerance::nearly_coaxial.of<S>() ? std::nullopt
+                                                                                                 : std::optional(axis_);
   }
 
   /// Whether no direction between two latitudes is towards body 2: the opposite one is as low then, or lower.
@@ -120,8 +120,6 @@ class ParallelAxesBound {
   }
 
  private:
-  static constexpr double most_square = 16;  // epsilon: of the tilt; what the searches' slack takes (incumbent.hpp)
-
   ParallelAxesBound(const PlacedPair<S>& pair, detail::Revolution kind1, detail::Revolution kind2)
       : meridian1_(pair.body1.shape, kind1), meridian2_(pair.body2.shape, kind2) {
     using detail::axis_of, detail::Revolution;

@@ -54,7 +54,8 @@ class RotationDerivative {
     meridian_ = Meridian<S>(other.shape, kind);
     across_axes_ = cross(axis_, Vector3<S>::of(about));
     across_centres_ = cross(Vector3<S>::of(pair.body2.centre), Vector3<S>::of(about));
-    rounding_ = S(32) * epsilon<S>() * max(pair.size(), largest(Vector3<S>::of(pair.body2.centre)));
+    rounding_ =
+        S(tolerance::rotation_noise) * epsilon<S>() * max(pair.size(), largest(Vector3<S>::of(pair.body2.centre)));
   }
 
   /// F' over the cell; empty (low above high) where s may be 1 or -1.

@@ -33,7 +33,7 @@ template <class S>
 
 template <class S>
 [[nodiscard]] inline auto is_within_rolling_radius(const EllipsoidPair<S>& pair, const S& overlap) {
-  const S touching = S(1) + S(8) * epsilon<S>();  // concentric spheres: o is the ball's own radius
+  const S touching = S(1) + S(tolerance::touching) * epsilon<S>();
   return overlap <= inner_rolling_radius(pair) * touching;
 }
 
@@ -86,11 +86,9 @@ template <class S>
   const detail::AcrossRows<S> turned = detail::ClosestTurn<S>(rows1, rows2)(rows2);
   const Vector3<S> p = sum(touch.p);  // the row of B along u1
   const Symmetric3<S> m = square(p) + square(rows1.first + turned.first) + square(rows1.second + turned.second);
-  const S margin =
-      by_precision<S>(1e-9, 1e-4);  // relative: far above the rounding of the entries for bodies that are no needles
-  const S trace = m.trace(), noise = S(16) * epsilon<S>();
-  const S level = overlap * dot(normal, p) * (S(1) + margin) + noise * trace;
-  const Symmetric3<S> above = m.shifted(-level);
+  const S trace = m.trace(), noise = S(tolerance::determinant_noise) * epsilon<S>();
+  const S threshold = overlap * dot(normal, p) * (S(1) + tolerance::proof_margin.of<S>()) + noise * trace;
+  const Symmetric3<S> above = m.shifted(-threshold);
   const Adjugate<S> a = adjugate(above);
   return is_positive(above, a) && a.determinant > noise * trace * trace * trace;  // of thinner needles it has no sign
 }

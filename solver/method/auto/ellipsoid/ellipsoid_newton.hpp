@@ -6,6 +6,7 @@
 // Error   of o a few epsilon (h1 + h2 + |c|); of normal and points that times their condition numbers.
 #pragma once
 
+#include "solver/method/auto/budgets.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoid_steps.hpp"
 #include "solver/scalar.hpp"
 
@@ -28,9 +29,9 @@ class EllipsoidNewton {
   /// `axis`: unit, the line about which both bodies are of revolution; zero where there is none.
   EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
       : pair_(pair), axis_(axis), has_axis_(largest(axis) > S(0)),
-        limit_(std::min(want.iteration_limit, newton::most_iterations)), stops_early_(limit_ < want.iteration_limit),
+        limit_(std::min(want.iteration_limit, budget::ellipsoid_steps)), stops_early_(limit_ < want.iteration_limit),
         is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.size),
-        floor_(S(has_axis_ ? newton::circle_multiple : newton::noise_multiple) * epsilon<S>() * pair.size) {}
+        floor_(S(has_axis_ ? tolerance::circle_multiple : tolerance::noise_multiple) * epsilon<S>() * pair.size) {}
 
   /// From any direction but zero.
   void solve(EllipsoidContact<S>& out, const Vector3<S>& start) {
@@ -57,36 +58,37 @@ class EllipsoidNewton {
 
   /// Any direction with o < 0 separates the bodies.
   [[nodiscard]] bool is_apart(const DirectionPoint<S>& at) const {
-    return overlap_at(pair_, at) < -S(newton::surely_apart) * epsilon<S>() * pair_.size;
+    return overlap_at(pair_, at) < -S(tolerance::surely_apart) * epsilon<S>() * pair_.size;
   }
 
   [[nodiscard, gnu::always_inline]] bool is_small_enough(const DirectionPoint<S>& at) const {
     if (at.error <= std::max(floor_, asked_)) return true;
-    return at.error <= newton::near<S>() * pair_.size &&
-           at.error <= S(newton::noise_multiple) * epsilon<S>() * reach(pair_, at);
+    return at.error <= tolerance::near.of<S>() * pair_.size &&
+           at.error <= S(tolerance::noise_multiple) * epsilon<S>() * reach(pair_, at);
   }
 
   /// One step, shortened until o is lower where o can tell. True after a last one.
   [[nodiscard, gnu::always_inline]] bool descend(EllipsoidContact<S>& out) const {
     using std::sqrt;
     const Symmetric3<PerBody<S>> h = radii(pair_, out.at.touch);
-    Vector3<S> step = has_axis_ ? newton_step(without_rotation(sum(h), out.at, axis_), out.at, newton::tie_on_circle)
+    Vector3<S> step = has_axis_ ? newton_step(without_rotation(sum(h), out.at, axis_), out.at, tolerance::tie_on_circle)
                                 : newton_step(sum(h), out.at);
     S turn = squared_turn(pair_, out.at, step);
-    if (turn < newton::last_turn<S>() * newton::last_turn<S>() && lands(sum(h), out.at, step))
-      return follow(out.at, step), true;
-    const S longest = S(newton::longest_turn * newton::longest_turn);
+    if (turn < last_turn<S>() * last_turn<S>() && lands(sum(h), out.at, step)) return follow(out.at, step), true;
+    const S longest = S(tolerance::longest_turn * tolerance::longest_turn);
     if (turn > longest) {
       step = step * sqrt(longest / turn);
       turn = longest;
     }
-    if (turn < newton::short_turn<S>() * newton::short_turn<S>()) return evaluate(out, out.at.n + step), false;
+    if (turn < tolerance::short_turn.of<S>() * tolerance::short_turn.of<S>())
+      return evaluate(out, out.at.n + step), false;
     const S here = overlap_at(pair_, out.at);
     const Vector3<S> n = out.at.n;
     evaluate(out, n + step);
-    while (turn > newton::short_turn<S>() * newton::short_turn<S>() && !(overlap_at(pair_, out.at) <= here)) {
-      step = step * S(newton::shorter);
-      turn *= S(newton::shorter * newton::shorter);
+    while (turn > tolerance::short_turn.of<S>() * tolerance::short_turn.of<S>() &&
+           !(overlap_at(pair_, out.at) <= here)) {
+      step = step * S(tolerance::shorter);
+      turn *= S(tolerance::shorter * tolerance::shorter);
       evaluate(out, n + step);
     }
     return false;
@@ -100,13 +102,13 @@ class EllipsoidNewton {
   /// Newton on the points. Two steps from the direction form's floor reach theirs.
   [[gnu::noinline]] void settle(EllipsoidContact<S>& out) const {
     Settling<S> now = settling(pair_, out.at);
-    for (int i = 0; i < newton::most_settling && now.error > floor_; ++i) {
+    for (int i = 0; i < budget::settling_steps && now.error > floor_; ++i) {
       ++out.evaluations;
       out.at.touch.u = moved_points(pair_, out.at, now, has_axis_ ? &axis_ : nullptr);
       now = settling(pair_, out.at);
     }
     out.normal = now.n;
-    if (!(now.error <= S(newton::settled_multiple) * floor_)) out.status = Status::stalled;
+    if (!(now.error <= S(tolerance::settled_multiple) * floor_)) out.status = Status::stalled;
   }
 
   void finish(EllipsoidContact<S>& out) const {

@@ -3,41 +3,16 @@
 #pragma once
 
 #include "solver/method/auto/ellipsoid/ellipsoids.hpp"
-#include "solver/scalar.hpp"
 
 namespace plumb {
 
-namespace newton {
-inline constexpr double noise_multiple = 2;  // of epsilon: rounding of p1 + p2 - c
-inline constexpr double longest_turn = 0.8;  // 0.7 .. 1 do as well; at 1.5 needles take 19 steps instead of 12
-inline constexpr double shorter = 0.3;       // a step that does not lower o is cut to this
-inline constexpr double tie = 0.01;  // of o: the eigenvalue along a circle of minima or between ties, made positive
-inline constexpr double tie_on_circle = 1e-9;  // the same where the rotation is held anyway
-inline constexpr double circle_multiple = 12;  // of epsilon: an axis common to 8 epsilon leaves a slope of that size
-inline constexpr double surely_apart = 16;     // epsilon, relative: o is below zero whatever its rounding
-inline constexpr int most_iterations = 100;    // what is not at rest by then takes what the search may spend
-inline constexpr int most_settling = 3;
-inline constexpr double settled_multiple = 8;  // of the floor: what three settling steps must reach
-
-/// From here on o is too flat to tell what is lower.
-template <class S>
-[[nodiscard, gnu::always_inline]] inline S short_turn() {
-  return by_precision<S>(1e-4, 1e-2);
-}
-/// Its square, the error of the linear step, is below rounding.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline S last_turn() {
   using std::sqrt;
   if constexpr (std::numeric_limits<S>::digits > std::numeric_limits<double>::digits + 11)  // beyond x86's long double
-    return S(0.06) * sqrt(epsilon<S>());
-  return by_precision<S>(1e-9, 1e-4);
+    return S(tolerance::last_turn_of_root) * sqrt(epsilon<S>());
+  return tolerance::last_turn.of<S>();
 }
-/// Error, relative to the size, from which its floor is asked for.
-template <class S>
-[[nodiscard, gnu::always_inline]] inline S near() {
-  return by_precision<S>(1e-8, 1e-4);
-}
-}  // namespace newton
 
 /// |H1| + |H2| for a unit normal: by how much the points follow it.
 template <class S>
@@ -57,7 +32,7 @@ without_rotation(const Symmetric3<S>& h, const DirectionPoint<S>& at, const Vect
 /// `tie`: the share of o that an eigenvalue of about 0 becomes.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> newton_step(const Symmetric3<S>& h, const DirectionPoint<S>& at,
-                                                                double tie = newton::tie) {
+                                                                double tie = tolerance::tie) {
   const StepMatrix<S> m = step_matrix(h, at);
   Adjugate<S> inverse = adjugate(m.matrix);
   const auto positive = is_positive(m.matrix, inverse);
@@ -118,8 +93,9 @@ template <class S>
   const Vector3<S> twist = now.twist * (S(1) / sqrt(at.inverse_square)), none{S(0), S(0), S(0)};
   const Symmetric3<PerBody<S>> h = radii(pair, at.touch);
   at.slope = now.slope + second(h * for_each_body(twist));
-  const Vector3<S> step = axis == nullptr ? newton_step(sum(h), at)
-                                          : newton_step(without_rotation(sum(h), at, *axis), at, newton::tie_on_circle);
+  const Vector3<S> step = axis == nullptr
+                              ? newton_step(sum(h), at)
+                              : newton_step(without_rotation(sum(h), at, *axis), at, tolerance::tie_on_circle);
   const Vector3<PerBody<S>> d = pair.map * (for_each_body(step) + per_body(none, twist)) * at.touch.inverse_h;
   const Vector3<PerBody<S>> u = at.touch.u + d - at.touch.u * dot(at.touch.u, d);
   return u * (PerBody<S>(S(1)) / sqrt(dot(u, u)));

@@ -140,17 +140,11 @@ template <class S>
   return adjugate(sum(pair.square)).matrix * pair.c;
 }
 
-/// Sizes apart from which the line of centres is the normal to rounding.
-template <class S>
-[[nodiscard, gnu::always_inline]] inline S far_apart() {
-  return by_precision<S>(1e17, 1e8);
-}
-
 /// The same, largest component 1; the line of centres for bodies far apart; the thinnest direction for centres that coincide, or
 /// whose distance has no reciprocal.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
-  const Vector3<S> n = pair.size > far_apart<S>() ? pair.c : start_by_centres(pair);
+  const Vector3<S> n = pair.size > tolerance::far_apart.of<S>() ? pair.c : start_by_centres(pair);
   const S scale = S(1) / largest(n);
   return scale < std::numeric_limits<S>::infinity() ? n * scale : smallest_eigenvector(sum(pair.square));
 }
@@ -170,7 +164,8 @@ template <class S>
   const Adjugate<S> inverse = adjugate(m);
   const Vector3<S> next = inverse.matrix * pair.c * (S(1) / inverse.determinant);
   const S size = largest(next);
-  return blend(is_positive(m, inverse) && size > S(0.01) && size < S(100), next, n);
+  return blend(is_positive(m, inverse) && size > S(tolerance::least_correction) && size < S(tolerance::most_correction),
+               next, n);
 }
 
 template <class S>

@@ -16,6 +16,7 @@
 
 #include <cmath>
 
+#include "solver/method/auto/tolerances.hpp"
 #include "solver/method/per_body.hpp"
 
 namespace plumb {
@@ -36,7 +37,7 @@ template <class S>
   if (out.all_two) return out;
   // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
   const PerBody<S> above = nu - S(2);
-  const Mask<S> near = above < by_precision<S>(1e-6, 1e-3);
+  const Mask<S> near = above < tolerance::near_two.of<S>();
   const PerBody<S> t = exp(-log(out.nu_minus_1) / select<S>(near, S(1), above));
   out.switch_t = select<S>(out.is_two, S(0), select<S>(near, S(0.36787944117144233), t));
   out.switch_u = out.switch_t * out.inverse;
@@ -67,25 +68,20 @@ struct ArcPoint {
 
 namespace detail {
 
-/// A zero: its powers stay finite.
-template <class S>
-[[nodiscard, gnu::always_inline]] inline S smallest_ratio() {
-  return by_precision<S>(1e-140, 1e-15);
-}
-
 /// Sets the rest from the ratio: of g where `is_u`, of c elsewhere. Signs and `b_is_larger` are set.
 template <class S>
 [[gnu::always_inline]] inline void set_ratio(const SuperellipseArc<S>& arc, PerBody<S> ratio, Mask<S> is_u,
                                              ArcPoint<S>& out) {
-  is_u = is_u && !(ratio < smallest_ratio<S>());  // a zero is one of c: a zero of g would have a finite curvature
-  ratio = max(ratio, PerBody<S>(smallest_ratio<S>()));
+  is_u = is_u &&
+         !(ratio < tolerance::smallest_ratio.of<S>());  // a zero is one of c: a zero of g would have a finite curvature
+  ratio = max(ratio, PerBody<S>(tolerance::smallest_ratio.of<S>()));
   PerBody<S> larger;
   if (has_one_pair<S> && arc.all_two) {
     out.t = out.u = ratio;
     larger = S(1) / sqrt(S(1) + ratio * ratio);
   } else {
     const PerBody<S> power = select<S>(is_u, arc.inverse, arc.nu_minus_1);
-    const PerBody<S> other = exp(max(log(ratio) * power, PerBody<S>(by_precision<S>(-690, -80))));
+    const PerBody<S> other = exp(max(log(ratio) * power, PerBody<S>(tolerance::least_logarithm.of<S>())));
     out.t = select<S>(is_u && !arc.is_two, other, ratio);
     out.u = select<S>(is_u || arc.is_two, ratio, other);
     larger = exp(-log(S(1) + out.t * out.u) * arc.inverse_nu);
@@ -112,7 +108,7 @@ template <class S>
   out.b_is_larger = size_a < size_b;
   out.sign_a = sign<S>(a);
   out.sign_b = sign<S>(b);
-  const PerBody<S> larger = max(max(size_a, size_b), PerBody<S>(detail::smallest_ratio<S>()));
+  const PerBody<S> larger = max(max(size_a, size_b), PerBody<S>(tolerance::smallest_ratio.of<S>()));
   detail::set_ratio<S>(arc, min(size_a, size_b) / larger, is_g, out);
   return out;
 }
@@ -126,7 +122,8 @@ moved_arc_point(const SuperellipseArc<S>& arc, const PerBody<S>& switch_t, const
   const Mask<S> by_g = old.t >= switch_t;
   const PerBody<S> a = select<S>(by_g, ga, ca) * old.sign_a, b = select<S>(by_g, gb, cb) * old.sign_b;
   const PerBody<S> was_larger = select<S>(old.b_is_larger, b, a), was_smaller = select<S>(old.b_is_larger, a, b);
-  const PerBody<S> least = max(S(0.02) * abs(was_smaller), PerBody<S>(detail::smallest_ratio<S>()));
+  const PerBody<S> least =
+      max(S(tolerance::least_ratio) * abs(was_smaller), PerBody<S>(tolerance::smallest_ratio.of<S>()));
   const PerBody<S> ratio = was_smaller / max(was_larger, least), offset = switch_t - arc.switch_u;
   const PerBody<S> s = select<S>(by_g, ratio + offset, ratio), size = abs(s);
   const Mask<S> is_t = size <= switch_t;

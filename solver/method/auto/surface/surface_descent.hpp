@@ -28,7 +28,6 @@ class SurfaceDescent {
 
  private:
   static constexpr int most_tries = 3;  // of Newton: between flats it gains a fixed factor a step; others do better
-  static constexpr double armijo = 1e-4;
 
   /// The step in the plane of `across`, and the change of o that its gradient predicts.
   struct Step {
@@ -37,7 +36,7 @@ class SurfaceDescent {
 
   [[nodiscard]] bool is_in_a_basin(const PlaneHessian<S>& h) const {
     const S lowest = h.lower_eigenvalue() - f_.overlap;
-    return lowest > S(0) && f_.slope < S(0.2) * lowest;
+    return lowest > S(0) && f_.slope < S(tolerance::basin_slope) * lowest;
   }
 
   [[nodiscard]] Step step_of(const PlaneHessian<S>& h) const {
@@ -54,10 +53,10 @@ class SurfaceDescent {
     else
       vx = S(1), vy = S(0);
     const S g1 = vx * f_.value[2] + vy * f_.value[3], g2 = vx * f_.value[3] - vy * f_.value[2];
-    const S least = S(1e-3) * size;
+    const S least = S(tolerance::least_curvature) * size;
     const S d1 = -g1 / std::max(abs(high), least);
     S d2 = -g2 / std::max(abs(low), least);
-    if (low < S(0) && abs(g2) < by_precision<S>(1e-9, 1e-4) * size) d2 = S(0.3);  // off a saddle
+    if (low < S(0) && abs(g2) < tolerance::uphill.of<S>() * size) d2 = S(tolerance::off_saddle);  // off a saddle
     return {vx * d1 - vy * d2, vy * d1 + vx * d2, g1 * d1 + std::min(S(0), g2 * d2)};
   }
 
@@ -69,11 +68,12 @@ class SurfaceDescent {
     S t = size > radius_ ? radius_ / size : S(1);
     const SurfaceEquations<S> from = f_;
     const Surfaces<S> surfaces = at_;
-    for (int k = 0; k < 30; ++k, t *= S(0.4)) {
+    for (int k = 0; k < 30; ++k, t *= S(tolerance::shorter_step)) {
       const Vector3<S> n = from.m + from.across[0] * (t * step.x) + from.across[1] * (t * step.y);
       attempts_.evaluate(n * (S(1) / length(n)), at_, f_, out_);
-      if (!(f_.overlap < from.overlap + S(armijo) * t * step.predicted)) continue;
-      radius_ = k == 0 ? std::min(S(0.5), radius_ * 2) : std::max(t * size, by_precision<S>(1e-6, 1e-3));
+      if (!(f_.overlap < from.overlap + S(tolerance::armijo) * t * step.predicted)) continue;
+      radius_ = k == 0 ? std::min(S(tolerance::widest_descent), radius_ * 2)
+                       : std::max(t * size, tolerance::least_radius.of<S>());
       return true;
     }
     f_ = from;
@@ -83,7 +83,7 @@ class SurfaceDescent {
 
   [[nodiscard]] bool finish(const Attempt& attempt) {
     Surfaces<S> at = at_;
-    const S highest = f_.overlap + by_precision<S>(1e-9, 1e-4) * attempts_.pair().size;
+    const S highest = f_.overlap + tolerance::uphill.of<S>() * attempts_.pair().size;
     attempts_.newton(at, attempt, out_);
     return out_.minimum && (attempt.limit == attempts::at_the_bottom.limit || out_.overlap <= highest);
   }
@@ -92,7 +92,7 @@ class SurfaceDescent {
   SurfaceContact<S>& out_;
   Surfaces<S> at_;
   SurfaceEquations<S> f_;
-  S radius_ = S(0.5);
+  S radius_ = S(tolerance::widest_descent);
 };
 
 }  // namespace plumb

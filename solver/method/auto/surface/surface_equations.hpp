@@ -94,7 +94,7 @@ struct PlaneHessian {
 
 template <class S>
 [[nodiscard]] inline PlaneHessian<S> hessian_of(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& at) {
-  const PerBody<S> f(by_precision<S>(1e-8, 1e-5) / pair.size);
+  const PerBody<S> f(tolerance::flat_curvature.of<S>() / pair.size);
   const auto& a = at.dpoint;
   const auto b = [&](std::size_t i, std::size_t j) { return at.dnormal[i][j] + f * a[i][j]; };
   const PerBody<S> scale = S(1) / (b(0, 0) * b(1, 1) - b(0, 1) * b(1, 0));
@@ -107,8 +107,8 @@ template <class S>
 template <class S>
 [[nodiscard]] inline auto is_minimum(const SuperellipsoidPair<S>& pair, const SurfaceEquations<S>& at) {
   return at.overlap <= S(0) ||
-         at.overlap <= hessian_of(pair, at).lower_eigenvalue() * (S(1) + by_precision<S>(1e-6, 1e-3)) +
-                           by_precision<S>(1e-12, 1e-5) * pair.size;
+         at.overlap <= hessian_of(pair, at).lower_eigenvalue() * (S(1) + tolerance::curvature_noise.of<S>()) +
+                           tolerance::minimum_noise.of<S>() * pair.size;
 }
 
 /// 4 equations: columns d0 and d1 of body 1 and 2 in turn.
@@ -154,7 +154,7 @@ template <class S>
 [[nodiscard]] inline std::array<S, 4> solve4(std::array<Equation4<S>, 4> m) {
   using std::abs;
   const auto inverse = [](const S& pivot) {
-    return S(1) / blend(pivot == S(0), by_precision<S>(1e-300, 1e-36), pivot);
+    return S(1) / blend(pivot == S(0), tolerance::smallest_pivot.of<S>(), pivot);
   };
   std::array<S, 4> x;
   for (std::size_t k = 0; k < 4; ++k) {

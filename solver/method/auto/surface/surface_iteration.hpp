@@ -20,7 +20,8 @@ template <class S>
 /// falls to a third a step, and by half at last: corpus/cases/regressions/needles-in-line-16-eps.json.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline auto is_at_rest(const S& now, const S& last, const S& tolerance) {
-  return now < tolerance || (now < S(12.0) * epsilon<S>() && now * S(1.25) >= last);
+  return now < tolerance ||
+         (now < S(tolerance::resting_residual) * epsilon<S>() && now * S(tolerance::resting_factor) >= last);
 }
 
 /// Newton's system at f. `bend()` is the least second derivative of o, without its own part: where o is above it, the step
@@ -47,10 +48,10 @@ template <class S>
 template <class S>
 [[nodiscard, gnu::always_inline]] inline std::array<S, 4> cleaned(std::array<S, 4> x) {
   using std::max, std::min;
-  const auto clean = squared_length(x) < by_precision<S>(1e200, 1e30);
+  const auto clean = squared_length(x) < tolerance::largest_square.of<S>();
   if (all_of(clean)) return x;
   for (S& component : x) {
-    const S most(1e3), clamped = min(max(component, S(-most)), most);
+    const S most(tolerance::longest_component), clamped = min(max(component, S(-most)), most);
     component = blend(clean, component, blend(component == component, clamped, S(0.0)));
   }
   return x;
@@ -66,7 +67,7 @@ template <class S>
 /// Whether the last step may be tried.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline auto is_close(const SurfaceEquations<S>& f, const S& residual) {
-  return f.opposite && residual < by_precision<S>(1e-7, 3e-4);
+  return f.opposite && residual < tolerance::last_step_residual.of<S>();
 }
 
 /// The last step, along the tangents, without new powers: taken, of those `where`, if max(step^2, turn^2) nu^2 < 0.05 epsilon
@@ -79,7 +80,8 @@ template <class S, class M>
   using std::max;
   const Followed<S> moved = followed(at, per_body<S>(x[0], x[2]), per_body<S>(x[1], x[3]));
   const S top = pair.greatest_nu, square = max(hmax(moved.squared_turn), squared_length(x));
-  const M is_short = where && square * top * top < S(0.05) * epsilon<S>() * hmin(room_to_fold(pair, at));
+  const M is_short =
+      where && square * top * top < S(tolerance::last_step) * epsilon<S>() * hmin(room_to_fold(pair, at));
   if (none_of(is_short)) return is_short;
   to.dnormal = f.dnormal;
   to.dpoint = f.dpoint;

@@ -39,7 +39,7 @@ class SurfaceNewton {
   SurfaceNewton(const SuperellipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis, const Attempt& attempt)
       : pair_(pair), axis_(axis), attempt_(attempt), limit_(std::min(attempt.limit, want.iteration_limit)),
         last_limit_(std::min(std::max(limit_, 60), want.iteration_limit)),
-        tolerance_(std::max(S(4) * epsilon<S>(), S(want.tolerance))), cap_(attempt.cap) {}
+        tolerance_(std::max(S(tolerance::residual) * epsilon<S>(), S(want.tolerance))), cap_(attempt.cap) {}
 
   /// Leaves the last surfaces in `at`. Iterations and evaluations are added to those of `out`.
   void solve(Surfaces<S>& at, SurfaceContact<S>& out) {
@@ -68,7 +68,7 @@ class SurfaceNewton {
       const S now = residual(pair_, *f_);
       if (is_exact() && f_->opposite && is_at_rest(now, last, tolerance_)) return Status::converged;
       if (!(now < std::numeric_limits<S>::infinity())) return Status::not_finite;
-      const bool is_promising = now < S(0.05) && now < S(0.8) * last;
+      const bool is_promising = now < S(tolerance::promising_residual) && now < S(tolerance::promising_factor) * last;
       if (i >= (is_promising ? last_limit_ : limit_)) return Status::iteration_limit;
       last = now;
       ++out.iterations;
@@ -121,7 +121,7 @@ class SurfaceNewton {
     raise_cap();
     const bool searches = attempt_.line_search && is_exact();
     const PerBody<S> d0 = per_body<S>(x[0], x[2]), d1 = per_body<S>(x[1], x[3]);
-    for (int k = 0; k < 12; ++k, t *= S(0.4)) {
+    for (int k = 0; k < 12; ++k, t *= S(tolerance::shorter_step)) {
       ++out.evaluations;
       move_surfaces<S, any_dual>(pair_, is_exact() ? pair_.inner : inner_, is_exact() ? pair_.outer : outer_, *here_,
                                  d0 * t, d1 * t, *there_);
@@ -134,7 +134,7 @@ class SurfaceNewton {
 
   [[nodiscard]] bool is_better(const S& t) const {
     const auto square = [](const SurfaceEquations<S>& f) { return f.twist * f.twist + f.slope * f.slope; };
-    return (next_->opposite || !f_->opposite) && square(*next_) <= square(*f_) * (1 - S(1e-4) * t);
+    return (next_->opposite || !f_->opposite) && square(*next_) <= square(*f_) * (1 - S(tolerance::armijo) * t);
   }
 
   const SuperellipsoidPair<S>& pair_;

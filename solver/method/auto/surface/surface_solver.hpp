@@ -29,7 +29,7 @@ class SurfaceSolver {
     Answer out;
     ++out.evaluations;
     const Vector3<S> n = v * (S(1) / length(v));
-    const S highest = dot(farthest(n), n) + by_precision<S>(1e-9, 1e-4) * pair.size;
+    const S highest = dot(farthest(n), n) + tolerance::uphill.of<S>() * pair.size;
     for (const attempts::SearchAttempt& row : attempts::of_search) {
       if (row.worth > worth) break;
       if (finds(n, row.attempt, out) && (row.attempt.by == AttemptBy::descent || out.overlap <= highest)) return out;
@@ -98,7 +98,8 @@ class SurfaceSolver {
     const std::array<Vector3<S>, 2> across{Vector3<S>::of(basis.col(0)), Vector3<S>::of(basis.col(1))};
     for (std::size_t k = 0; k < 2; ++k)
       for (const S& side : {S(1), S(-1)}) {
-        const Vector3<S> n = m + across[k] * (S(0.4) * side) - across[1 - k] * (S(0.07) * side);
+        const Vector3<S> n =
+            m + across[k] * (S(tolerance::beside_saddle) * side) - across[1 - k] * (S(tolerance::across_saddle) * side);
         if (finds(n * (S(1) / length(n)), attempts::off_saddle, out)) return true;
       }
     return false;
@@ -117,7 +118,8 @@ class SurfaceSolver {
   /// Whether the direction separates the bodies; `out` is its answer then.
   [[nodiscard]] bool separates(const Vector3<S>& n, Answer& out) const {
     ++out.evaluations;
-    const S overlap = dot(farthest(n), n), surely_apart = S(16) * pair.greatest_nu * epsilon<S>() * pair.reach;
+    const S overlap = dot(farthest(n), n),
+            surely_apart = S(tolerance::surely_apart) * pair.greatest_nu * epsilon<S>() * pair.reach;
     if (!(overlap < -surely_apart)) return false;
     out.point1 = out.point2 = absent<S>();
     out.chart = for_each_body(absent<S>());

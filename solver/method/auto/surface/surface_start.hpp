@@ -24,9 +24,9 @@ struct SurfaceStart {
     const Symmetric3<S> squares =
         sum(Symmetric3<PerBody<S>>{dot(x, x), dot(x, y), dot(x, z), dot(y, y), dot(y, z), dot(z, z)});
     // Bodies 1e17 sizes apart: the line of centres, which is the normal to rounding.
-    const auto far = largest(pair.c) > by_precision<S>(1e17, 1e8) * pair.size;
+    const auto far = largest(pair.c) > tolerance::far_apart.of<S>() * pair.size;
     // Coinciding centres: a direction that favours no axis.
-    const auto apart = largest(pair.c) > by_precision<S>(1e-14, 1e-6) * pair.size;
+    const auto apart = largest(pair.c) > tolerance::coinciding.of<S>() * pair.size;
     const Vector3<S> near = adjugate(squares).matrix * blend(apart, pair.c, Vector3<S>{S(0.001), S(0.002), S(0.003)});
     const Vector3<S> v = blend(far, pair.c, near);
     const Vector3<S> n = v * (S(1) / largest(v));  // of needles the square would underflow
@@ -52,7 +52,7 @@ struct SurfaceStart {
   [[nodiscard]] Mask<S> is_blocky() const {
     const PerBody<S> inner = select<S>(pair.inner.dual, S(0), pair.inner.nu);
     const PerBody<S> outer = select<S>(pair.outer.dual, S(0), pair.outer.nu);
-    return max(inner, outer) > S(3);
+    return max(inner, outer) > S(tolerance::blocky);
   }
 
   /// From each centre to the middle of the ellipsoids' support points, gauge coordinates.

@@ -41,7 +41,8 @@ moved_vectors(const SuperellipseArc<S>& outer, const Surfaces<S>& from, const Pe
   // By how much the normal's length would change, taken back.
   const Vector3<PerBody<S>>& n = from.normal;
   const PerBody<S> growth = d0 * dot(n, from.dnormal0) + d1 * (n.x * from.dnormal1_x + n.y * from.dnormal1_y);
-  const PerBody<S> k = min(max(-growth / dot(n, n), PerBody<S>(S(-0.7))), PerBody<S>(S(3)));
+  const PerBody<S> k =
+      min(max(-growth / dot(n, n), PerBody<S>(S(tolerance::most_shrunk))), PerBody<S>(S(tolerance::most_grown)));
   const PerBody<S> of_g = any_dual ? select<S>(outer.dual, S(0), k) : k;
   if constexpr (any_dual) {
     const PerBody<S> of_c = k - of_g;
@@ -73,15 +74,15 @@ inline void move_surfaces(const SuperellipsoidPair<S>& pair, const SuperellipseA
                           const PerBody<S>& d1, Surfaces<S>& out) {
   const ArcPoint<S>&i = from.inner, &o = from.outer;
   const detail::MovedVectors<S> m = detail::moved_vectors<S, any_dual>(outer, from, d0, d1);
-  const Mask<S> pole = o.ga < S(1e-3) * o.ca;
-  const PerBody<S> inner_switch = select<S>(pole, by_precision<S>(1e300, 1e38), inner.switch_t);
+  const Mask<S> pole = o.ga < S(tolerance::pole) * o.ca;
+  const PerBody<S> inner_switch = select<S>(pole, tolerance::endless_switch.of<S>(), inner.switch_t);
   const PerBody<S> radius_v = m.vx * i.ca + m.vy * i.cb;
-  const Mask<S> reversed = radius_v < S(0.1) * o.ga && !outer.is_two;
+  const Mask<S> reversed = radius_v < S(tolerance::past_the_pole) * o.ga && !outer.is_two;
   // The new radii from the old inner point, to second order: then the two arcs need not wait for each other.
   const PerBody<S> radius_w = m.wx * i.ga + m.wy * i.gb;
   const PerBody<S> across_w = i.ca * m.wy - i.cb * m.wx, across_v = i.ga * m.vy - i.gb * m.vx;
   const PerBody<S> bend = i.ka * i.gb * i.gb + i.kb * i.ga * i.ga;
-  const S small = S(0.04);
+  const S small = S(tolerance::near_inner_point);
   const Mask<S> near = across_w * across_w < small * radius_w * radius_w && radius_w > S(0) &&
                        across_v * across_v < small * radius_v * radius_v && !reversed;
   const Mask<S> alone = reversed && o.t >= outer.switch_t;

@@ -36,7 +36,7 @@ template <class S>
   const Vector3<PerBody<S>>& a = pair.semi_axes;
   const PerBody<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
   const PerBody<S> radius = min(pair.outer.inverse, pair.inner.inverse) * least * least / longest;
-  const S touching = S(1) + S(8) * epsilon<S>();  // concentric spheres: o is the ball's own radius
+  const S touching = S(1) + S(tolerance::touching) * epsilon<S>();
   return sum<S>(select<S>(pair.outer.dual || pair.inner.dual, S(0), radius)) * touching;
 }
 
