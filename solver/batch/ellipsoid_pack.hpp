@@ -20,8 +20,8 @@ class EllipsoidPack {
 
   [[gnu::always_inline]] EllipsoidPack(const EllipsoidPair<P>& pair, const Want& want)
       : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)),
-        floor_(P(tolerance::noise_multiple * std::numeric_limits<double>::epsilon()) * pair.size),
-        enough_(max(floor_, P(want.tolerance) * pair.size)), at_(direction_point(pair, start(pair))) {}
+        floor_(P(tolerance::noise_multiple * std::numeric_limits<double>::epsilon()) * pair.reach),
+        enough_(max(floor_, P(want.tolerance) * pair.reach)), at_(direction_point(pair, start(pair))) {}
 
   [[nodiscard, gnu::always_inline]] PackContact<P> solve() {
     iterate();
@@ -39,13 +39,13 @@ class EllipsoidPack {
 
   /// Lanes of coinciding centres get NaN, and are not settled.
   [[nodiscard, gnu::always_inline]] static Vector3<P> start(const EllipsoidPair<P>& pair) {
-    const Vector3<P> n = blend(pair.size > tolerance::far_apart.of<P>(), pair.c, start_by_centres(pair));
+    const Vector3<P> n = blend(pair.reach > tolerance::far_apart.of<P>(), pair.c, start_by_centres(pair));
     return cold_start(pair, n * (P(1.0) / largest(n)));
   }
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough() const {
     const Lanes enough = at_.error <= enough_;
-    const Lanes near = at_.error <= tolerance::near.of<P>() * pair_.size;
+    const Lanes near = at_.error <= tolerance::near.of<P>() * pair_.reach;
     if (none_of(near && !enough)) return enough;
     const P noise(tolerance::noise_multiple * std::numeric_limits<double>::epsilon());
     return enough || (near && at_.error <= noise * reach(pair_, at_));

@@ -109,6 +109,7 @@ template <class P>
   out.semi_axes = axes * PerBody<P>(factor);
   out.size = size * factor;
   out.c = (position2 * large - out.position1 * large) * small;
+  out.reach = max(out.size, largest(out.c));
   out.valid = out.valid && largest(out.c) < P(1e150);  // beyond it squares overflow
   return out;
 }
@@ -137,7 +138,7 @@ struct PackContact {
 /// The values of Verdict.
 template <class P>
 [[nodiscard, gnu::always_inline]] inline P verdict_of(const P& overlap, const P& size, double tolerance) {
-  const P floor = P(undecided_multiple * std::numeric_limits<double>::epsilon() + tolerance) * size;
+  const P floor = P(tolerance::undecided * std::numeric_limits<double>::epsilon() + tolerance) * size;
   const auto value = [](Verdict verdict) { return P(static_cast<double>(verdict)); };
   return blend(overlap > floor, value(Verdict::overlapping),
                blend(overlap < -floor, value(Verdict::separated), value(Verdict::undecided)));

@@ -73,7 +73,7 @@ template <class S>
   out.status = has_length<S>(frame, size) ? found.status : Status::not_finite;
   out.iterations = found.iterations;
   out.evaluations = found.evaluations;
-  const S undecided = S(undecided_multiple) + S(want.tolerance) / epsilon<S>();  // a residual that was allowed counts
+  const S undecided = S(tolerance::undecided) + S(want.tolerance) / epsilon<S>();  // a residual that was allowed counts
   out.verdict =
       found.overlaps ? Verdict::overlapping : verdict_of<S>(found.overlap, size, static_cast<double>(undecided));
   out.chart1 = found.chart1.eigen();

@@ -1,4 +1,7 @@
-// A pair in its own frame, as place() of pose.hpp makes it and with the same bits, both bodies side by side.
+// A pair in its own frame, both bodies side by side: what `auto` computes with.
+//
+// EllipsoidPair and SuperellipsoidPair are made of it for their equations. PlacedPair of pose.hpp is the same pair with the same
+// bits, a body at a time: what the published methods and axes of revolution need. A search forms it once.
 #pragma once
 
 #include "solver/method/auto/tolerances.hpp"
@@ -13,10 +16,8 @@ struct FramedPair {
   Matrix3<PerBody<S>> rotation;
   Vector3<S> c;  ///< from body 1's centre to body 2's
   S size;        ///< the longest semi-axis, in [1, 2)
+  S reach;       ///< or the centre distance where that is more: what rounding is relative to
 };
-
-/// |o| up to this many epsilon of the size leaves the verdict open: what rounding may do to it (properties/laws/allowance.hpp).
-inline constexpr double undecided_multiple = 8;
 
 /// Of a quaternion with a largest component near 1: rotation() of pose_impl.hpp.
 template <class T>
@@ -50,6 +51,7 @@ template <class S>
 
 template <class S>
 [[nodiscard, gnu::always_inline]] inline FramedPair<S> framed_pair(const Pair& pair, const PairFrame<S>& frame) {
+  using std::max;
   const std::array<S, 4> q1 = detail::near_one<S>(pair.body1.quaternion),
                          q2 = detail::near_one<S>(pair.body2.quaternion);
   const auto component = [&](std::size_t k) { return per_body<S>(q1[k], q2[k]); };
@@ -59,6 +61,7 @@ template <class S>
   out.rotation = rotation_of<PerBody<S>>(component(0), component(1), component(2), component(3));
   out.c = Vector3<S>::of(frame.to_centre(pair));
   out.size = frame.size(pair);
+  out.reach = max(out.size, largest(out.c));
   return out;
 }
 

@@ -30,8 +30,8 @@ class EllipsoidNewton {
   EllipsoidNewton(const EllipsoidPair<S>& pair, const Want& want, const Vector3<S>& axis = {S(0), S(0), S(0)})
       : pair_(pair), axis_(axis), has_axis_(largest(axis) > S(0)),
         limit_(std::min(want.iteration_limit, budget::ellipsoid_steps)), stops_early_(limit_ < want.iteration_limit),
-        is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.size),
-        floor_(S(has_axis_ ? tolerance::circle_multiple : tolerance::noise_multiple) * epsilon<S>() * pair.size) {}
+        is_yes_or_no_(want.is_yes_or_no()), asked_(S(want.tolerance) * pair.reach),
+        floor_(S(has_axis_ ? tolerance::circle_multiple : tolerance::noise_multiple) * epsilon<S>() * pair.reach) {}
 
   /// From any direction but zero.
   void solve(EllipsoidContact<S>& out, const Vector3<S>& start) {
@@ -58,12 +58,12 @@ class EllipsoidNewton {
 
   /// Any direction with o < 0 separates the bodies.
   [[nodiscard]] bool is_apart(const DirectionPoint<S>& at) const {
-    return overlap_at(pair_, at) < -S(tolerance::surely_apart) * epsilon<S>() * pair_.size;
+    return overlap_at(pair_, at) < -S(tolerance::surely_apart) * epsilon<S>() * pair_.reach;
   }
 
   [[nodiscard, gnu::always_inline]] bool is_small_enough(const DirectionPoint<S>& at) const {
     if (at.error <= std::max(floor_, asked_)) return true;
-    return at.error <= tolerance::near.of<S>() * pair_.size &&
+    return at.error <= tolerance::near.of<S>() * pair_.reach &&
            at.error <= S(tolerance::noise_multiple) * epsilon<S>() * reach(pair_, at);
   }
 

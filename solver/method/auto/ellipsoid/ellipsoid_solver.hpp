@@ -20,7 +20,7 @@ struct EllipsoidSolver {
   // What a search asks (incumbent.hpp).
   [[nodiscard]] S inner_rolling_radius() const { return plumb::inner_rolling_radius(pair); }
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
-  [[nodiscard]] S size() const { return pair.size; }
+  [[nodiscard]] S size() const { return pair.reach; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
   [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const {
     return {SupportShape<S>{first(pair.map), S(2), S(2)}, SupportShape<S>{second(pair.map), S(2), S(2)}};

@@ -81,7 +81,7 @@ template <class S>
   const Vector3<PerBody<S>> normals = normals_at(pair, at.touch.u);
   const Vector3<S> n = first(normals), twist = n - second(normals), gradient = sum(at.touch.p) - pair.c;
   const Vector3<S> slope = gradient - n * dot(n, gradient);
-  return {n, slope, twist, max(length(slope), S(length(twist) * pair.size))};
+  return {n, slope, twist, max(length(slope), S(length(twist) * pair.reach))};
 }
 
 /// The points u1 and u2 after a Newton step; `axis`: as for `held`, or none.

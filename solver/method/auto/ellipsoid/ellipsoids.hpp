@@ -5,7 +5,7 @@
 // h = |q|, q = A n, A = diag(a, b, c) R'  support function; u = q / h is the point in units of the semi-axes
 // p = A'u                                 support point from the body's centre
 // H = (A'A - p p') / h                    second derivative of h
-// All but o are of degree 0 or -1 in n, so that n need not be a unit vector: no square root is taken to make it one.
+// The others than o are of degree 0 or -1 in n: n need not be a unit vector, and no square root is taken to make it one.
 //
 // The step  (H1 + H2 - o I) d = -(tangential part of p1 + p2 - c) is Newton's on the sphere. It is cut where it would turn a
 //           body's u by more than `longest_turn`: h is the root of a quadratic form, and its derivatives hold only that
@@ -20,25 +20,24 @@
 
 namespace plumb {
 
-/// Two ellipsoids about their own centres, axes of the pair's frame.
+/// A FramedPair whose rotation is in `map`: to carry it as well costs a batch 1.5 percent.
 template <class S>
 struct EllipsoidPair {
   Vector3<PerBody<S>> semi_axes;
   Matrix3<PerBody<S>> map;        ///< A
   Symmetric3<PerBody<S>> square;  ///< A'A, for H alone: it has lost digits of the short axes
   Vector3<S> c;
-  S size;  ///< the larger body's, or the centre distance where that is more: what rounding is relative to
+  S reach;
 };
 
 template <class S>
 [[nodiscard, gnu::always_inline]] inline EllipsoidPair<S> ellipsoid_pair(const FramedPair<S>& framed) {
-  using std::max;
   const Vector3<PerBody<S>>& a = framed.semi_axes;
   const Matrix3<PerBody<S>>& r = framed.rotation;
   const Matrix3<PerBody<S>> map{{r.row0.x * a.x, r.row1.x * a.x, r.row2.x * a.x},
                                 {r.row0.y * a.y, r.row1.y * a.y, r.row2.y * a.y},
                                 {r.row0.z * a.z, r.row1.z * a.z, r.row2.z * a.z}};
-  return {a, map, gram(map), framed.c, max(framed.size, largest(framed.c))};
+  return {a, map, gram(map), framed.c, framed.reach};
 }
 
 /// Where the support planes along n touch.
@@ -144,7 +143,7 @@ template <class S>
 /// whose distance has no reciprocal.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Vector3<S> ellipsoid_start(const EllipsoidPair<S>& pair) {
-  const Vector3<S> n = pair.size > tolerance::far_apart.of<S>() ? pair.c : start_by_centres(pair);
+  const Vector3<S> n = pair.reach > tolerance::far_apart.of<S>() ? pair.c : start_by_centres(pair);
   const S scale = S(1) / largest(n);
   return scale < std::numeric_limits<S>::infinity() ? n * scale : smallest_eigenvector(sum(pair.square));
 }

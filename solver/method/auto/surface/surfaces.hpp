@@ -2,7 +2,7 @@
 //
 // Two nested arcs (superellipse_arc.hpp): the outer one pairs r = |(x, y)| with z, the inner one x with y, so that in gauge
 // coordinates (x/a, y/b, z/c) the chart's direction is w = (ou.ca in.ca, ou.ca in.cb, ou.cb).
-// Coordinates   d0 moves the outer arc along its tangent, d1 the inner one, divided by ou.ca: no pole, for the two
+// Coordinates   d0 moves the outer arc along its tangent, d1 the inner one, divided by ou.ca. There is no pole: the two
 //               tangents stay independent and of length about 1 where r vanishes
 // N             the normal times any length
 #pragma once
@@ -14,13 +14,9 @@
 namespace plumb {
 
 template <class S>
-struct SuperellipsoidPair {
-  Vector3<PerBody<S>> semi_axes, inverse_axes;
-  Matrix3<PerBody<S>> rotation;
+struct SuperellipsoidPair : FramedPair<S> {
+  Vector3<PerBody<S>> inverse_axes;
   SuperellipseArc<S> inner, outer;
-  Vector3<S> c;   ///< from body 1's centre to body 2's
-  S size;         ///< the larger body's
-  S reach;        ///< or the centre distance where that is more: what rounding is relative to
   bool any_dual;  ///< an exponent is below 2
   S greatest_nu;
   S inner_rolling_radius;  ///< radius of a ball that rolls inside the bodies' Minkowski sum
@@ -46,17 +42,12 @@ template <class S>
 template <class S>
 [[nodiscard, gnu::always_inline]] inline SuperellipsoidPair<S>
 superellipsoid_pair(const FramedPair<S>& framed, const PerBody<S>& n1, const PerBody<S>& n2) {
-  using std::max;
   SuperellipsoidPair<S> out;
+  static_cast<FramedPair<S>&>(out) = framed;
   const Vector3<PerBody<S>>& a = framed.semi_axes;
-  out.semi_axes = a;
   out.inverse_axes = {S(1) / a.x, S(1) / a.y, S(1) / a.z};
-  out.rotation = framed.rotation;
   out.outer = arc_of_exponents<S>(n1);
   out.inner = arc_of_exponents<S>(n2);
-  out.c = framed.c;
-  out.size = framed.size;
-  out.reach = max(out.size, largest(out.c));
   out.any_dual = any_of(out.inner.dual) || any_of(out.outer.dual);
   out.greatest_nu = hmax(max(out.inner.nu, out.outer.nu));
   out.inner_rolling_radius = detail::inner_rolling_radius(out);
