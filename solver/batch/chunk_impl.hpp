@@ -1,6 +1,6 @@
 // A chunk of a batch; included only by the one source file of each instruction set. What is instantiated here is named by a
-// type that holds the width of the registers, or is inlined by force: the linker keeps one function of each name, and must
-// not keep one with instructions that a machine does not have.
+// type that holds the width of the registers, or is inlined by force. The linker keeps one function of each name: it must not
+// keep one with instructions that a machine does not have.
 #pragma once
 
 #include <cstring>

@@ -1,6 +1,6 @@
 // exp and log of a register: SLEEF's (Boost licence), below 1 unit in the last place. The functions are called by the name of
-// one instruction set, not through SLEEF's own dispatch, and are those without fused multiply-adds (`cinz`): so the
-// answers of every instruction set are the same bits on every machine. A build without SLEEF takes the C library's, lane by lane.
+// one instruction set, not through SLEEF's own dispatch. They are those without fused multiply-adds (`cinz`): the answers of
+// every instruction set are the same bits on every machine. A build without SLEEF takes the C library's, lane by lane.
 #pragma once
 
 #include <cmath>

@@ -1,12 +1,12 @@
-// `auto`, the solver to use: the common normal of lowest overlap, by the form that suits the shapes.
+// `auto`, the solver to use: the common normal of lowest overlap. It is spelled `automatic` here: auto is a keyword of C++.
 //
-// Ellipsoids (all exponents 2)   the direction form, two unknowns (ellipsoids.hpp)
-// Others                         the surface points, four unknowns (surface_newton.hpp)
-// Guard                          bodies apart have one common normal; for those that overlap two sufficient conditions
-//                                (ellipsoid_guard.hpp), and where neither holds a search over all directions
-//                                (directions.hpp), whose cost is in `evaluations`
-// Warm start                     `last`: the normal at the last points, as the bodies have turned since; the guard is the
-//                                same, so that a contact never stays on a branch that is no longer the lowest
+// Ellipsoids (all exponents 2)   over the direction, two unknowns (ellipsoids.hpp)
+// Others                         over the surface points, four unknowns (surface_newton.hpp)
+// Guard                          bodies apart have one common normal. For those that overlap there are two sufficient
+//                                conditions (ellipsoid_guard.hpp). Where neither holds, a branch and bound follows
+//                                (branch_and_bound.hpp); its cost is in `evaluations`
+// Warm start                     `last`: the normal at the last points, as the bodies have turned since. The guard is the
+//                                same: a contact never stays on a branch that is no longer the lowest
 #pragma once
 
 #include "solver/method/methods.hpp"

@@ -10,8 +10,8 @@
 // d is anti-parallel to n1 where the bodies overlap (o > 0), parallel where they are apart (o < 0), and nothing is divided
 // by a vanishing D at touching.
 //
-// What they do not promise. original_cn loses the signs of d to the absolute values and asks for no z component: its
-// solutions are mostly not common normals. corrected_cn still asks for no z component, and holds for overlapping bodies
+// Limits: original_cn loses the signs of d to the absolute values and asks for no z component. Its solutions are mostly not
+// common normals. corrected_cn still asks for no z component, and holds for overlapping bodies
 // only. new_cn finds a common normal, but any of them: not always the one of lowest overlap.
 #pragma once
 

@@ -6,10 +6,10 @@
 // contact point the middle of x1 and x2. The overlap is n1.(x1 - x2) = t n1.l, the distance of the two planes across the normal:
 // with it all methods measure the same, t itself depends on how slantingly the bodies met. Bodies apart are moved together, t < 0.
 //
-// What it does not promise: a common normal. x1 - x2 lies along the motion and not along the normal; the normal's deviation vanishes
-// with t, linearly, the overlap's with its square (o is stationary at the common normal). A line that misses the other body has no touch,
-// nor have bodies that are apart and fly apart: these end without an answer. Coinciding centres without a motion are parted along z. It
-// has one start and no guard.
+// Limits: the normal is not a common normal. x1 - x2 lies along the motion, not along the normal. The normal's deviation vanishes
+// linearly with t, the overlap's with its square (o is stationary at the common normal). A line that misses the other body has no
+// touch. Bodies that are apart and fly apart have none either. These end without an answer. Coinciding centres without a motion are
+// parted along z. There is one start and no guard.
 #pragma once
 
 #include "solver/method/methods.hpp"

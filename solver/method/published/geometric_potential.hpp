@@ -7,13 +7,13 @@
 // geometric_potential_midway one point x with grad G1 + mu^2 grad G2 = 0 and G1 = G2; normal along grad G1 there, the
 //                            points where the line through x along it leaves the bodies, contact point x (LAMMPS, LIGGGHTS:
 //                            Podlozhnyuk, Pirker & Kloss 2017).
-// Both are solved with the gauge's gradient g, which is parallel to the potential's, so that powers of large numbers do not
-// come in; G1 = G2 is asked for as log (1 + G1) = log (1 + G2).
+// Both are solved with the gauge's gradient g, which is parallel to the potential's: no powers of large numbers come
+// in. G1 = G2 is asked for as log (1 + G1) = log (1 + G2).
 //
-// Midway's line may miss a body, mostly of bodies apart, of which the potential still tells: overlap and points are NaN then in an
-// answer that converged.
+// Midway's line may miss a body, mostly where the bodies are apart. The potential has a solution then, but overlap and points of
+// the converged answer are NaN.
 //
-// What they do not promise: neither normal is a common normal. The first stays 11-39 degrees off as the overlap goes to
+// Limits: neither normal is a common normal. The first stays 11-39 degrees off as the overlap goes to
 // zero (spheroids of aspect 1.5-3), the second's deviation vanishes linearly with the overlap.
 #pragma once
 

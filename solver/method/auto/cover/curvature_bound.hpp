@@ -10,9 +10,10 @@
 //                    |.|_m^2 / 2 is curved by m-1 or more (m <= 2), and so is F where r F_rr <= F_r
 // of ellipsoids      (the three components of q x dq)^2 / |q|^3, q = A v
 //
-// log W is concave in the logarithm of the ratio y/x: W is least at an end of the ratio's range. x dy - y dx is linear in (a, b) with the one slope
-// X0 Y1 - X1 Y0 (X, Y: the rows of A t), and r dz - z dr is linear in the gradient of r, whose components are monotonic in the ratio.
-// The least eigenvalue of the sum is bounded by its determinant, sum of w w' (k x k')^2, which has no cancellation.
+// log W is concave in the logarithm of the ratio y/x: W is least at an end of the ratio's range. x dy - y dx is linear in
+// (a, b) with the one slope X0 Y1 - X1 Y0 (X, Y: the rows of A t). r dz - z dr is linear in the gradient of r, whose components
+// are monotonic in the ratio. The least eigenvalue of the sum is bounded by its determinant, sum of w w' (k x k')^2, which has
+// no cancellation.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +82,7 @@ template <class S>
   using std::max;
   using std::min;
   using std::sqrt;
-  const S most = tolerance::largest_curvature.of<S>();  // in the place of infinity: its square is finite
+  const S most = tolerance::largest_curvature.of<S>();  // instead of infinity: its square is finite
   if (m == S(2)) {
     const S value = sqrt(S(1) + r * r), inverse = S(1) / value;
     return {value, inverse, r * inverse, inverse * inverse * inverse};

@@ -1,13 +1,13 @@
 // Whether some mixture of witnesses shows that no direction of a cell is lower: a matrix game.
 //
-// Bodies and their Minkowski sum are convex, so that a mixture of witnesses (incumbent.hpp) is a witness. The best one is the
-// highest at the corner where it is the lowest: that is a game of witnesses against corners, whose other half is the place in
-// the cell where the best of the witnesses is the lowest, and where a new one tells most. Between two flats, where one witness
-// lies on either side of a groove of o, no single one excludes a cell on it; a mixture of two does.
+// Bodies and their Minkowski sum are convex: a mixture of witnesses (incumbent.hpp) is a witness. The best one is the highest
+// at the corner where it is the lowest. That is a game of witnesses against corners. Its other half is the place in the cell
+// where the best of the witnesses is the lowest: a new witness tells most there. Between two flats one witness lies on either
+// side of a groove of o. Neither excludes a cell on the groove; a mixture of the two does.
 //
 // The corners' linear program (max sum p, sum over corners of p h <= 1 for each witness, h > 0 the heights) has a start, p = 0,
-// and 4 unknowns: the simplex method on a condensed tableau, a row a witness. Whether what it ends on excludes is for
-// the caller's own test of the mixture to say; rounding costs mixtures, not truth.
+// and 4 unknowns: the simplex method on a condensed tableau, a row a witness. The caller tests whether the mixture excludes
+// the cell: rounding costs mixtures, not truth.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Two bodies of revolution about parallel axes, or all but parallel ones: how low o is around a circle of latitude.
+// Two bodies of revolution about parallel axes, or nearly parallel ones: how low o is around a circle of latitude.
 //
 // a1 body 1's axis; a2 = a1 cos(tau) + e body 2's, e across a1; c = z a1 + c' from body 1's centre to body 2's, c' across.
 // Directions are n = x u + z a1, u a unit vector across a1, x >= 0: (x, z) is the latitude, all u make its circle.
@@ -8,7 +8,7 @@
 // The last: x2 is concave in n.a2 = z cos(tau) + x e.u, and so above its chord between the two u along e. So all around the
 // circle o is at least
 //     x (r1 + r2 cos(tau)) + z (z1 + z2 cos(tau) - c.a1) - |x (c' - z2 e) + z r2 e|
-// which is concave in (x, z), and at the points' own latitude the lowest o but for R tau^2. It is lowest along u towards
+// which is concave in (x, z). At the points' own latitude it is the lowest o, to R tau^2. It is lowest along u towards
 // x (c' - z2 e) + z r2 e: a search of latitudes alone tells the lowest of all.
 #pragma once
 
@@ -84,10 +84,10 @@ class ParallelAxesBound {
     [[nodiscard]] S height(const Latitude<S>& at) const { return sum.x * at.x + sum.z * at.z - length(sideways(at)); }
   };
 
-  /// The points farthest along a latitude; `ball` rolls inside the bodies' sum and is taken off it, 0 but for parallel axes.
-  [[nodiscard]] Witness witness(const Latitude<S>& at, const S& ball) const {
+  /// The points farthest along a latitude; a ball of `rolling_radius` rolls inside the bodies' sum and is taken off it; 0 where axes are not parallel.
+  [[nodiscard]] Witness witness(const Latitude<S>& at, const S& rolling_radius) const {
     const Latitude<S> p1 = meridian1_.farthest(at), p2 = meridian2_.farthest(at);
-    const S of_ball = ball / at.length();
+    const S of_ball = rolling_radius / at.length();
     return {
         {p1.x + p2.x - of_ball * at.x, p1.z + p2.z - height_ - of_ball * at.z}, centre_ - tilt_ * p2.z, tilt_ * p2.x};
   }
@@ -106,8 +106,7 @@ class ParallelAxesBound {
     return {witness.sum.x - dot(sideways, witness.by_x) * scale, witness.sum.z - dot(sideways, witness.by_z) * scale};
   }
 
-  /// The axis, where o is all but the same all around each circle of latitude: so level that Newton's iteration takes the rounding
-  /// of o's second derivative for it.
+  /// The axis, where o is nearly the same all around each circle of latitude.
   [[nodiscard]] std::optional<Vector3<S>> circle_axis() const {
     return is_coaxial() || largest(centre_) + largest(tilt_) > tolerance::nearly_coaxial.of<S>() ? std::nullopt
                                                                                                  : std::optional(axis_);

@@ -1,11 +1,10 @@
 // How o changes as a direction turns about an axis: where it does, there is no common normal.
 //
 // Body 1 of revolution about a1: its support function does not change as n turns about a1. Body 2 of revolution about a2: its
-// support function is F(s), s = n.a2. So the slope of o along that turn is linear in n but for F':
-//     (a1 x n).grad o = n.(F'(s) a2 x a1 - c x a1),   c from body 1's centre to body 2's
-// It vanishes all over where the axes are one line that holds both centres (a circle, latitudes.hpp), and tells
-// directions apart where they are nearly that and o is all but the same all around: cells need not be narrower than its one
-// sign holds, however small the difference.
+// support function is F(s), s = n.a2. With c from body 1's centre to body 2's, the slope of o along that turn is
+//     (a1 x n).grad o = n.(F'(s) a2 x a1 - c x a1)
+// linear in n, F' apart. It vanishes everywhere where the axes are one line that holds both centres (a circle, latitudes.hpp).
+// Where they nearly are, o is nearly the same all around, and this slope still has a sign, however small the difference.
 #pragma once
 
 #include <array>

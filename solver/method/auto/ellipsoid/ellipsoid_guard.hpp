@@ -3,14 +3,14 @@
 // K = body 1 + (-body 2) (Minkowski sum) holds the point c at the depth o below its support plane along n. The common
 // normal is the lowest one if and only if K holds the ball of radius o about c.
 //
-// rolls           All radii of curvature of K are at least r = r1 + r2, the bodies' least radii (least semi-axis squared
-//                 over the longest). By Blaschke's rolling theorem K = K' + (ball of radius r), so that o - r is the overlap
-//                 with K': where it is negative c lies outside K', and a point has one projection on a convex set.
-// is_inner_lowest |A1 v| + |A2 v| >= |(A1 + Q A2) v| for every rotation Q: one ellipsoid E inside K. Q takes
-//                 u2 to u1, so that E touches K along n, and is free to turn about u1: the best Q makes the rest agree
-//                 (orthogonal Procrustes problem in the plane). c is nearest to E's surface along n if and only if
-//                 E's matrix B'B - o h I has no negative eigenvalue (h = h1 + h2; the secular equation of a point's
-//                 projection on an ellipsoid, whose largest root is the nearest point). Then E, and so K, holds the ball.
+// Inner rolling radius   All radii of curvature of K are at least r = r1 + r2, the bodies' least radii (least semi-axis
+//                        squared over the longest). By Blaschke's rolling theorem K = K' + (ball of radius r), and o - r is
+//                        the overlap with K'. Where it is negative c lies outside K': one projection on a convex set
+// Inner ellipsoid        |A1 v| + |A2 v| >= |(A1 + Q A2) v| for every rotation Q: one ellipsoid E inside K. Q takes u2 to u1,
+//                        so that E touches K along n, and is free to turn about u1. The best Q makes the rest agree
+//                        (orthogonal Procrustes problem in the plane). c is nearest to E's surface along n if and only if
+//                        E's matrix B'B - o h I has no negative eigenvalue, h = h1 + h2: the largest root of the secular
+//                        equation of a point's projection is the nearest point. Then E, and so K, holds the ball
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace plumb {
 
-/// r.
+/// r: of a ball that rolls inside K.
 template <class S>
 [[nodiscard]] inline S inner_rolling_radius(const EllipsoidPair<S>& pair) {
   using std::max;

@@ -21,8 +21,8 @@ enum class StartPoint {
 
 enum class AttemptBy { newton, descent };
 
-/// One attempt: Newton's iteration with the exponents raised from `cap` by the factor `growth` at each step, or a descent of
-/// the overlap over directions (surface_descent.hpp), which has no start of its own and no other column.
+/// One attempt. Newton's iteration may raise the exponents from `cap` by the factor `growth` at each step. A descent
+/// (surface_descent.hpp) has no start of its own and no other column.
 struct Attempt {
   StartPoint start = StartPoint::normal;
   int limit = 40;  ///< steps

@@ -1,5 +1,5 @@
-// One arc of a superellipsoid's nest: a point of the plane curve |a|^nu + |b|^nu = 1 and the curve's gradient there, of both
-// bodies at once.
+// An arc of a superellipse, the plane curve |a|^nu + |b|^nu = 1: a point of it and the curve's gradient there, of both bodies
+// at once. A superellipsoid is two of them, nested.
 //
 // c = (ca, cb)   the point, |c|_nu = 1
 // g = (ga, gb)   the gradient of |.|_nu there, g = sign(c) |c|^(nu-1); c.g = 1
@@ -10,7 +10,7 @@
 //
 // t = smaller / larger of |ca|, |cb| and u = t^(nu-1), the same of g, are kept rather than c: near a flat's middle t is
 // small and u vanishes, near an edge u is the one that moves. A step is taken in t where t < t*, in u beyond, with t* where
-// du/dt = 1: the variable s(t) = t up to t*, t* + u - u* from there on, is as smooth as a step needs and nowhere stiff. Newton
+// du/dt = 1. The variable s(t) = t up to t*, t* + u - u* from there on, is as smooth as a step needs and nowhere stiff. Newton
 // in t alone, or in u alone, diverges on a third of the pairs with exponents above 8.
 #pragma once
 

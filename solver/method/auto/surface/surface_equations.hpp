@@ -2,10 +2,12 @@
 //
 // m = unit(n1 - n2), t1, t2 a basis across it, d = p1 - p2, o = d.m
 //   t.(n1 + n2) = 0     twist
-//   t.d = 0             slope: half of the gradient of o along t would be the sum over both, for t follows (n1 - n2)/2
-// Jacobian: dn and dp are the derivatives of the unit normals and of the points along t, of each body by its own d0, d1;
-//   of the slope: +-dp -+ (o/2) dn, for t turns with m.
-// H = dp (dn)^-1 is a body's support Hessian in the basis t; a common normal is a minimum of o where H1 + H2 - o I has no
+//   t.d = 0             slope: half of the gradient of o along t would be the sum over both, because t follows (n1 - n2)/2
+//
+// Jacobian: dn and dp are the derivatives of the unit normals and of the points along t, of each body by its own d0, d1. That
+// of the slope is +-dp -+ (o/2) dn, because t turns with m.
+//
+// H = dp (dn)^-1 is a body's support Hessian in the basis t. A common normal is a minimum of o where H1 + H2 - o I has no
 // negative eigenvalue.
 #pragma once
 

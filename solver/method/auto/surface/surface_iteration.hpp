@@ -1,5 +1,5 @@
-// What Newton's iteration on surface points is made of, for one pair (surface_newton.hpp) and for each of a pack
-// (batch/surface_pack.hpp): its system, what it makes of a step, and how it ends.
+// The parts of Newton's iteration on surface points: its system, the cut of a step, and its end. For one pair
+// (surface_newton.hpp), and for each of a pack (batch/surface_pack.hpp).
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,10 @@ template <class S>
   return max(f.twist, S(f.slope / pair.reach));
 }
 
-/// Whether Newton's iteration has ended: a residual below `tolerance`, or one of rounding alone, which falls by less than a fifth a
-/// step. Below 12 epsilon, for the laws allow 16 of the points as they are handed out, which rounds once more. On a needle's flat tip it
-/// falls to a third a step, and by half at last: corpus/cases/regressions/needles-in-line-16-eps.json.
+/// Whether Newton's iteration has ended: a residual that is small enough, or one of rounding alone, which falls no longer.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline auto is_at_rest(const S& now, const S& last, const S& tolerance) {
-  return now < tolerance ||
+[[nodiscard, gnu::always_inline]] inline auto is_at_rest(const S& now, const S& last, const S& enough) {
+  return now < enough ||
          (now < S(tolerance::resting_residual) * epsilon<S>() && now * S(tolerance::resting_factor) >= last);
 }
 

@@ -1,13 +1,13 @@
 // Newton's iteration on the surface points of two superellipsoids (surface_equations.hpp), by the step of surface_step.hpp.
 //
-// Step    the 4x4 system, cut to length 1; no line search but where an attempt asks for one. Where o is above the least
-//         eigenvalue of H1 + H2 the Jacobian takes o = 0: the step then descends, and saddles and maxima do not attract
-// Flats   once the twist is at its rounding its right-hand side is zero: between flats the Jacobian is all but singular, and
-//         would blow the noise up
-// Rings   bodies of revolution about one line that holds both centres may turn about it, and the Jacobian is singular: a fifth
-//         equation says that the step has no such turn
-// End     is_at_rest of surface_iteration.hpp, from 4 epsilon or what was asked for; a last step that is short enough is taken
-//         along the tangents, and measured like any other
+// Step     the 4x4 system, cut to length 1, with a line search where an attempt asks for one. Where o is above the least
+//          eigenvalue of H1 + H2 the Jacobian takes o = 0: the step then descends, and saddles and maxima do not attract
+// Flats    once the twist is at its rounding its right-hand side is zero: between flats the Jacobian is nearly singular, and
+//          would blow the noise up
+// Circles  bodies of revolution about one line that holds both centres may turn about it, and the Jacobian is singular: a
+//          fifth equation says that the step has no such turn
+// End      is_at_rest of surface_iteration.hpp, from 4 epsilon or what was asked for. A last step that is short enough is
+//          taken along the tangents, and measured like any other
 #pragma once
 
 #include <algorithm>
