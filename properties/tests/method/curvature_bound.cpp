@@ -131,6 +131,86 @@ TEST(CurvatureBound, NoChordIsStraighterThanIt) {
   EXPECT_GT(positive, 60);
 }
 
+/// The terms of a superellipsoid's second derivative at q, with the derivatives of q along the square's sides.
+struct TermsAt {
+  std::array<double, 2> inner, outer;  ///< x dy - y dx and r dz - z dr
+  double inner_weight, outer_weight;
+
+  TermsAt(const SupportShape<double>& shape, const Vec3<double>& q, const std::array<Vec3<double>, 2>& by) {
+    const auto [map, m1, m2] = shape;
+    const double x = std::abs(q[0]), y = std::abs(q[1]), z = std::abs(q[2]);
+    const double r = std::pow(std::pow(x, m2) + std::pow(y, m2), 1 / m2),
+                 norm = std::pow(std::pow(r, m1) + std::pow(z, m1), 1 / m1);
+    const double rx = std::copysign(std::pow(x / r, m2 - 1), q[0]), ry = std::copysign(std::pow(y / r, m2 - 1), q[1]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      inner[k] = q[0] * by[k][1] - q[1] * by[k][0];
+      outer[k] = r * by[k][2] - q[2] * (rx * by[k][0] + ry * by[k][1]);
+    }
+    inner_weight = std::pow(r / norm, m1 - 1) * (m2 - 1) * std::pow(x * y, m2 - 2) / std::pow(r, 2 * m2 - 1);
+    outer_weight = (m1 - 1) * std::pow(r * z, m1 - 2) / std::pow(norm, 2 * m1 - 1);
+  }
+};
+
+/// Weights that are not above the true ones, and vectors within their radius, at every direction of the square.
+TEST(CurvatureBound, ItsTermsHoldThoseOfEveryDirection) {
+  Stream stream("terms", 1, 0);
+  int terms_tried = 0;
+  for (int draw = 0; draw < 400; ++draw) {
+    const SupportShape<double> shape = draw_bodies(stream).support_shapes()[0];
+    if (shape.m1 == 2 && shape.m2 == 2) continue;
+    const DirectionSquare<double> square = square_about(random_direction(stream), stream.log_uniform(1e-3, 0.5));
+    const detail::CurvatureTerms<double> found = detail::BodyOverSquare<double>(shape, square).terms()[0];
+    if (!(found[0].weight > 0)) continue;
+    std::array<Vec3<double>, 2> by{(shape.map * square.across[0]).eigen(), (shape.map * square.across[1]).eigen()};
+    const Vec3<double> middle = (shape.map * square.n).eigen();
+    const bool is_swapped = std::abs(middle[0]) < std::abs(middle[1]);
+    for (int k = 0; k < 20; ++k) {
+      const double a = square.reach * stream.uniform(-1, 1), b = square.reach * stream.uniform(-1, 1);
+      const TermsAt truth(shape, middle + a * by[0] + b * by[1], by);
+      const double sign = is_swapped ? -1 : 1;  // of x dy - y dx
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LE(std::abs(sign * truth.inner[i] - found[0].middle[i]), found[0].radius[i] + 1e-13) << draw;
+        EXPECT_LE(std::abs(truth.outer[i] - found[1].middle[i]), found[1].radius[i] + 1e-13) << draw;
+      }
+      EXPECT_LE(found[0].weight, truth.inner_weight * (1 + 1e-10)) << draw;
+      EXPECT_LE(found[1].weight, truth.outer_weight * (1 + 1e-10)) << draw;
+      ++terms_tried;
+    }
+  }
+  EXPECT_GT(terms_tried, 1000);
+}
+
+/// Of any vectors within the radii the sum of weighted squares has no lower eigenvalue.
+TEST(CurvatureBound, TheLeastEigenvalueOfItsTermsIsALowerBound) {
+  Stream stream("eigenvalue", 1, 0);
+  int positive = 0;
+  for (int draw = 0; draw < 1000; ++draw) {
+    std::array<detail::CurvatureTerms<double>, 2> bodies{};
+    const double radius = stream.log_uniform(1e-6, 0.3);
+    for (detail::CurvatureTerms<double>& terms : bodies)
+      for (detail::WeightedSquare<double>& term : terms) {
+        term.weight = stream.chance(0.4) ? 0 : stream.log_uniform(1e-3, 10);
+        for (std::size_t i = 0; i < 2; ++i)
+          term.middle[i] = stream.uniform(-1, 1), term.radius[i] = radius * stream.uniform();
+      }
+    const double bound = detail::least_eigenvalue<double>(bodies[0], bodies[1]);
+    positive += bound > 0 ? 1 : 0;
+    for (int k = 0; k < 20; ++k) {
+      double xx = 0, xy = 0, yy = 0;
+      for (const detail::CurvatureTerms<double>& terms : bodies)
+        for (const detail::WeightedSquare<double>& term : terms) {
+          const auto any = [&](std::size_t i) {
+            return term.middle[i] + term.radius[i] * (k < 10 ? stream.sign() : stream.uniform(-1, 1));
+          };
+          const double x = any(0), y = any(1);
+          xx += term.weight * x * x, xy += term.weight * x * y, yy += term.weight * y * y;
+        }
+      EXPECT_LE(bound, (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy) + 1e-13) << draw;
+    }
+  }
+  EXPECT_GT(positive, 300);
+}
+
 /// Two equal ellipsoids along an axis: (b^2 / a) + (b^2 / a) across it, and the least of the two ways across.
 TEST(CurvatureBound, OfEllipsoidsAtAnAxisIsTheClosedForm) {
   Pair pair;
