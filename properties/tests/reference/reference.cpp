@@ -1,12 +1,9 @@
-// The reference: known answers, contacts built backwards, its own condition numbers, and that it shares nothing with method/.
+// The reference: known answers, contacts built backwards, its own condition numbers.
 #include "solver/reference/reference.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "properties/generators/families.hpp"
 #include "solver/pose.hpp"
@@ -195,19 +192,6 @@ TEST(Reference, AnAllowanceIsNoMoreThanTheOneAroundIt) {
     EXPECT_THROW(reference::count_work(1001), reference::WorkExceeded);
   }
   EXPECT_THROW(reference::count_work(1), reference::WorkExceeded);
-}
-
-TEST(Reference, SharesNothingWithTheMethods) {
-  const auto folder = std::filesystem::path(PLUMB_SOURCE_DIR) / "solver/reference";
-  int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    std::ifstream in(entry.path());
-    std::stringstream text;
-    text << in.rdbuf();
-    EXPECT_EQ(text.str().find("solver/method"), std::string::npos) << entry.path();
-    ++files;
-  }
-  EXPECT_GT(files, 10);
 }
 
 }  // namespace
