@@ -1,7 +1,6 @@
 #include "corpus/solvers/solver.hpp"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 #include "corpus/case/case.hpp"
@@ -10,20 +9,11 @@
 namespace plumb {
 namespace {
 
-// The source paper's methods, new_cn among them. Everything else in the list is plumb's own, and a finding of it is a
-// failure of plumb.
-bool is_baseline(std::string_view method) {
-  constexpr std::array<std::string_view, 7> baselines{
-      "original_cn",      "corrected_cn", "new_cn", "geometric_potential", "geometric_potential_midway",
-      "minimum_distance", "first_touch"};
-  return std::find(baselines.begin(), baselines.end(), method) != baselines.end();
-}
-
 Solver solver_of(const Method& method) {
   return {std::string(method.name),
           {.problem = method.problem},
           std::string(method.summary),
-          is_baseline(method.name),
+          method.is_published(),
           true,
           [solve = method.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
             return solve(pair, want, last);

@@ -68,17 +68,22 @@ void keep_beaten_reference(Round& round, const std::string& method, double by) {
   round.results.kept.add(words, failure_of(std::move(kept)));
 }
 
+bool has_ladders(const Source& source) {
+  const Family* const family = find_family(source.family);
+  return family != nullptr && family->generators != nullptr;
+}
+
 std::vector<Tally*> tallies_of(Round& round, const std::string& method) {
   FamilyResults& family = round.results.families[round.source.family];
   std::vector<Tally*> tallies{&family.methods[method]};
-  if (round.source.family == "hard")
+  if (has_ladders(round.source))
     tallies.push_back(&family.generators[round.c.provenance.at("generator").get<std::string>()][method]);
   return tallies;
 }
 
 void count_on_ladder(Round& round, const std::string& method, const JudgedAnswer& judged) {
-  if (round.source.family != "hard") return;
-  StepCounts* const step = step_of_case(round.results.families["hard"].ladders, round.c, method);
+  if (!has_ladders(round.source)) return;
+  StepCounts* const step = step_of_case(round.results.families[round.source.family].ladders, round.c, method);
   if (step != nullptr && judged.asked) step->add(judged.answer, judged.judgement);
 }
 

@@ -1,6 +1,7 @@
 #include "fuzz/campaign/campaign_arguments.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -46,7 +47,8 @@ void require_replaceable(const CampaignArguments& args, const PreparedCampaign& 
 }  // namespace
 
 CommandOption* declare_campaign(CommandLine& app, CampaignArguments& args, const std::string& threads) {
-  app.add_option("--family", args.family, "spheroid, ellipsoid, superquadric, hard, several with commas, or all")
+  app.add_option("--family", args.family,
+                 fmt::format("{}, several with commas, or all", fmt::join(find_families("all"), ", ")))
       ->required();
   app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
   declare_seed(app, args.seed, "same seed, same cases and results");

@@ -4,17 +4,21 @@
 
 #include "corpus/command/command.hpp"
 #include "properties/generators/families.hpp"
+#include "properties/generators/families_hard.hpp"
 
 namespace plumb {
 namespace {
 
+void list_generators(const Family& family) {
+  fmt::print("\ngenerators of {}, and the ladder of each:\n", family.name);
+  for (const HardGenerator& generator : family.generators())
+    fmt::print("  {:<27}{:<16}{:g}\n", generator.name, generator.knob, fmt::join(generator.steps, " "));
+}
+
 int list_families() {
   for (const Family& family : families()) fmt::print("{:<14}{}\n", family.name, family.summary);
-  fmt::print("\ngenerators of hard, and the ladder of each:\n");
-  for (const std::string_view generator : hard_generators()) {
-    const std::string knob = ladder_case(generator, 0, 1, 0).provenance["knob"]["name"];
-    fmt::print("  {:<27}{:<16}{:g}\n", generator, knob, fmt::join(ladder_steps(generator), " "));
-  }
+  for (const Family& family : families())
+    if (family.generators != nullptr) list_generators(family);
   return 0;
 }
 

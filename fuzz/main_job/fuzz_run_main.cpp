@@ -16,6 +16,7 @@
 #include "fuzz/main_job/verdict.hpp"
 #include "fuzz/results/ranking.hpp"
 #include "fuzz/results/table.hpp"
+#include "properties/generators/families.hpp"
 
 namespace plumb {
 namespace {
@@ -40,14 +41,13 @@ struct Rate {
   const char* what;
   double per_minute;
 };
-constexpr Rate kFamilies[] = {{"spheroid", 12000}, {"ellipsoid", 2000}, {"superquadric", 500}, {"hard", 350}};
 constexpr Rate kTargets[] = {{"pair", 150}, {"contact", 10000}, {"methods", 1000}, {"scalars", 1000}};
 
 /// Of the families, before anything else: some 2000 pairs.
 constexpr double minutes_of_the_first = 0.14;
 
-std::uint64_t scaled(const Rate& rate, double minutes) {
-  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(rate.per_minute * minutes)));
+std::uint64_t scaled(double per_minute, double minutes) {
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(per_minute * minutes)));
 }
 
 /// Names its cases by their place in the folder, which the seed does not change.
@@ -69,9 +69,10 @@ Source real_source(const std::string& folder) {
 
 std::vector<Source> sources_of(const Arguments& args) {
   std::vector<Source> sources{real_source(args.real)};
-  for (const Rate& family : kFamilies)
-    sources.push_back(family_source(family.what, scaled(family, args.first ? minutes_of_the_first : args.minutes),
-                                    args.seed, " --method all"));
+  const double minutes = args.first ? minutes_of_the_first : args.minutes;
+  for (const Family& family : families())
+    sources.push_back(
+        family_source(std::string(family.name), scaled(family.per_minute, minutes), args.seed, " --method all"));
   return sources;
 }
 
@@ -133,9 +134,9 @@ std::vector<EngineRun> run_targets(const Arguments& args) {
   const fs::path out = args.out;
   for (const Rate& target : kTargets) {
     if (interrupted()) break;
-    runs.push_back(
-        run_engine({fs::path(args.fuzzers) / (std::string("fuzz-") + target.what), seeds_of(args, target),
-                    out / "fuzzers" / target.what, out / "failures", scaled(target, args.minutes), args.seed}));
+    runs.push_back(run_engine({fs::path(args.fuzzers) / (std::string("fuzz-") + target.what), seeds_of(args, target),
+                               out / "fuzzers" / target.what, out / "failures", scaled(target.per_minute, args.minutes),
+                               args.seed}));
   }
   return runs;
 }

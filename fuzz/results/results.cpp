@@ -256,7 +256,9 @@ int exit_code(const Results& results) {
 }
 
 std::vector<std::string> family_order(const Results& results) {
-  return ordered(results.families, {"real", "spheroid", "ellipsoid", "superquadric", "hard"});
+  std::vector<std::string> known{"real"};
+  for (const Family& family : families()) known.emplace_back(family.name);
+  return ordered(results.families, known);
 }
 
 std::vector<std::string> method_order(const Tallies& tallies) {

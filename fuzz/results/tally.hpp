@@ -42,7 +42,6 @@ class Histogram {
   double max_ = -1;
 };
 
-inline constexpr std::size_t kFindingKinds = static_cast<std::size_t>(FindingKind::none) + 1;
 inline constexpr std::size_t kStatuses = static_cast<std::size_t>(Status::invalid_input) + 1;
 /// Degrees to the certified common normal above which an answer counts as wrong in the published comparison.
 inline constexpr double kWrongAngleDeg = 0.01;

@@ -1,6 +1,9 @@
 #include "properties/generators/families.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -10,62 +13,25 @@
 #include "solver/pose.hpp"
 
 namespace plumb {
+namespace family {
+
+#define PLUMB_FAMILY(draw, ...) void draw(Stream&, Draft&);
+#define PLUMB_FAMILY_OF_GENERATORS(...)
+#include "properties/generators/family_rows.inc"
+#undef PLUMB_FAMILY
+#undef PLUMB_FAMILY_OF_GENERATORS
+
+}  // namespace family
 namespace {
 
-/// -ratio in a fifth of the draws: separated pairs.
-double signed_ratio(Stream& stream, double low, double high) {
-  const double ratio = stream.log_uniform(low, high);
-  return stream.chance(0.2) ? -ratio : ratio;
-}
-
-/// The test bed of Lin & Ng and of Kildashti et al.: body 1 at the origin and unrotated, body 2 turned by Euler angles in
-/// X-convention, a = b = 1, aspect c/a; overlap ratios as in the published study's wider range.
-void draw_spheroid(Stream& stream, Draft& draft) {
-  const double aspect = stream.log_uniform(1.0 / 3, 3), other = stream.log_uniform(1.0 / 3, 3);
-  const bool equal = stream.chance(0.5);
-  draft.pair.body1.shape.semi_axes[2] = aspect;
-  draft.pair.body2.shape.semi_axes[2] = equal ? aspect : other;
-  const Vec3<double> angles{stream.uniform(0, kTurn), std::acos(stream.uniform(-1, 1)), stream.uniform(0, kTurn)};
-  draft.pair.body2.quaternion = quaternion_from_euler_zxz<double>(angles);
-  draft.facts["euler_zxz"] = {angles[0], angles[1], angles[2]};
-  place_on_random_line(stream, draft, stream.log_uniform(1e-3, 5e-2));
-}
-
-void draw_poses(Stream& stream, Pair& pair) {
-  pair.body1.quaternion = random_rotation(stream);
-  pair.body2.quaternion = random_rotation(stream);
-  for (int i = 0; i < 3; ++i) pair.body1.position[i] = stream.uniform(-10, 10);
-}
-
-void draw_ellipsoid(Stream& stream, Draft& draft) {
-  draft.pair.body1.shape = random_ellipsoid(stream, 20);
-  draft.pair.body2.shape = random_ellipsoid(stream, 20);
-  scale(draft.pair.body2.shape, stream.log_uniform(0.3, 3));
-  draw_poses(stream, draft.pair);
-  place_on_random_line(stream, draft, signed_ratio(stream, 1e-6, 0.5));
-}
-
-Superellipsoid<double> draw_superquadric_shape(Stream& stream) {
-  const double share = stream.uniform();
-  if (share < 0.15) return random_superellipsoid(stream, 5, 1.2, 2);
-  if (share < 0.30) return random_superellipsoid(stream, 5, 8, 40);
-  return random_superellipsoid(stream, 5, 2, 8);
-}
-
-void draw_superquadric(Stream& stream, Draft& draft) {
-  draft.pair.body1.shape = draw_superquadric_shape(stream);
-  draft.pair.body2.shape = draw_superquadric_shape(stream);
-  scale(draft.pair.body2.shape, stream.log_uniform(0.3, 3));
-  draw_poses(stream, draft.pair);
-  place_on_random_line(stream, draft, signed_ratio(stream, 1e-6, 0.3));
-}
-
-constexpr std::array<Family, 4> kFamilies{{
-    {"spheroid", "the published test bed at random: aspect 1/3..3, overlap ratio 1e-3..5e-2"},
-    {"ellipsoid", "triaxial ellipsoids, aspect to 20, any poses, a fifth of them apart"},
-    {"superquadric", "exponents mostly 2..8, some to 40, some 1.2..2, aspect to 5, a fifth of them apart"},
-    {"hard", "the special places where published codes break, one generator for each"},
-}};
+constexpr auto kFamilies = std::to_array<Family>({
+#define PLUMB_FAMILY(draw, name, per_minute, gated, summary) {name, summary, family::draw, nullptr, per_minute, gated},
+#define PLUMB_FAMILY_OF_GENERATORS(generators, name, per_minute, gated, summary) \
+  {name, summary, nullptr, generators, per_minute, gated},
+#include "properties/generators/family_rows.inc"
+#undef PLUMB_FAMILY
+#undef PLUMB_FAMILY_OF_GENERATORS
+});
 
 Case finished(Draft&& draft, const std::string& kind, const Json& from) {
   Case out;
@@ -98,8 +64,8 @@ Case draw_hard(const HardGenerator& generator, std::optional<double> knob, std::
   const double drawn = draw_knob(stream, generator.steps), value = knob.value_or(drawn);
   draft.facts["knob"] = {{"name", generator.knob}, {"value", value}};
   generator.draw(stream, value, draft);
-  const Json from{{"family", "hard"}, {"generator", generator.name}, {"seed", seed}, {"index", index}};
-  return finished(std::move(draft), "hard/" + std::string(generator.name), from);
+  const Json from{{"family", hard_family}, {"generator", generator.name}, {"seed", seed}, {"index", index}};
+  return finished(std::move(draft), fmt::format("{}/{}", hard_family, generator.name), from);
 }
 
 }  // namespace
@@ -108,29 +74,29 @@ std::span<const Family> families() {
   return kFamilies;
 }
 
+const Family* find_family(std::string_view name) {
+  const auto row = std::ranges::find(kFamilies, name, &Family::name);
+  return row == kFamilies.end() ? nullptr : &*row;
+}
+
 std::vector<std::string_view> hard_generators() {
   std::vector<std::string_view> names;
   for (const HardGenerator& generator : hard_generator_table()) names.push_back(generator.name);
   return names;
 }
 
-Case generate(std::string_view family, std::uint64_t seed, std::uint64_t index) {
-  if (family == "hard") {
-    const auto table = hard_generator_table();
-    return generate_hard(table[static_cast<std::size_t>(index % table.size())].name, seed, index);
+Case generate(std::string_view name, std::uint64_t seed, std::uint64_t index) {
+  const Family* row = find_family(name);
+  if (row == nullptr) throw std::invalid_argument("no family named " + std::string(name));
+  if (row->generators != nullptr) {
+    const auto table = row->generators();
+    return draw_hard(table[static_cast<std::size_t>(index % table.size())], std::nullopt, seed, index);
   }
-  Stream stream(family, seed, index);
+  Stream stream(name, seed, index);
   Draft draft;
-  if (family == "spheroid")
-    draw_spheroid(stream, draft);
-  else if (family == "ellipsoid")
-    draw_ellipsoid(stream, draft);
-  else if (family == "superquadric")
-    draw_superquadric(stream, draft);
-  else
-    throw std::invalid_argument("no family named " + std::string(family));
-  const Json from{{"family", family}, {"seed", seed}, {"index", index}};
-  return finished(std::move(draft), std::string(family), from);
+  row->draw(stream, draft);
+  const Json from{{"family", name}, {"seed", seed}, {"index", index}};
+  return finished(std::move(draft), std::string(name), from);
 }
 
 Case generate_hard(std::string_view generator, std::uint64_t seed, std::uint64_t index) {

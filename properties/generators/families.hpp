@@ -12,11 +12,22 @@
 
 namespace plumb {
 
+class Stream;
+struct Draft;
+struct HardGenerator;
+
+/// A row of family_rows.inc: all that is known of a family. It is drawn by one function, or case after case by the generators of a table.
 struct Family {
-  std::string_view name;  ///< spheroid, ellipsoid, superquadric, hard
+  std::string_view name;
   std::string_view summary;
+  void (*draw)(Stream&, Draft&);
+  std::span<const HardGenerator> (*generators)();  ///< nullptr: none, and no ladders
+  double per_minute;                               ///< cases that ./fuzz/run draws in a minute
+  std::uint64_t gated;                             ///< cases of reports/gate
 };
 [[nodiscard]] std::span<const Family> families();
+/// nullptr where there is none of that name.
+[[nodiscard]] const Family* find_family(std::string_view name);
 
 /// The names of the generators of the family `hard`, one for each special place.
 [[nodiscard]] std::vector<std::string_view> hard_generators();

@@ -11,6 +11,8 @@
 
 namespace plumb {
 
+inline constexpr std::string_view hard_family = "hard";
+
 struct HardGenerator {
   std::string_view name;
   std::string_view knob;          ///< what is steered

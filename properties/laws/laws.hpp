@@ -12,6 +12,7 @@
 
 #include "corpus/solvers/abilities.hpp"
 #include "properties/laws/accuracy.hpp"
+#include "properties/laws/finding_kinds.hpp"
 #include "properties/laws/seen_point.hpp"
 #include "solver/contact.hpp"
 #include "solver/reference/condition/nearby.hpp"
@@ -19,29 +20,6 @@
 #include "solver/reference/reference.hpp"
 
 namespace plumb {
-
-/// In the order in which the first that applies is reported (the contract's words, see name()).
-enum class FindingKind {
-  crash,
-  not_finite,
-  nonconverged,
-  false_contact,
-  missed_contact,
-  wrong_branch,
-  misaligned,
-  off_surface,
-  overlap_error,
-  point_error,
-  asymmetric,
-  nondeterministic,
-  slow,
-  none
-};
-[[nodiscard]] std::string_view name(FindingKind kind);
-/// The kind of that name; nullopt where there is none.
-[[nodiscard]] std::optional<FindingKind> finding_kind(std::string_view word);
-/// In a line, for people.
-[[nodiscard]] std::string_view meaning(FindingKind kind);
 
 struct Finding {
   FindingKind kind = FindingKind::none;

@@ -184,10 +184,10 @@ int report(const Options& options) {
   }
   print_line(fmt::format("\n{:<14}{:<22}{:>9}{:>8}{:>8}{:>11}{:>14}", "family", "method", "answers", "wrong", "seen",
                          "same word", "false alarms"));
-  for (const std::string_view family : {"spheroid", "ellipsoid", "superquadric", "hard"})
+  for (const Family& family : families())
     for (const std::string_view method : {"original_cn", "corrected_cn", "new_cn", "geometric_potential", "auto"}) {
       if (interrupted()) return exit_done;
-      print_agreement(family, method, options);
+      print_agreement(family.name, method, options);
     }
   return exit_done;
 }

@@ -59,6 +59,9 @@ struct Shown {
 [[nodiscard]] Json findings_json();
 [[nodiscard]] Json laws_json();
 
+/// plumb's methods: who published each, and how it is drawn.
+[[nodiscard]] Json methods_json();
+
 /// A number that is not finite is null.
 [[nodiscard]] Json number_json(double x);
 [[nodiscard]] Json share_json(std::uint64_t count, std::uint64_t of);

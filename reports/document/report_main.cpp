@@ -133,7 +133,8 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
            {"study", nullptr},
            {"fem", nullptr},
            {"findings", findings_json()},
-           {"laws", laws_json()}};
+           {"laws", laws_json()},
+           {"methods", methods_json()}};
   for (const Run& run : runs) out["runs"].push_back(run_json(run, shown));
   for (const std::string& folder : args.folders)
     if (holds_playback(folder)) out["playbacks"].push_back(playback_json(folder));

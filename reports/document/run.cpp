@@ -10,6 +10,7 @@
 #include "corpus/solvers/solver.hpp"
 #include "properties/laws/accuracy_option.hpp"
 #include "reports/document/document.hpp"
+#include "solver/method/methods.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -216,6 +217,17 @@ Json findings_json() {
     const auto kind = static_cast<FindingKind>(i);
     out.push_back({{"word", name(kind)}, {"meaning", meaning(kind)}});
   }
+  return out;
+}
+
+Json methods_json() {
+  Json out = Json::array();
+  for (const Method& method : methods())
+    out.push_back({{"name", method.name},
+                   {"published_by", method.published_by},
+                   {"light", method.look.light},
+                   {"dark", method.look.dark},
+                   {"symbol", method.look.symbol}});
   return out;
 }
 

@@ -50,12 +50,6 @@ std::vector<Solver> solvers_of(const Options& options) {
   return solvers;
 }
 
-/// All of them in half a minute on two cores.
-std::uint64_t usual_cases(std::string_view family) {
-  if (family == "spheroid" || family == "ellipsoid") return 1000;
-  return 400;
-}
-
 GateTable first_table(const std::string& frozen) {
   GateTable table;
   table.frozen = frozen;
@@ -63,7 +57,7 @@ GateTable first_table(const std::string& frozen) {
     if (gate_families(table).empty()) throw InputFailure("--frozen", 0, frozen, "is no folder of ladders");
     return table;
   }
-  for (const Family& family : families()) table.cases[std::string(family.name)] = usual_cases(family.name);
+  for (const Family& family : families()) table.cases[std::string(family.name)] = family.gated;
   return table;
 }
 

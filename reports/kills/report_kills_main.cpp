@@ -151,12 +151,19 @@ EngineHunts hunt_drawn(const Quarry& quarry, const Options& options, const char*
   return out;
 }
 
+std::vector<std::string_view> names_of_families(bool of_generators) {
+  std::vector<std::string_view> names;
+  for (const Family& family : families())
+    if ((family.generators != nullptr) == of_generators) names.push_back(family.name);
+  return names;
+}
+
 EngineHunts hunt_families(const Quarry& quarry, const Options& options) {
-  return hunt_drawn(quarry, options, "families", {"spheroid", "ellipsoid", "superquadric"});
+  return hunt_drawn(quarry, options, "families", names_of_families(false));
 }
 
 EngineHunts hunt_hard(const Quarry& quarry, const Options& options) {
-  return hunt_drawn(quarry, options, "hard", {"hard"});
+  return hunt_drawn(quarry, options, "hard", names_of_families(true));
 }
 
 /// "fuzz-contact", "plain-contact:code": the program, and whether it sees code alone; its seeds are its target's.

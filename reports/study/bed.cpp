@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "properties/generators/described.hpp"
+#include "solver/method/methods.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -27,6 +28,17 @@ Pair pair_of(const Bed& bed, double ratio) {
   const std::optional<Pair> found = plumb::pair_of(out);
   if (!found) throw InputFailure("study", 0, "placement", "no first touch found along this line");
   return *found;
+}
+
+const std::vector<std::string_view>& studied() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> out;
+    for (const bool published : {true, false})
+      for (const Method& method : methods())
+        if (method.is_published() == published) out.push_back(method.name);
+    return out;
+  }();
+  return names;
 }
 
 Bed any_orientation(const Bed& shape, Stream& random) {

@@ -29,10 +29,8 @@ struct Bed {
 /// Line and body 2's axis uniform over the sphere, psi over its circle.
 [[nodiscard]] Bed any_orientation(const Bed& shape, Stream& random);
 
-/// The systems that are compared, as in the methods' list.
-inline constexpr std::array<std::string_view, 8> studied{
-    "original_cn", "corrected_cn", "new_cn", "minimum_distance", "geometric_potential", "geometric_potential_midway",
-    "first_touch", "auto"};
+/// The systems that are compared: the published ones in the order of the methods' list, then plumb's own.
+[[nodiscard]] const std::vector<std::string_view>& studied();
 
 /// A certified common normal, of lowest overlap and unique, to 1e-16 rad.
 struct CertifiedNormal {

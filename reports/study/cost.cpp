@@ -19,8 +19,8 @@ struct Solved {
 };
 
 struct Solves {
-  std::array<bool, studied.size()> known{};
-  std::array<std::array<Solved, tolerances.size()>, studied.size()> of;  ///< by method and tolerance
+  std::vector<bool> known = std::vector<bool>(studied().size());
+  std::vector<std::array<Solved, tolerances.size()>> of{studied().size()};  ///< by method and tolerance
 };
 
 Solved solve(const Method& method, const Pair& pair, double tolerance, const Truth& truth) {
@@ -35,8 +35,8 @@ Solves solves_of(const Pair& pair) {
   std::array<Truth, problems.size()> truths;
   for (const Problem problem : problems) truths[static_cast<std::size_t>(problem)] = truth_of(pair, problem);
   Solves out;
-  for (std::size_t k = 0; k < studied.size(); ++k) {
-    const Method& method = *find_method(studied[k]);
+  for (std::size_t k = 0; k < studied().size(); ++k) {
+    const Method& method = *find_method(studied()[k]);
     const Truth& truth = truths[static_cast<std::size_t>(method.problem)];
     out.known[k] = truth.known;
     for (std::size_t j = 0; j < tolerances.size() && truth.known; ++j)
@@ -68,10 +68,10 @@ Cost cost_of(double target, std::size_t k, const std::vector<Solves>& all) {
   for (std::size_t j = 0; j < tolerances.size(); ++j) {
     const Within here = within(target, k, j, all);
     if (best > 0 && here.share() >= best - lost)
-      return {"", studied[k], target, tolerances[j], quantile(here.evaluations, 0.5), here.share(), here.pairs};
+      return {"", studied()[k], target, tolerances[j], quantile(here.evaluations, 0.5), here.share(), here.pairs};
   }
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  return {"", studied[k], target, nan, nan, 0, within(target, k, 0, all).pairs};
+  return {"", studied()[k], target, nan, nan, 0, within(target, k, 0, all).pairs};
 }
 
 struct Set {
@@ -100,7 +100,7 @@ std::vector<Cost> find_costs(int pairs, std::uint64_t seed, unsigned threads) {
     std::vector<Solves> all(static_cast<std::size_t>(pairs));
     in_parallel(all.size(), threads, [&](std::size_t i) { all[i] = solves_of(draw(set, seed, i)); });
     for (const double target : cost_targets)
-      for (std::size_t k = 0; k < studied.size() && !interrupted(); ++k) {
+      for (std::size_t k = 0; k < studied().size() && !interrupted(); ++k) {
         out.push_back(cost_of(target, k, all));
         out.back().set = set.name;
       }

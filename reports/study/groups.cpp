@@ -52,7 +52,7 @@ std::vector<GroupAnswer> answers_to(const Bed& bed) {
   for (const double ratio : ratios) {
     const Pair pair = pair_of(bed, ratio);
     const CertifiedNormal truth = certified_normal(pair);
-    for (const std::string_view method : studied)
+    for (const std::string_view method : studied())
       out.push_back({ratio, method, truth.proved, study(method, pair, truth)});
   }
   return out;

@@ -12,18 +12,18 @@ namespace {
 /// Of one pair, by method; the first says whether they are held against a proof.
 struct Offs {
   bool certified = false;
-  std::array<double, studied.size()> off{};
-  std::array<bool, studied.size()> converged{};
+  std::vector<double> off;
+  std::vector<bool> converged;
 };
 
 Offs offs_of(const Pair& pair) {
   const CertifiedNormal truth = certified_normal(pair);
   Offs out;
   out.certified = truth.proved;
-  for (std::size_t k = 0; k < studied.size(); ++k) {
-    const Studied one = study(studied[k], pair, truth);
-    out.off[k] = one.off;
-    out.converged[k] = one.contact.status == Status::converged;
+  for (const std::string_view method : studied()) {
+    const Studied one = study(method, pair, truth);
+    out.off.push_back(one.off);
+    out.converged.push_back(one.contact.status == Status::converged);
   }
   return out;
 }
@@ -47,8 +47,8 @@ std::vector<MisalignmentMap> maps_of(double aspect, double phi, double ratio, un
     for (const double tilt : theta) pairs.push_back(pair_of({aspect, 2, 2, zenith, 0, {phi, tilt, 0}}, ratio));
   const std::vector<Offs> offs = all_offs(pairs, threads);
   std::vector<MisalignmentMap> out;
-  for (std::size_t k = 0; k < studied.size(); ++k) {
-    MisalignmentMap map{aspect, phi, ratio, studied[k], theta_L, theta, {}, 0};
+  for (std::size_t k = 0; k < studied().size(); ++k) {
+    MisalignmentMap map{aspect, phi, ratio, studied()[k], theta_L, theta, {}, 0};
     for (std::size_t i = 0; i < offs.size(); ++i) {
       if (i % theta.size() == 0) map.off.emplace_back();
       map.off.back().push_back(offs[i].off[k]);
@@ -60,7 +60,7 @@ std::vector<MisalignmentMap> maps_of(double aspect, double phi, double ratio, un
 }
 
 MisalignedShare share_of_method(std::size_t k, const std::vector<Offs>& offs, double aspect, double ratio) {
-  MisalignedShare out{aspect, ratio, studied[k]};
+  MisalignedShare out{aspect, ratio, studied()[k]};
   std::vector<double> values;
   for (const Offs& one : offs) {
     if (!one.certified) continue;
@@ -101,7 +101,7 @@ std::vector<MisalignedShare> find_shares(int pairs, std::uint64_t seed, unsigned
         drawn.push_back(pair_of(any_orientation({.aspect = aspect}, random), ratio));
       }
       const std::vector<Offs> offs = all_offs(drawn, threads);
-      for (std::size_t k = 0; k < studied.size(); ++k) out.push_back(share_of_method(k, offs, aspect, ratio));
+      for (std::size_t k = 0; k < studied().size(); ++k) out.push_back(share_of_method(k, offs, aspect, ratio));
     }
   return out;
 }

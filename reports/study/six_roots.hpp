@@ -1,6 +1,6 @@
 // All real solutions of the original common-normal system, each proved, and whether these are proved to be all.
 //
-// The six equations are those of original_cn (solver/method/published/common_normal.hpp). A solution with D > 0 has
+// The six equations are those of original_cn (solver/method/published/common_normal_impl.hpp). A solution with D > 0 has
 //   n2 = T n1, T = diag(-1, -1, tau), and d = D S n1, S = diag(s),     tau and the three s either of -1, +1,
 // so that x1 = p1(n), x2 = p2(T n) with the support points p of the two bodies, and the solutions are the directions n with
 // d(n) x S n = 0 and d.S n > 0, over 16 branches (tau, s).

@@ -119,7 +119,7 @@ StudyTable misalignment_maps(const StudyOptions& options) {
   int pairs = 0, not_certified = 0;
   for (const MisalignmentMap& map : find_maps(options.threads)) {
     out.rows.push_back(map_json(map));
-    if (map.method != studied.front()) continue;
+    if (map.method != studied().front()) continue;
     pairs += static_cast<int>(map.theta_L.size() * map.theta.size());
     not_certified += map.not_certified;
   }

@@ -1,18 +1,20 @@
-// The rows of methods.hpp in any scalar; included where a scalar's functions are instantiated.
+// The rows of method_rows.inc in any scalar; included where a scalar's functions are instantiated.
 #pragma once
 
 #include <algorithm>
 #include <array>
 
-#include "solver/method/automatic.hpp"
 #include "solver/method/methods.hpp"
-#include "solver/method/published/common_normal.hpp"
-#include "solver/method/published/first_touch.hpp"
-#include "solver/method/published/geometric_potential.hpp"
-#include "solver/method/published/minimum_distance.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
+
+#define PLUMB_METHOD(function, ...) \
+  template <class S>                \
+  [[nodiscard]] Contact<S> function(const Pair& pair, const Want& want, const Contact<S>* last);
+#include "solver/method/method_rows.inc"
+#undef PLUMB_METHOD
+
 namespace detail {
 
 /// Takes away what the method found: where it did not converge, that is no answer.
@@ -43,37 +45,17 @@ Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
   return out;
 }
 
-template <class S, SolveFunction<S> method>
-[[nodiscard]] constexpr MethodIn<S> row(std::string_view name, Problem problem, std::string_view summary) {
-  return {name, problem, summary, guarded<S, method>, method};
-}
-
 }  // namespace detail
 
 template <class S>
 [[nodiscard]] constexpr auto method_rows() {
-  using detail::row;
-  return std::array{
-      row<S, automatic_in_callers_mode<S>>(
-          "auto", Problem::common_normal,
-          "the default: the form that suits the shapes, and a guard that the common normal is the lowest"),
-      row<S, original_cn<S>>("original_cn", Problem::common_normal,
-                             "Lin & Ng's six equations as published, absolute values and all (Eqs. 1-6)"),
-      row<S, corrected_cn<S>>("corrected_cn", Problem::common_normal,
-                              "the same with the signs kept, z still not asked for (Eqs. 1-4, 7, 8)"),
-      row<S, new_cn<S>>("new_cn", Problem::common_normal,
-                        "normals opposite and d along them, all components (Eq. 10), line-search Newton"),
-      row<S, minimum_distance<S>>(
-          "minimum_distance", Problem::common_normal,
-          "the least distance of the points of opposite normals, over all directions (Wellmann et al.)"),
-      row<S, geometric_potential<S>>("geometric_potential", Problem::deepest_points,
-                                     "the point of each surface that lies deepest in the other body's potential"),
-      row<S, geometric_potential_midway<S>>("geometric_potential_midway", Problem::midway,
-                                            "equal potentials, opposite gradients (LAMMPS, LIGGGHTS)"),
-      row<S, undone_motion<S>>(
-          "first_touch", Problem::first_touch,
-          "the one point at which the bodies touch where their relative motion is undone (Cleary et al.)"),
-  };
+#define PLUMB_METHOD(function, name, problem, published_by, light, dark, symbol, summary)                \
+  MethodIn<S>{name,         Problem::problem,     summary, detail::guarded<S, function<S>>, function<S>, \
+              published_by, {light, dark, symbol}},
+  return std::to_array({
+#include "solver/method/method_rows.inc"
+  });
+#undef PLUMB_METHOD
 }
 template <class S>
 inline constexpr auto method_table = method_rows<S>();

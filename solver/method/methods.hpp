@@ -1,7 +1,7 @@
-// The one list of methods: name -> function.
+// The list of methods: name -> function, and what else is known of each.
 //
-// Adding a method: one header/source pair in this folder, a row in method_table.hpp, a line in instantiate.hpp; the laws, the corpus,
-// the fuzzers, the campaign and the reports pick it up from there.
+// Adding one: published/NAME_impl.hpp and .cpp, and a row in method_rows.inc. The laws, the corpus, the fuzzers, the campaign and the
+// reports read the row.
 #pragma once
 
 #include <span>
@@ -16,7 +16,12 @@ namespace plumb {
 template <class S>
 using SolveFunction = Contact<S> (*)(const Pair& pair, const Want& want, const Contact<S>* last);
 
-/// A row of the list: a name of `plumb methods`, and what it runs in a scalar.
+/// How a method is drawn, the same in every plot: "#rrggbb" on a light page and on a dark one, and a symbol's name of Plotly's.
+struct MethodLook {
+  std::string_view light, dark, symbol;
+};
+
+/// A row of the list: a name of `plumb methods`, what it runs in a scalar, and what a report says of it.
 template <class S>
 struct MethodIn {
   std::string_view name;
@@ -25,6 +30,10 @@ struct MethodIn {
   SolveFunction<S> solve;
   SolveFunction<S>
       iterate;  ///< legal pairs only, in the caller's rounding; its fields are the last iterate's, whatever the status
+  std::string_view published_by;  ///< authors and year; empty: plumb's own, and a finding of it is a failure of plumb
+  MethodLook look;
+
+  [[nodiscard]] constexpr bool is_published() const { return !published_by.empty(); }
 };
 /// In double, the scalar of most.
 using Method = MethodIn<double>;

@@ -1,8 +1,7 @@
 // What an effect is to the plan and to the step loop.
 //
-// Adding one: a header with its parameters and a source with role() and install() in effect/, a line in Effects and each_effect
-// of scene.hpp, and its name in CMakeLists.txt. An effect that is not on has no column, no pass and no branch: the loop
-// is a list of passes, and only install() adds to it.
+// The list of them is effects.hpp. An effect that is not on has no column, no pass and no branch: the loop is a list of passes, and
+// only install() adds to it.
 #pragma once
 
 #include <limits>

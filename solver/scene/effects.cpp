@@ -17,7 +17,7 @@ template <auto member>
           [](const Effects& effects, World& world) { install(*(effects.*member), world); }};
 }
 
-// One row an effect, written by CMakeLists.txt: a build can leave one out to show that its absence changes nothing.
+// One row an effect, written by scene.cmake from effects.hpp: a build can leave one out to show that its absence changes nothing.
 constexpr std::array list{
 #include "effect_rows.inc"
 };

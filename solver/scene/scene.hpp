@@ -10,17 +10,7 @@
 #include <vector>
 
 #include "solver/contact.hpp"
-#include "solver/scene/effect/cohesion.hpp"
-#include "solver/scene/effect/conduction.hpp"
-#include "solver/scene/effect/damping.hpp"
-#include "solver/scene/effect/drag.hpp"
-#include "solver/scene/effect/friction.hpp"
-#include "solver/scene/effect/gravity.hpp"
-#include "solver/scene/effect/hertz.hpp"
-#include "solver/scene/effect/linear.hpp"
-#include "solver/scene/effect/moving_walls.hpp"
-#include "solver/scene/effect/rolling.hpp"
-#include "solver/scene/effect/twisting.hpp"
+#include "solver/scene/effects.hpp"
 
 namespace plumb::scene {
 
@@ -40,37 +30,6 @@ struct Wall {
   Vec3<double> normal = Vec3<double>::UnitZ();  ///< any length but 0
   std::optional<double> temperature;
 };
-
-/// The effects asked for. One that is default-constructed is neutral: it changes nothing.
-struct Effects {
-  std::optional<Gravity> gravity;
-  std::optional<Linear> linear;
-  std::optional<Hertz> hertz;
-  std::optional<Damping> damping;
-  std::optional<Friction> friction;
-  std::optional<Rolling> rolling;
-  std::optional<Twisting> twisting;
-  std::optional<Cohesion> cohesion;
-  std::optional<Drag> drag;
-  std::optional<Conduction> conduction;
-  std::optional<MovingWalls> moving_walls;
-};
-
-/// visit(effects.gravity), .. in the order in which they act. `Self` is Effects, const or not.
-template <class Self, class Visit>
-void each_effect(Self& effects, Visit&& visit) {
-  visit(effects.gravity);
-  visit(effects.linear);
-  visit(effects.hertz);
-  visit(effects.damping);
-  visit(effects.friction);
-  visit(effects.rolling);
-  visit(effects.twisting);
-  visit(effects.cohesion);
-  visit(effects.drag);
-  visit(effects.conduction);
-  visit(effects.moving_walls);
-}
 
 /// What is written down as the run goes. `touching` alone asks which pairs overlap, and nothing about where.
 struct Outputs {

@@ -8,7 +8,7 @@
 
 #include "properties/generators/draft.hpp"
 #include "properties/generators/families.hpp"
-#include "solver/method/published/common_normal.hpp"
+#include "solver/method/methods.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/reference/search/stationary.hpp"
@@ -172,7 +172,8 @@ Contact<double> random_start(Stream& stream, const Pair& pair) {
 int expect_no_start_finds_another(const Pair& pair, const SixRoots& set, Stream&& stream, int starts) {
   int arrived = 0;
   for (int i = 0; i < starts; ++i) {
-    const Contact<double> start = random_start(stream, pair), end = original_cn<double>(pair, {}, &start);
+    const Contact<double> start = random_start(stream, pair),
+                          end = find_method("original_cn")->iterate(pair, {}, &start);
     if (end.status != Status::converged) continue;
     ++arrived;
     EXPECT_TRUE(find_root(set, end.point1, end.point2, 1e-7 * size_of(pair)).has_value())

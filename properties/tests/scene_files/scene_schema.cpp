@@ -14,7 +14,7 @@ namespace plumb::scene {
 namespace {
 
 JsonSchema schema() {
-  std::ifstream in(std::string(PLUMB_SOURCE_DIR) + "/corpus/scene-1.schema.json");
+  std::ifstream in(std::string(PLUMB_SOURCE_DIR) + "/corpus/scene/scene-1.schema.json");
   return JsonSchema(read_json({std::istreambuf_iterator<char>(in), {}}));
 }
 

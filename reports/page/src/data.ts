@@ -21,6 +21,8 @@ export interface Report {
   /** The contract's words with what each means, in order of precedence; "none" last. */
   findings: { word: string; meaning: string }[];
   laws: { name: string; statement: string; file: string; line: number }[];
+  /** plumb's list; published_by is empty for its own. Colours on a light page and on a dark one; Plotly's name of the symbol. */
+  methods: { name: string; published_by: string; light: string; dark: string; symbol: string }[];
 }
 
 /** k of n with the exact (Clopper-Pearson) 95 % interval; share is null where n is 0. */

@@ -1,28 +1,17 @@
-/** One colour and one symbol a method, the same in every plot; colours after Okabe and Ito, darkened to 3:1 on white. */
+/** One colour and one symbol a method, the same in every plot. Those of plumb's own stand in solver/method/method_rows.inc. */
 import type { Report, Study } from "./data";
 import { theme } from "./theme";
 
-interface Look {
-  light: string;
-  dark: string;
-  symbol: string;
-}
+type Look = Pick<Report["methods"][number], "light" | "dark" | "symbol">;
 
-const LOOKS: [string, Look][] = [
-  ["auto", { light: "#0072b2", dark: "#56b4f5", symbol: "circle" }],
-  ["new_cn", { light: "#00795a", dark: "#27c39a", symbol: "square" }],
-  ["corrected_cn", { light: "#a86d00", dark: "#f0b030", symbol: "diamond" }],
-  ["original_cn", { light: "#c44e00", dark: "#ff8a45", symbol: "triangle-up" }],
-  ["geometric_potential", { light: "#b0508a", dark: "#e79bc8", symbol: "triangle-down" }],
-  ["geometric_potential_midway", { light: "#6a51a3", dark: "#b7a1ef", symbol: "pentagon" }],
-  ["minimum_distance", { light: "#5f6b14", dark: "#c3cf5a", symbol: "hexagon" }],
-  ["first_touch", { light: "#9b1d3f", dark: "#ff7d93", symbol: "star-diamond" }],
+/** Of foreign solvers that are often there. plumb's own methods bring their looks in the document. */
+const PEERS: [string, Look][] = [
   ["peer_libccd_epa", { light: "#5a5f66", dark: "#b4bac2", symbol: "x" }],
   ["peer_libccd_mpr", { light: "#7d5a2f", dark: "#cfa878", symbol: "cross" }],
   ["peer_fcl", { light: "#2f7d86", dark: "#63cad6", symbol: "star" }],
 ];
 
-/** For methods that are not named above, in the order in which they come. */
+/** For other foreign solvers, in the order in which they come. */
 const OTHERS: Look[] = [
   { light: "#8a4a8f", dark: "#d79fdb", symbol: "triangle-left" },
   { light: "#4a6b4f", dark: "#9cc7a2", symbol: "triangle-right" },
@@ -30,15 +19,18 @@ const OTHERS: Look[] = [
   { light: "#3b5b8a", dark: "#94b4ea", symbol: "bowtie" },
 ];
 
-const looks = new Map(LOOKS);
-const order: string[] = LOOKS.map(([name]) => name);
+const looks = new Map<string, Look>();
+const order: string[] = [];
 const own = new Set<string>();
+let others = 0;
+
+function add(method: string, look: Look): void {
+  looks.set(method, look);
+  order.push(method);
+}
 
 function meet(method: string): void {
-  if (looks.has(method)) return;
-  const other = OTHERS[(order.length - LOOKS.length) % OTHERS.length] as Look;
-  looks.set(method, other);
-  order.push(method);
+  if (!looks.has(method)) add(method, OTHERS[others++ % OTHERS.length] as Look);
 }
 
 function studyMethods(study: Study): string[] {
@@ -48,6 +40,11 @@ function studyMethods(study: Study): string[] {
 }
 
 export function meetMethods(report: Report): void {
+  for (const { name, published_by, light, dark, symbol } of report.methods) {
+    add(name, { light, dark, symbol });
+    if (!published_by) own.add(name);
+  }
+  for (const [peer, look] of PEERS) add(peer, look);
   for (const run of report.runs)
     for (const family of run.families)
       for (const row of family.methods) {
@@ -60,7 +57,6 @@ export function meetMethods(report: Report): void {
   for (const { angles_deg, centre_off } of report.fem?.answers ?? [])
     [...Object.keys(angles_deg), ...Object.keys(centre_off)].forEach(meet);
   for (const comparison of report.comparisons) for (const row of comparison.rows) meet(row.method);
-  own.add("auto");
 }
 
 function look(method: string): Look {

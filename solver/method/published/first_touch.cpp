@@ -1,9 +1,7 @@
-#include "solver/method/published/first_touch.hpp"
-
 #include "solver/method/published/first_touch_impl.hpp"
 
 namespace plumb {
 
-PLUMB_INSTANTIATE_FIRST_TOUCH(double)
+template Contact<double> undone_motion<double>(const Pair&, const Want&, const Contact<double>*);
 
 }  // namespace plumb

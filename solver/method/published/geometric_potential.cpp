@@ -1,9 +1,8 @@
-#include "solver/method/published/geometric_potential.hpp"
-
 #include "solver/method/published/geometric_potential_impl.hpp"
 
 namespace plumb {
 
-PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(double)
+template Contact<double> geometric_potential<double>(const Pair&, const Want&, const Contact<double>*);
+template Contact<double> geometric_potential_midway<double>(const Pair&, const Want&, const Contact<double>*);
 
 }  // namespace plumb

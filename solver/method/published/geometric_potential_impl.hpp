@@ -1,8 +1,24 @@
-// Bodies of the templates of geometric_potential.hpp; included only where they are instantiated.
+// Geometric potential (GP) in its two published readings.
+//
+// geometric_potential        the deepest points: p1 on surface 1 where body 2's potential is stationary, p2 on surface 2
+//                            where body 1's is: Gamma_1(p1) = 0, grad Gamma_2(p1) + lambda grad Gamma_1(p1) = 0, and the
+//                            same with the bodies exchanged. Normal along p1 - p2, contact point their midpoint.
+//                            (Kildashti et al. 2018 after Houlsby 2009.)
+// geometric_potential_midway one point x with grad G1 + mu^2 grad G2 = 0 and G1 = G2; normal along grad G1 there, the
+//                            points where the line through x along it leaves the bodies, contact point x (LAMMPS, LIGGGHTS:
+//                            Podlozhnyuk, Pirker & Kloss 2017).
+// Both are solved with the gauge's gradient g, which is parallel to the potential's, so that powers of large numbers do not
+// come in; G1 = G2 is asked for as log (1 + G1) = log (1 + G2).
+//
+// Midway's line may miss a body, mostly of bodies apart, of which the potential still tells: overlap and points are NaN then in an
+// answer that converged.
+//
+// What they do not promise: neither normal is a common normal. The first stays 11-39 degrees off as the overlap goes to
+// zero (spheroids of aspect 1.5-3), the second's deviation vanishes linearly with the overlap.
 #pragma once
 
 #include "solver/method/common.hpp"
-#include "solver/method/published/geometric_potential.hpp"
+#include "solver/method/methods.hpp"
 #include "solver/method/published/newton.hpp"
 #include "solver/shape/ray.hpp"
 
@@ -124,9 +140,5 @@ Contact<S> geometric_potential_midway(const Pair& pair, const Want& want, const 
   }
   return out;
 }
-
-#define PLUMB_INSTANTIATE_GEOMETRIC_POTENTIAL(S)                                           \
-  template Contact<S> geometric_potential<S>(const Pair&, const Want&, const Contact<S>*); \
-  template Contact<S> geometric_potential_midway<S>(const Pair&, const Want&, const Contact<S>*);
 
 }  // namespace plumb

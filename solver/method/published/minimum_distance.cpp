@@ -1,9 +1,7 @@
-#include "solver/method/published/minimum_distance.hpp"
-
 #include "solver/method/published/minimum_distance_impl.hpp"
 
 namespace plumb {
 
-PLUMB_INSTANTIATE_MINIMUM_DISTANCE(double)
+template Contact<double> minimum_distance<double>(const Pair&, const Want&, const Contact<double>*);
 
 }  // namespace plumb

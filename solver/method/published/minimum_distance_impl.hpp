@@ -1,8 +1,24 @@
-// Bodies of the templates of minimum_distance.hpp; included only where they are instantiated.
+// The minimum distance over the common direction (Wellmann, Lillie & Wriggers, Engineering Computations 25, 2008).
+//
+// p1(n), p2(n)   the points whose outward normals are n and -n, so that n1 + n2 = 0 by construction
+// f(n) = |p1(n) - p2(n)|^2 / 2 is minimised over the unit directions n, two unknowns, by a damped Newton iteration
+//                (Levenberg-Marquardt's damping, f has to fall)
+// With g = p1 - p2, o = n.g, b the part of g across n, and H the sum of both support Hessians there (all 2x2 across n):
+//   grad f = H b,   Hess f = H (H - o) + (terms that vanish with b)
+// so that every common normal (b = 0) is stationary, and one is a minimum where o is below H's eigenvalues. f is never below half the
+// square of the lowest overlap and attains it: the global minimum is the lowest common normal, overlapping or apart.
+//
+// Spurious       grad f also vanishes where H takes b to 0 and b is not 0: at points of both bodies without any radius (tips of
+//                exponents below 2). It ends there with Status::stalled.
+// Departures     Wellmann et al. take spherical angles of n; here each step is across the present n, which has no poles. What they do
+//                about the start is not ours to quote: it is the line of centres, a hundredth of a rad beside it where H is infinite.
+//
+// What it does not promise: the lowest of several common normals. Flats (exponents above 2), where a normal does not tell the point,
+// give H infinite, and the iteration has nothing to hold on to.
 #pragma once
 
 #include "solver/method/common.hpp"
-#include "solver/method/published/minimum_distance.hpp"
+#include "solver/method/methods.hpp"
 #include "solver/method/published/patience.hpp"
 #include "solver/shape/tangent.hpp"
 
@@ -169,8 +185,5 @@ Contact<S> minimum_distance(const Pair& pair, const Want& want, const Contact<S>
   set_contact<S>(out, want, placed, pair, solver.here().at, solver.here().n);
   return out;
 }
-
-#define PLUMB_INSTANTIATE_MINIMUM_DISTANCE(S) \
-  template Contact<S> minimum_distance<S>(const Pair&, const Want&, const Contact<S>*);
 
 }  // namespace plumb
