@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "corpus/command/progress.hpp"
+#include "corpus/command/text_table.hpp"
 #include "fuzz/results/ranking.hpp"
 
 namespace plumb {
@@ -83,12 +84,19 @@ std::vector<std::string> accuracy_in_words(const Tally& tally) {
   return out;
 }
 
-constexpr std::string_view kRow = " {:<26}{:>6}  {:<15}{:<22}{:>8}{:>8}{:>8}{:>7}{:>8}{:>9}\n";
-
-std::string header() {
-  return fmt::format(kRow, "method", "conv.%", "finding", "share % [95 %]", ">0.01deg", "p50", "p99", "max", "iter",
-                     "time");
-}
+const TextTable kColumns({{"method", "<26"},
+                          {"conv.%", ">6", "  "},
+                          {"finding", "<15"},
+                          {"share % [95 %]", "<22"},
+                          {">0.01deg", ">8"},
+                          {"p50", ">8"},
+                          {"p99", ">8"},
+                          {"max", ">7"},
+                          {"iter", ">8"},
+                          {"time", ">9"}},
+                         " ");
+/// What stands below a method's row, under its finding.
+const TextTable kBelow({{"", "<34"}, {"", ""}}, " ");
 
 std::string method_rows(const std::string& method, const Tally& tally) {
   const auto lines = finding_lines(tally);
@@ -96,13 +104,13 @@ std::string method_rows(const std::string& method, const Tally& tally) {
   const auto converged = share_of(tally.converged(), tally.cases);
   const auto wrong = share_of(tally.angles_wrong, angles.count());
   std::string text =
-      fmt::format(kRow, method, percent(converged.share), lines[0].first, lines[0].second, percent(wrong.share),
-                  angle(angles.percentile(0.5)), angle(angles.percentile(0.99)), angle(angles.max()),
-                  iterations(tally.iterations), duration(tally.nanoseconds.percentile(0.5)));
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    text += fmt::format(" {:<26}{:>6}  {:<15}{}\n", "", "", lines[i].first, lines[i].second);
-  for (const std::string& words : accuracy_in_words(tally)) text += fmt::format(" {:<26}{:>6}  {}\n", "", "", words);
-  for (const std::string& words : tally.habits.in_words()) text += fmt::format(" {:<26}{:>6}  {}\n", "", "", words);
+      kColumns.row(method, percent(converged.share), lines[0].first, lines[0].second, percent(wrong.share),
+                   angle(angles.percentile(0.5)), angle(angles.percentile(0.99)), angle(angles.max()),
+                   iterations(tally.iterations), duration(tally.nanoseconds.percentile(0.5))) +
+      "\n";
+  for (std::size_t i = 1; i < lines.size(); ++i) text += kColumns.row("", "", lines[i].first, lines[i].second) + "\n";
+  for (const auto& all : {accuracy_in_words(tally), tally.habits.in_words()})
+    for (const std::string& words : all) text += kBelow.row("", words) + "\n";
   return text;
 }
 
@@ -162,7 +170,7 @@ std::string table_text(const Results& results) {
   std::string text;
   for (const std::string& name : family_order(results)) {
     const FamilyResults& family = results.families.at(name);
-    text += family_heading(name, family) + header();
+    text += family_heading(name, family) + kColumns.head() + "\n";
     for (const std::string& method : method_order(family.methods))
       text += method_rows(method, family.methods.at(method));
     text += ladders_text(family);

@@ -4,12 +4,13 @@
 #include <sstream>
 #include <vector>
 
+#include "corpus/command/text_table.hpp"
 #include "fuzz/results/table.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr std::size_t kColumn = 11;
+constexpr std::size_t kWidth = 11;
 
 /// "geometric_potential_midway" in lines that fit: "geometric", "_potential", "_midway".
 std::vector<std::string> heading_lines(const std::string& method) {
@@ -17,18 +18,20 @@ std::vector<std::string> heading_lines(const std::string& method) {
   std::stringstream parts(method);
   for (std::string part; std::getline(parts, part, '_');) {
     if (!lines.empty()) part.insert(0, 1, '_');
-    if (!lines.empty() && lines.back().size() + part.size() < kColumn)
+    if (!lines.empty() && lines.back().size() + part.size() < kWidth)
       lines.back() += part;
     else
-      lines.push_back(part.substr(0, kColumn - 1));
+      lines.push_back(part.substr(0, kWidth - 1));
   }
   return lines;
 }
 
-std::string line_of(const std::string& head, const std::vector<std::string>& cells) {
-  std::string line = fmt::format(" {:<25}", head);
-  for (const std::string& cell : cells) line += fmt::format("{:>{}}", cell, kColumn);
-  return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+/// A cell more than `cells`: the first.
+std::string line_of(const std::string& head, std::vector<std::string> cells) {
+  std::vector<Column> columns(cells.size() + 1, {"", fmt::format(">{}", kWidth)});
+  columns.front().spec = "<25";
+  cells.insert(cells.begin(), head);
+  return TextTable(columns, " ").row_of(cells) + "\n";
 }
 
 /// The names stand on one foot.

@@ -5,9 +5,11 @@
 
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "reports/bench/bench_batch.hpp"
 #include "reports/bench/bench_measure.hpp"
 #include "reports/bench/bench_sets.hpp"
+#include "reports/report_lines.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb::reports {
@@ -17,10 +19,11 @@ constexpr std::string_view yardstick = "peer_libccd_epa";
 
 struct Options {
   std::vector<std::string> sets;
-  std::string pairs, method = "all", out;
+  std::string pairs, method = "all";
+  ReportLines lines;
   std::int64_t count = 1000;
   std::uint64_t seed = 1;
-  bool json = false, print = false, count_only = false, warm = false, batch = false;
+  bool print = false, count_only = false, warm = false, batch = false;
   int repeat = 5, times = 1;
 };
 
@@ -34,8 +37,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("--repeat", options.repeat, "time each pair so often; the least counts")
       ->capture_default_str()
       ->in_range(1, 1000);
-  app.add_flag("--json", options.json, "one JSON object a line in the place of the table");
-  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+  options.lines.declare(app, "one JSON object a line in the place of the table");
   app.add_flag("--print", options.print, "print the cases of the sets, one a line, and time nothing");
   app.add_flag("--count-only", options.count_only, "one method over one set without a clock, for callgrind");
   app.add_option("--times", options.times, "with --count-only: passes over the set")
@@ -136,24 +138,34 @@ Json to_json(const Named& set, const Measurement& m, const std::vector<Measureme
   return line;
 }
 
-std::string times_text(const Measurement& m, double ratio) {
-  return fmt::format("{:>9.3f} us{:>11.3f} us{:>9.1f}{:>9}", m.median_ns * 1e-3, m.p99_ns * 1e-3,
-                     m.p99_ns / m.median_ns, ratio > 0 ? fmt::format("{:.4f}", ratio) : "-");
-}
-
 /// The peers count no iterations.
 std::string iterations_text(const Measurement& m) {
   return m.most_iterations > 0 ? fmt::format("{:.0f}/{:.0f}", m.median_iterations, m.most_iterations) : "-";
 }
 
+const TextTable measured({{"method", "<27"},
+                          {"start", "<5"},
+                          {"median", ">8.3f", " us"},
+                          {"p99", ">11.3f", " us"},
+                          {"p99/med", ">9.1f"},
+                          {"/EPA", ">9"},
+                          {"iter", ">10"},
+                          {"not conv.%", ">12.1f"}},
+                         "  ");
+const TextTable refused({{"", "<27"}, {"", "<4"}, {"", ">43", " "}, {"", ">10"}, {"", ">12.1f"}}, "  ");
+
+std::string row_text(const Measurement& m, double ratio) {
+  const char* start = m.warm ? "warm" : "cold";
+  const double lost = 100 * m.not_converged;
+  if (!answers(m)) return refused.row(m.method, start, "no answer", iterations_text(m), lost);
+  return measured.row(m.method, start, m.median_ns * 1e-3, m.p99_ns * 1e-3, m.p99_ns / m.median_ns,
+                      ratio > 0 ? fmt::format("{:.4f}", ratio) : "-", iterations_text(m), lost);
+}
+
 void print_table(const Named& set, const std::vector<Measurement>& all) {
   print_line(fmt::format("{}: {} pairs, {}", set.name, set.cases.size(), set.of));
-  print_line(fmt::format("  {:<27}{:<5}{:>11}{:>14}{:>9}{:>9}{:>10}{:>12}", "method", "start", "median", "p99",
-                         "p99/med", "/EPA", "iter", "not conv.%"));
-  for (const Measurement& m : all)
-    print_line(fmt::format("  {:<27}{:<4}{:>44}{:>10}{:>12.1f}", m.method, m.warm ? "warm" : "cold",
-                           answers(m) ? times_text(m, ratio(m, all)) : "no answer ", iterations_text(m),
-                           100 * m.not_converged));
+  print_line(measured.head());
+  for (const Measurement& m : all) print_line(row_text(m, ratio(m, all)));
 }
 
 /// The batch beside the loop that it is to beat.
@@ -218,28 +230,23 @@ int count(const Options& options) {
   return exit_done;
 }
 
-int bench(const Options& options) {
+int bench(Options& options) {
   const std::vector<Solver> solvers = solvers_here(options.method);
-  std::string lines;
   each_set(options, [&](const Named& set) {
     const std::vector<Measurement> all = measure(jobs_of(set, solvers, options.seed), options.repeat);
     const std::vector<BatchMeasurement> of_batch = batches(set, solvers, options.repeat);
     if (interrupted()) return;
-    if (!options.json) print_table(set, all);
-    if (!options.json) print_batches(of_batch);
-    const auto put = [&](const Json& line) {
-      if (options.json) print_line(write_json(line));
-      lines += write_json(line) + "\n";
-    };
-    for (const Measurement& m : all) put(to_json(set, m, all));
-    for (const BatchMeasurement& m : of_batch) put(to_json(set, m));
+    if (!options.lines.is_json()) print_table(set, all);
+    if (!options.lines.is_json()) print_batches(of_batch);
+    for (const Measurement& m : all) options.lines.add(to_json(set, m, all));
+    for (const BatchMeasurement& m : of_batch) options.lines.add(to_json(set, m));
     flush_output();
   });
-  if (!options.out.empty()) write_file(options.out, lines);
+  options.lines.write();
   return exit_done;
 }
 
-int run(const Options& options) {
+int run(Options& options) {
   if (options.print) return print_cases(options);
   if (options.count_only) return options.batch ? count_batch(options) : count(options);
   return bench(options);

@@ -1,6 +1,4 @@
 // plumb report-recorder: what a call of the flight recorder costs, beside a solve of `auto`, and what of the laws' findings it sees.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "properties/doors/recording.hpp"
 #include "properties/generators/families.hpp"
 #include "solver/method/methods.hpp"
@@ -123,6 +122,13 @@ double least_ns(const std::vector<Call>& calls, std::int64_t passes, const Work&
   return least / static_cast<double>(calls.size());
 }
 
+const TextTable costs({{"set", "<26"},
+                       {"record ns", ">10.1f"},
+                       {"with begin", ">12.1f"},
+                       {"auto ns", ">11.1f"},
+                       {"ratio", ">9.3f"},
+                       {"not judged", ">14.4f"}});
+
 void print_cost(const Set& set, const Options& options) {
   const Recorder recorder(options);
   const std::vector<Call> calls = draw(set, options);
@@ -139,8 +145,7 @@ void print_cost(const Set& set, const Options& options) {
   const double with_begin = least_ns(calls, options.passes, begin_and_judge);
   const double of_auto =
       least_ns(calls, (options.passes + 9) / 10, [](const Call& call) { (void)solve_auto(call.pair); });
-  print_line(fmt::format("{:<26}{:>10.1f}{:>12.1f}{:>11.1f}{:>9.3f}{:>14.4f}", set.name, alone, with_begin, of_auto,
-                         alone / of_auto, open));
+  print_line(costs.row(set.name, alone, with_begin, of_auto, alone / of_auto, open));
   flush_output();
 }
 
@@ -165,25 +170,30 @@ void compare(Agreement& out, const Recorder& recorder, const Method& method, con
   out.false_alarms += is_seen && !is_wrong ? 1 : 0;
 }
 
+const TextTable agreements({{"family", "<14"},
+                            {"method", "<22"},
+                            {"answers", ">9"},
+                            {"wrong", ">8"},
+                            {"seen", ">8"},
+                            {"same word", ">11"},
+                            {"false alarms", ">14"}});
+
 void print_agreement(std::string_view family, std::string_view method, const Options& options) {
   const Recorder recorder(options);
   Agreement all;
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(options.judged) && !interrupted(); ++i)
     compare(all, recorder, *find_method(method), generate(family, options.seed, i));
-  print_line(fmt::format("{:<14}{:<22}{:>9}{:>8}{:>8}{:>11}{:>14}", family, method, all.answers, all.wrong, all.seen,
-                         all.same_word, all.false_alarms));
+  print_line(agreements.row(family, method, all.answers, all.wrong, all.seen, all.same_word, all.false_alarms));
   flush_output();
 }
 
 int report(const Options& options) {
-  print_line(fmt::format("{:<26}{:>10}{:>12}{:>11}{:>9}{:>14}", "set", "record ns", "with begin", "auto ns", "ratio",
-                         "not judged"));
+  print_line(costs.head());
   for (const Set& set : sets) {
     if (interrupted()) return exit_done;
     print_cost(set, options);
   }
-  print_line(fmt::format("\n{:<14}{:<22}{:>9}{:>8}{:>8}{:>11}{:>14}", "family", "method", "answers", "wrong", "seen",
-                         "same word", "false alarms"));
+  print_line("\n" + agreements.head());
   for (const Family& family : families())
     for (const std::string_view method : {"original_cn", "corrected_cn", "new_cn", "geometric_potential", "auto"}) {
       if (interrupted()) return exit_done;

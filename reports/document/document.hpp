@@ -1,5 +1,5 @@
 // The document of plumb report, "plumb/report-1": what the page shows and what lies beside it as FILE.json. Its one description is
-// reports/page/src/data.ts, with data_fem.ts.
+// report-1.schema.json; sections.hpp has what is taken over from other reports.
 #pragma once
 
 #include <filesystem>
@@ -29,18 +29,6 @@ struct Shown {
 
 /// Kept cases until there are enough, or Ctrl-C: plumb's own, then each method's most frequent in turn.
 [[nodiscard]] Json failures_json(const Run& run, const Shown& shown);
-
-/// From the JSON lines of `plumb report-precision --out FILE`; throws InputFailure.
-[[nodiscard]] Json precision_json(const std::filesystem::path& file);
-
-/// From the JSON lines of `plumb report-stability --out FILE`; throws InputFailure.
-[[nodiscard]] Json stability_json(const std::filesystem::path& file);
-
-/// From the JSON lines of `plumb report-study --out FILE`; throws InputFailure.
-[[nodiscard]] Json study_json(const std::filesystem::path& file);
-
-/// From the JSON lines of `reports/fem/run`, with what is asked of each answer and whether it holds; throws InputFailure.
-[[nodiscard]] Json fem_json(const std::filesystem::path& file);
 
 /// Whether `plumb scene --out` wrote into the folder; and what it left there, DIR/playback.jsonl; throws InputFailure.
 [[nodiscard]] bool holds_playback(const std::filesystem::path& folder);

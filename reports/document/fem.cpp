@@ -1,143 +1,41 @@
-#include <array>
-#include <cmath>
-#include <utility>
+#include <fmt/format.h>
 
-#include "reports/document/document.hpp"
-#include "reports/document/kinds_of_line.hpp"
-#include "reports/document/taken_fields.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "reports/document/sections.hpp"
 
 namespace plumb::reports {
 namespace {
 
-constexpr std::array kModes{"quick", "full"};
-constexpr std::array kShapes{"spheroid", "ellipsoid", "superquadric"};
-constexpr std::array kStarts{"auto", "geometric_potential", "centre_line"};
-
 /// With how many answers it was asked of, and how many hold: so far none.
-Json uncounted(Json what) {
+void uncount(Json& what) {
   what.update({{"held", 0}, {"of", 0}});
-  return what;
 }
 
-/// Each holds above the overlap ratio of the one before it, up to its own.
-Json cn_bounds(const Field& field) {
-  Json out = Json::array();
+/// Each bound of CN holds above the overlap ratio of the one before it, up to its own. The commit stands beside the versions.
+void finish_run(Json&, Json& fem, const Field& line) {
+  fem["host"].erase("commit");
   double above = 0;
-  for (const Field& bound : field.elements()) {
-    Json one{{"above", above}};
-    one.update(read_parts(bound, {{"ratio", as::positive}, {"below_deg", as::positive}}));
-    if (!(one["ratio"] > above)) bound.member("ratio").fail("must be above the one before it");
-    above = one["ratio"].get<double>();
-    out.push_back(uncounted(std::move(one)));
+  const std::vector<Field> bounds = line.member("limits").member("cn").elements();
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    Json& bound = fem["asked"]["cn"][i];
+    bound["above"] = above;
+    if (!(bound["ratio"] > above)) bounds[i].member("ratio").fail("must be above the one before it");
+    above = bound["ratio"];
+    uncount(bound);
   }
-  if (out.empty()) field.fail("is empty");
-  return out;
+  uncount(fem["asked"]["gp"]);
 }
 
-/// What is asked of the angles between the force and the normals of CN (auto) and GP (geometric_potential).
-Json asked(const Field& limits) {
-  Json out = read_parts(limits, {{"cn", cn_bounds}});
-  out["gp"] = uncounted(read_parts(limits, {{"times", as::positive}, {"apart_deg", as::not_negative}}));
-  return out;
+void refuse_flat(Json&, Json& geometry, const Field& line) {
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const Json& axis : geometry["bodies"][i]["semi_axes"])
+      if (!(axis > 0)) line.member("bodies").element(i, 2, "bodies").member("semi_axes").fail("must be above 0");
 }
 
-Json angle(const Field& field) {
-  if (!(field.number() >= 0 && field.number() <= 180)) field.fail("must lie in 0 to 180");
-  return field.number();
-}
-
-/// By method; null where it has no answer.
-template <Read read>
-Json by_method(const Field& field) {
-  if (!field.value().is_object() || field.value().empty())
-    field.fail("must be an object with a number for each method");
-  Json out = Json::object();
-  for (const auto& [method, value] : field.value().items()) out[method] = as::or_null<read>(field.member(method));
-  return out;
-}
-
-Json programs(const Field& host) {
-  for (const char* name : {"ccx", "gmsh"}) static_cast<void>(host.member(name).text());
-  Json out = Json::object();
-  for (const auto& [name, value] : host.value().items())
-    if (name != "commit") out[name] = host.member(name).text();
-  return out;
-}
-
-Json poisson(const Field& field) {
-  if (!(field.number() > -1 && field.number() < 0.5)) field.fail("must lie between -1 and 0.5");
-  return field.number();
-}
-
-void take_fem_run(Json& out, const Field& line) {
-  out.update(read_parts(line, {{"command", as::text},
-                               {"host", programs},
-                               {"mode", as::one_of<kModes>},
-                               {"young", as::positive},
-                               {"poisson", poisson},
-                               {"held", as::text}}));
-  out["asked"] = asked(line.member("limits"));
-  out["commit"] = line.member("host").member("commit").text();
-}
-
-Json body(const Field& field) {
-  const Json out = read_parts(field, {{"semi_axes", as::numbers<3>}, {"exponents", as::numbers<2>}});
-  for (const Json& axis : out["semi_axes"])
-    if (!(axis > 0)) field.member("semi_axes").fail("must be above 0");
-  return out;
-}
-
-Json two_bodies(const Field& field) {
-  return Json::array({body(field.element(0, 2, "bodies")), body(field.element(1, 2, "bodies"))});
-}
-
-void take_geometry(Json& out, const Field& line) {
-  out["geometries"].push_back(read_parts(line, {{"name", as::text},
-                                                {"shape", as::one_of<kShapes>},
-                                                {"bodies", two_bodies},
-                                                {"line_deg", as::numbers<2>},
-                                                {"quaternion", as::numbers<4>}}));
-}
-
-void take_check(Json& out, const Field& line) {
-  Json check =
-      read_parts(line, {{"check", as::text}, {"value", as::number}, {"limit", as::number}, {"unit", as::text}});
+void judge_check(Json&, Json& check, const Field&) {
   check["within"] = check["value"] <= check["limit"];
-  out["checks"].push_back(std::move(check));
-}
-
-/// The geometry that a line names is of one before it.
-void refuse_unknown(const Json& out, const Field& line) {
-  const Field name = line.member("geometry");
-  for (const Json& geometry : out["geometries"])
-    if (geometry["name"] == name.text()) return;
-  name.fail("'" + name.text() + "' is of no line before this one");
-}
-
-/// What has a reason in the place of its figures.
-bool take_reason(Json& out, const Field& line) {
-  refuse_unknown(out, line);
-  if (!line.has("reason")) return false;
-  out["unanswered"].push_back(read_parts(line, {{"kind", as::text},
-                                                {"geometry", as::text},
-                                                {"ratio", as::positive},
-                                                {"varied", as::text, true},
-                                                {"setting", as::text, true},
-                                                {"start", as::text, true},
-                                                {"reason", as::text}}));
-  return true;
-}
-
-void take_convergence(Json& out, const Field& line) {
-  if (take_reason(out, line)) return;
-  out["convergence"].push_back(read_parts(line, {{"geometry", as::text},
-                                                 {"ratio", as::positive},
-                                                 {"varied", as::text},
-                                                 {"setting", as::text},
-                                                 {"turned_deg", angle},
-                                                 {"force_change", as::number},
-                                                 {"patch_change", as::number},
-                                                 {"centre_shift", as::not_negative}}));
 }
 
 /// NaN: the method has no answer.
@@ -169,72 +67,62 @@ Json gp_beyond(Json& asked, const Json& answer) {
   return counted(asked, angle_to(answer, "geometric_potential") > times * angle_to(answer, "auto"));
 }
 
-void take_fem_answer(Json& out, const Field& line) {
-  if (take_reason(out, line)) return;
-  Json answer = read_parts(line, {{"geometry", as::text},
-                                  {"ratio", as::positive},
-                                  {"force", as::not_negative},
-                                  {"direction", as::numbers<3>},
-                                  {"angles_deg", by_method<angle>},
-                                  {"cn_to_gp_deg", as::or_null<angle>, true},
-                                  {"centre_off", by_method<as::not_negative>},
-                                  {"patch_radius", as::positive},
-                                  {"fem_patch_radius", as::positive},
-                                  {"balance", as::not_negative},
-                                  {"nodes", as::count},
-                                  {"iterations", as::count}});
-  answer["cn_within"] = cn_within(out["asked"]["cn"], answer);
-  answer["gp_beyond"] = gp_beyond(out["asked"]["gp"], answer);
-  out["answers"].push_back(std::move(answer));
+void judge_answer(Json& fem, Json& answer, const Field&) {
+  answer["cn_within"] = cn_within(fem["asked"]["cn"], answer);
+  answer["gp_beyond"] = gp_beyond(fem["asked"]["gp"], answer);
 }
 
 /// How many times the gap is as curved on the far side as where the pressure's centre has moved; null where that is not known.
-Json bends(const Json& curvatures) {
-  if (curvatures.is_null() || curvatures[2] == 0) return nullptr;
-  return curvatures[0].get<double>() / curvatures[2].get<double>();
+void add_bends(Json&, Json& plane, const Field&) {
+  const Json& curvatures = plane["curvatures"];
+  const bool is_known = !curvatures.is_null() && curvatures[2] != 0;
+  plane["bends"] = is_known ? Json(curvatures[0].get<double>() / curvatures[2].get<double>()) : Json();
 }
 
-void take_half_space(Json& out, const Field& line) {
-  if (take_reason(out, line)) return;
-  Json plane = read_parts(line, {{"geometry", as::text},
-                                 {"ratio", as::positive},
-                                 {"start", as::one_of<kStarts>},
-                                 {"start_deg", angle},
-                                 {"planes", as::count},
-                                 {"cn_deg", angle},
-                                 {"fem_deg", as::or_null<angle>, true},
-                                 {"force", as::not_negative},
-                                 {"patch_radius", as::positive},
-                                 {"fem_force", as::or_null<as::positive>, true},
-                                 {"fem_patch", as::or_null<as::positive>, true},
-                                 {"centre_off", as::or_null<as::not_negative>, true},
-                                 {"curvatures", as::or_null<as::numbers<3>>, true}});
-  plane["bends"] = bends(plane["curvatures"]);
-  out["half_space"].push_back(std::move(plane));
+std::string fem_held(const Json& asked) {
+  const auto of = [](const Json& what) { return fmt::format("{} of {}\n", what["held"].dump(), what["of"].dump()); };
+  std::string out;
+  for (const Json& bound : asked["cn"])
+    out += fmt::format("- overlap ratio above {} up to {}: force less than {} degrees from CN in {}",
+                       bound["above"].get<double>(), bound["ratio"].get<double>(), bound["below_deg"].get<double>(),
+                       of(bound));
+  const Json& gp = asked["gp"];
+  return out + fmt::format("- where GP is more than {} degrees from CN, or has no answer: more than {} times as far "
+                           "from the force in {}",
+                           gp["apart_deg"].get<double>(), gp["times"].get<double>(), of(gp));
 }
 
-const std::vector<Kind>& fem_kinds() {
-  static const std::vector<Kind> all{{"geometry", {"name"}, take_geometry},
-                                     {"check", {"check"}, take_check},
-                                     {"convergence", {"geometry", "ratio", "varied", "setting"}, take_convergence},
-                                     {"answer", {"geometry", "ratio"}, take_fem_answer},
-                                     {"half_space", {"geometry", "ratio", "start"}, take_half_space}};
-  return all;
+std::string checks_lines(const Json& checks) {
+  const auto within = std::count_if(checks.begin(), checks.end(), [](const Json& c) { return c["within"] == true; });
+  std::string out = fmt::format("- checks within their limits: {} of {}\n", within, checks.size());
+  for (const Json& check : checks)
+    if (check["within"] != true)
+      out += fmt::format("- **check {}**: {} {}, limit {}\n", shown_text(check["check"]), check["value"].get<double>(),
+                         shown_text(check["unit"]), check["limit"].get<double>());
+  return out;
+}
+
+std::string fem_list(const Json& fem) {
+  std::string out =
+      fmt::format("\n### Against finite elements, CalculiX {}, commit {}, {}{}\n\n", shown_text(fem["host"]["ccx"]),
+                  shown_text(fem["commit"]), shown_text(fem["mode"]), incomplete_mark(fem));
+  out += fem_held(fem["asked"]) + checks_lines(fem["checks"]);
+  return fem["unanswered"].empty() ? out : out + fmt::format("- without an answer: {}\n", fem["unanswered"].size());
 }
 
 }  // namespace
 
-Json fem_json(const std::filesystem::path& file) {
-  const Json empty{{"host", nullptr},
-                   {"interrupted", false},
-                   {"asked", nullptr},
-                   {"geometries", Json::array()},
-                   {"checks", Json::array()},
-                   {"convergence", Json::array()},
-                   {"answers", Json::array()},
-                   {"half_space", Json::array()},
-                   {"unanswered", Json::array()}};
-  return read_kinds(file, empty, take_fem_run, fem_kinds(), "reports/fem/run");
+Section fem_section() {
+  return {"fem",
+          "Fem",
+          true,
+          {{"run", finish_run},
+           {"geometry", refuse_flat},
+           {"check", judge_check},
+           {"answer", judge_answer},
+           {"half_space", add_bends}},
+          nullptr,
+          fem_list};
 }
 
 }  // namespace plumb::reports

@@ -19,12 +19,4 @@ void for_each_line(const std::filesystem::path& file, const std::function<void(c
   }
 }
 
-void take_run(Json& out, const Field& line) {
-  const Field host = line.member("host");
-  out["commit"] = host.member("commit").text();
-  out["host"] = Json::object();
-  for (const char* name : {"system", "machine", "compiler", "flags"}) out["host"][name] = host.member(name).text();
-  out["command"] = line.member("command").text();
-}
-
 }  // namespace plumb::reports

@@ -11,7 +11,4 @@ namespace plumb::reports {
 /// Throws InputFailure for a FieldError of `take`.
 void for_each_line(const std::filesystem::path& file, const std::function<void(const Field&)>& take);
 
-/// "commit", "host", "command" of a line of kind run.
-void take_run(Json& out, const Field& line);
-
 }  // namespace plumb::reports

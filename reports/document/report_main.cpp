@@ -14,6 +14,7 @@
 #include "reports/document/compare.hpp"
 #include "reports/document/formats.hpp"
 #include "reports/document/issue.hpp"
+#include "reports/document/sections.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -22,7 +23,8 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, precision, stability, study, fem, issue, accuracy = "rounding";
+  std::string out, issue, accuracy = "rounding";
+  std::map<std::string, std::string> sections;  ///< the files that options name, by section
   ForeignOption foreign;
   std::size_t failures = 500;
 };
@@ -37,13 +39,12 @@ void declare(CommandLine& app, Arguments& args) {
                  "instead: this case as a report for its solver's maintainer, in Markdown, to --out or standard "
                  "output; 1 when there is a finding");
   declare_accuracy(app, args.accuracy);
-  app.add_option("--precision", args.precision,
-                 "what plumb report-precision --out left; else the last DIR's precision.jsonl, where there is one");
-  app.add_option("--stability", args.stability,
-                 "what plumb report-stability --out left; else the last DIR's stability.jsonl, where there is one");
-  app.add_option("--study", args.study,
-                 "what plumb report-study --out left; else the last DIR's study.jsonl, where there is one");
-  app.add_option("--fem", args.fem, "what reports/fem/run left; else the last DIR's fem.jsonl, where there is one");
+  for (const Section& section : all_sections()) {
+    const std::string name = section.name;
+    const std::string source = source_of(section) + (source_of(section).starts_with("plumb ") ? " --out" : "");
+    app.add_option("--" + name, args.sections[name],
+                   "what " + source + " left; else the last DIR's " + name + ".jsonl, where there is one");
+  }
   declare_solver(app, args.foreign, "the shared library of a foreign solver whose failures are to be solved again");
   app.add_option("--failures", args.failures,
                  "kept cases in the gallery of each run: plumb's own, then each method's most frequent")
@@ -67,20 +68,20 @@ std::string page_of(const std::string& json) {
                       "<script type=\"application/json\" id=\"plumb-data\">" + inert(json) + "</script>");
 }
 
-/// What an option named, else the last folder's file of that name, where there is one.
-fs::path given_or_beside(const std::string& given, const Arguments& args, const char* name) {
+/// What its option named, else the last folder's file of its name, where there is one.
+fs::path file_of(const Section& section, const Arguments& args) {
+  const std::string& given = args.sections.at(section.name);
   if (!given.empty() || args.folders.empty()) return given;
-  const fs::path beside = fs::path(args.folders.back()) / name;
+  const fs::path beside = fs::path(args.folders.back()) / (std::string(section.name) + ".jsonl");
   return fs::exists(beside) ? beside : fs::path();
 }
 
 std::string command_of(const Arguments& args, const std::vector<Solver>& foreign) {
   std::string out = "plumb report";
   for (const std::string& folder : args.folders) out += " " + shell_word(folder);
-  if (!args.precision.empty()) out += " --precision " + shell_word(args.precision);
-  if (!args.stability.empty()) out += " --stability " + shell_word(args.stability);
-  if (!args.study.empty()) out += " --study " + shell_word(args.study);
-  if (!args.fem.empty()) out += " --fem " + shell_word(args.fem);
+  for (const Section& section : all_sections())
+    if (const std::string& file = args.sections.at(section.name); !file.empty())
+      out += fmt::format(" --{} {}", section.name, shell_word(file));
   for (const Solver& solver : foreign) out += solver.option;
   if (args.failures != Arguments().failures) out += fmt::format(" --failures {}", args.failures);
   return out + " -o " + shell_word(args.out);
@@ -128,10 +129,6 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
            {"runs", Json::array()},
            {"comparisons", Json::array()},
            {"playbacks", Json::array()},
-           {"precision", nullptr},
-           {"stability", nullptr},
-           {"study", nullptr},
-           {"fem", nullptr},
            {"findings", findings_json()},
            {"laws", laws_json()},
            {"methods", methods_json()}};
@@ -141,14 +138,10 @@ Json document(const Arguments& args, const std::vector<Run>& runs) {
   name_apart(out["runs"]);
   name_apart(out["playbacks"]);
   for (std::size_t i = 1; i < runs.size(); ++i) out["comparisons"].push_back(comparison_json(runs[0], runs[i]));
-  const fs::path precision = given_or_beside(args.precision, args, "precision.jsonl");
-  if (!precision.empty()) out["precision"] = precision_json(precision);
-  const fs::path stability = given_or_beside(args.stability, args, "stability.jsonl");
-  if (!stability.empty()) out["stability"] = stability_json(stability);
-  const fs::path study = given_or_beside(args.study, args, "study.jsonl");
-  if (!study.empty()) out["study"] = study_json(study);
-  const fs::path fem = given_or_beside(args.fem, args, "fem.jsonl");
-  if (!fem.empty()) out["fem"] = fem_json(fem);
+  for (const Section& section : all_sections()) {
+    const fs::path file = file_of(section, args);
+    out[section.name] = file.empty() ? Json() : read_section(section, file);
+  }
   return out;
 }
 
@@ -167,6 +160,17 @@ std::vector<Run> read_runs(const Arguments& args) {
     if (!holds_playback(folder) || fs::exists(fs::path(folder) / "campaign.bins"))
       runs.push_back({folder, read_results(folder)});
   return runs;
+}
+
+void refuse_nothing_to_show(const Arguments& args) {
+  if (!args.folders.empty()) return;
+  std::string options;
+  for (const Section& section : all_sections()) {
+    if (!section.stands_alone) continue;
+    if (!args.sections.at(section.name).empty()) return;
+    options += (options.empty() ? "--" : " nor --") + std::string(section.name);
+  }
+  throw InputFailure("DIR", 0, "", "is required where there is neither " + options);
 }
 
 /// By the foreign solver that was named, or the method that the case names.
@@ -194,8 +198,7 @@ int write_issue(const Arguments& args) {
 int report(const Arguments& args) {
   if (!args.issue.empty()) return write_issue(args);
   if (args.out.empty()) throw InputFailure("--out", 0, "", "is required: the page, FILE.html");
-  if (args.folders.empty() && args.study.empty() && args.fem.empty())
-    throw InputFailure("DIR", 0, "", "is required where there is neither --study nor --fem");
+  refuse_nothing_to_show(args);
   refuse_bad_page(args);
   const fs::path page = args.out;
   const std::vector<Run> runs = read_runs(args);

@@ -6,6 +6,7 @@
 #include "corpus/json/escaped.hpp"
 #include "corpus/solvers/solver.hpp"
 #include "reports/document/formats.hpp"
+#include "reports/document/sections.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -113,10 +114,6 @@ std::string ladder_lines(const Run& run, const std::string& name, const Ladder& 
   return out;
 }
 
-std::string text_of(const Json& name) {
-  return markdown_text(name.get<std::string>());
-}
-
 std::string percent(const Share& s) {
   if (std::isnan(s.share)) return "-";
   return fmt::format("{:.4g} [{:.3g}, {:.3g}]", 100 * s.share, 100 * s.low, 100 * s.high);
@@ -186,74 +183,20 @@ std::string ladders_table(const FamilyResults& family) {
   return out + "\n";
 }
 
-std::string stability_list(const Json& stability) {
-  if (stability.is_null()) return "";
-  std::string out = fmt::format("\n### Stability, commit {}{}\n\n", text_of(stability["commit"]),
-                                stability["interrupted"] == true ? " - INCOMPLETE" : "");
-  for (const Json& total : stability["totals"])
-    out += fmt::format("- {} in {}: right in {} of {} cases, {} lost, {} wrong\n", text_of(total["method"]),
-                       text_of(total["arithmetic"]), total["right"].dump(), total["cases"].dump(), total["lost"].dump(),
-                       total["wrong"].dump());
-  return out;
-}
-
-std::string study_list(const Json& study) {
-  if (study.is_null()) return "";
-  std::string out = fmt::format("\n### The source's study, commit {}{}\n\n", text_of(study["commit"]),
-                                study["interrupted"] == true ? " - INCOMPLETE" : "");
-  for (const Json& share : study["shares"])
-    out += fmt::format("- {}, aspect {}, overlap ratio {}: {} of {} answers more than 0.01 degrees off, {} pairs\n",
-                       text_of(share["method"]), share["aspect"].get<double>(), share["ratio"].get<double>(),
-                       share["off"].dump(), share["answers"].dump(), share["pairs"].dump());
-  return out;
-}
-
-std::string fem_held(const Json& asked) {
-  const auto of = [](const Json& what) { return fmt::format("{} of {}\n", what["held"].dump(), what["of"].dump()); };
-  std::string out;
-  for (const Json& bound : asked["cn"])
-    out += fmt::format("- overlap ratio above {} up to {}: force less than {} degrees from CN in {}",
-                       bound["above"].get<double>(), bound["ratio"].get<double>(), bound["below_deg"].get<double>(),
-                       of(bound));
-  const Json& gp = asked["gp"];
-  return out + fmt::format("- where GP is more than {} degrees from CN, or has no answer: more than {} times as far "
-                           "from the force in {}",
-                           gp["apart_deg"].get<double>(), gp["times"].get<double>(), of(gp));
-}
-
-std::string checks_lines(const Json& checks) {
-  const auto within = std::count_if(checks.begin(), checks.end(), [](const Json& c) { return c["within"] == true; });
-  std::string out = fmt::format("- checks within their limits: {} of {}\n", within, checks.size());
-  for (const Json& check : checks)
-    if (check["within"] != true)
-      out += fmt::format("- **check {}**: {} {}, limit {}\n", text_of(check["check"]), check["value"].get<double>(),
-                         text_of(check["unit"]), check["limit"].get<double>());
-  return out;
-}
-
-std::string fem_list(const Json& fem) {
-  if (fem.is_null()) return "";
-  std::string out =
-      fmt::format("\n### Against finite elements, CalculiX {}, commit {}, {}{}\n\n", text_of(fem["host"]["ccx"]),
-                  text_of(fem["commit"]), text_of(fem["mode"]), fem["interrupted"] == true ? " - INCOMPLETE" : "");
-  out += fem_held(fem["asked"]) + checks_lines(fem["checks"]);
-  return fem["unanswered"].empty() ? out : out + fmt::format("- without an answer: {}\n", fem["unanswered"].size());
-}
-
 std::string playback_line(const Json& playback) {
   const Json& end = playback["end"];
   const std::string frames =
-      fmt::format("- scene {}: {} bodies, {} frames to t = {}", text_of(playback["name"]), playback["bodies"].size(),
+      fmt::format("- scene {}: {} bodies, {} frames to t = {}", shown_text(playback["name"]), playback["bodies"].size(),
                   playback["times"].size(), playback["times"].back().dump());
   if (end.is_null()) return frames + " - INCOMPLETE\n";
   return fmt::format("{}, {} of {} solves failed, hash {}\n", frames, end["failed"].dump(), end["solves"].dump(),
-                     text_of(end["hash"]));
+                     shown_text(end["hash"]));
 }
 
 std::string run_tables(const Run& run, const Json& shown) {
   const Results& results = run.results;
   std::string out = fmt::format("## plumb: {} cases, seed {}, commit {}{}\n", results.cases(), results.asked.seed,
-                                text_of(shown["commit"]), results.incomplete() ? " - INCOMPLETE" : "");
+                                shown_text(shown["commit"]), results.incomplete() ? " - INCOMPLETE" : "");
   for (const auto& [message, n] : results.harness_errors)
     out += fmt::format("\n- HARNESS ERROR {} ({})\n", markdown_text(message), n);
   for (const std::string& family : family_order(results))
@@ -263,16 +206,16 @@ std::string run_tables(const Run& run, const Json& shown) {
 
 std::string changes(const Json& comparison) {
   constexpr std::size_t shown = 20;
-  std::string out = fmt::format("\n### {} -> {}\n\n{}\n\n", text_of(comparison["before"]), text_of(comparison["after"]),
-                                comparison["same_cases"].get<bool>()
-                                    ? "The same cases: no difference is chance."
-                                    : "Other cases: what is not significant (Holm, 5 %) is left out.");
+  std::string out = fmt::format(
+      "\n### {} -> {}\n\n{}\n\n", shown_text(comparison["before"]), shown_text(comparison["after"]),
+      comparison["same_cases"].get<bool>() ? "The same cases: no difference is chance."
+                                           : "Other cases: what is not significant (Holm, 5 %) is left out.");
   std::size_t count = 0;
   for (const char* verdict : {"worse", "better"})
     for (const Json& row : comparison["rows"]) {
       if (row["verdict"] != verdict || ++count > shown) continue;
-      out += fmt::format("- **{}** {} {} {}: {} -> {}\n", verdict, text_of(row["family"]), text_of(row["method"]),
-                         text_of(row["measure"]), row["before"].dump(), row["after"].dump());
+      out += fmt::format("- **{}** {} {} {}: {} -> {}\n", verdict, shown_text(row["family"]), shown_text(row["method"]),
+                         shown_text(row["measure"]), row["before"].dump(), row["after"].dump());
     }
   if (count > shown) out += fmt::format("- and {} more\n", count - shown);
   return count == 0 ? out + "Nothing changed.\n" : out;
@@ -304,9 +247,8 @@ std::string ladders_csv(const std::vector<Run>& runs) {
 
 std::string markdown(const std::vector<Run>& runs, const Json& report) {
   std::string out = runs.empty() ? "## plumb\n" : run_tables(runs.back(), report["runs"].back());
-  out += stability_list(report["stability"]);
-  out += study_list(report["study"]);
-  out += fem_list(report["fem"]);
+  for (const Section& section : all_sections())
+    if (section.markdown != nullptr && !report[section.name].is_null()) out += section.markdown(report[section.name]);
   for (const Json& comparison : report["comparisons"]) out += changes(comparison);
   if (!report["playbacks"].empty()) out += "\n### Playback\n\n";
   for (const Json& playback : report["playbacks"]) out += playback_line(playback);

@@ -9,6 +9,7 @@
 
 #include "corpus/case/case.hpp"
 #include "corpus/case/contract_words.hpp"
+#include "corpus/command/text_table.hpp"
 #include "corpus/file/text_input.hpp"
 #include "corpus/json/number_text.hpp"
 #include "reports/gated/gate_cases.hpp"
@@ -28,8 +29,6 @@ constexpr std::string_view header =
 
 constexpr std::string_view frozen_header = "# frozen: every case of the ladders kept there, the easiest step first; "
                                            "lets_go=STEP: the easiest with a finding.\n";
-
-constexpr std::string_view columns = "{:<{}}{:<27}{:>7}{:>10}";
 
 /// The words of one line, taken one after the other.
 class Words {
@@ -157,17 +156,21 @@ void read_line(Words& words, GateTable& table) {
     read_row(words, first, table);
 }
 
-/// Of the first column.
-int width_of(const GateTable& table) {
-  return table.is_frozen() ? 26 : 13;
+TextTable columns_of(const GateTable& table) {
+  std::vector<Column> columns{
+      {"# family", table.is_frozen() ? "<26" : "<13"}, {"method", "<27"}, {"judged", ">7"}, {"converged", ">10"}};
+  for (const std::string_view error : error_names) columns.push_back({std::string(error), ">12"});
+  columns.push_back({"  findings", ""});
+  return TextTable(columns);
 }
 
-std::string row_text(const GateRow& row, int width) {
-  std::string text = fmt::format(columns, row.family, width, row.method, row.judged, row.converged);
-  for (const double error : row.errors) text += fmt::format("{:>12}", error_text(error));
-  for (const auto& [kind, count] : row.findings) text += fmt::format("  {}={}", name(kind), count);
-  if (row.lets_go > 0) text += fmt::format("  lets_go={}", row.lets_go);
-  return text + "\n";
+std::string row_text(const GateRow& row, const TextTable& columns) {
+  std::vector<std::string> cells{row.family, row.method, std::to_string(row.judged), std::to_string(row.converged)};
+  for (const double error : row.errors) cells.push_back(error_text(error));
+  cells.emplace_back();
+  for (const auto& [kind, count] : row.findings) cells.back() += fmt::format("  {}={}", name(kind), count);
+  if (row.lets_go > 0) cells.back() += fmt::format("  lets_go={}", row.lets_go);
+  return columns.row_of(cells) + "\n";
 }
 
 }  // namespace
@@ -197,10 +200,9 @@ std::string gate_table_text(const GateTable& table) {
                             : fmt::format("seed {}\n", table.seed);
   for (const std::string& family : gate_families(table))
     text += fmt::format("cases {} {}\n", family, table.cases.at(family));
-  text += fmt::format(columns, "# family", width_of(table), "method", "judged", "converged");
-  for (const std::string_view error : error_names) text += fmt::format("{:>12}", error);
-  text += "  findings\n";
-  for (const GateRow& row : table.rows) text += row_text(row, width_of(table));
+  const TextTable columns = columns_of(table);
+  text += columns.head() + "\n";
+  for (const GateRow& row : table.rows) text += row_text(row, columns);
   return text;
 }
 

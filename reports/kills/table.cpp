@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "corpus/command/text_table.hpp"
 #include "corpus/json/json_text.hpp"
 #include "fuzz/results/tally.hpp"
 
 namespace plumb::reports {
 namespace {
-
-constexpr std::size_t kNameWidth = 36, kColumn = 26;
 
 /// "12", "12 [3, 40]" of several seeds, ">400" where a seed has none.
 std::string run_text(std::uint64_t run, std::uint64_t runs) {
@@ -54,10 +53,11 @@ std::vector<EngineHunts> without_work(std::vector<EngineHunts> engines) {
   return engines;
 }
 
-std::string heading(const std::vector<EngineHunts>& engines) {
-  std::string out = fmt::format("{:<{}}", "bug", kNameWidth);
-  for (const EngineHunts& engine : engines) out += fmt::format("{:>{}}", engine.name, kColumn);
-  return out + "   first finding\n";
+TextTable table_of(const std::vector<EngineHunts>& engines) {
+  std::vector<Column> columns{{"bug", "<36"}};
+  for (const EngineHunts& engine : engines) columns.push_back({engine.name, ">26"});
+  columns.push_back({"   first finding", ""});
+  return TextTable(columns);
 }
 
 /// Of the engine that comes first in the table.
@@ -124,11 +124,13 @@ bool is_killed(const std::vector<EngineHunts>& engines, std::size_t bug) {
 }
 
 std::string kill_table(const Bugs& bugs, const std::vector<EngineHunts>& engines) {
-  std::string out = heading(engines);
+  const TextTable table = table_of(engines);
+  std::string out = table.head() + "\n";
   for (std::size_t i = 0; i < bugs.size(); ++i) {
-    out += fmt::format("{:<{}}", bugs[i].name, kNameWidth);
-    for (const EngineHunts& engine : engines) out += fmt::format("{:>{}}", cell(engine, i), kColumn);
-    out += "   " + first_finding(engines, i) + "\n";
+    std::vector<std::string> cells{bugs[i].name};
+    for (const EngineHunts& engine : engines) cells.push_back(cell(engine, i));
+    cells.push_back("   " + first_finding(engines, i));
+    out += table.row_of(cells) + "\n";
   }
   const std::size_t dead = count_killed(engines, bugs.size());
   const auto equivalent =

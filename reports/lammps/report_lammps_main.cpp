@@ -9,6 +9,7 @@
 #include "corpus/case/case.hpp"
 #include "corpus/command/command.hpp"
 #include "corpus/command/program_folder.hpp"
+#include "corpus/command/text_table.hpp"
 #include "reports/lammps/trajectory.hpp"
 #include "solver/scene/named.hpp"
 
@@ -50,6 +51,16 @@ void run_or_fail(const fs::path& folder, const fs::path& program, int ranks) {
   throw InputFailure((folder / ("log." + std::to_string(ranks))).string(), 0, "", "LAMMPS did not end well");
 }
 
+const TextTable trajectories({{"scene", "<8"},
+                              {"bodies", ">7"},
+                              {"steps", ">7"},
+                              {"ranks", ">7"},
+                              {"same until", ">13"},
+                              {"position", ">13.1e"},
+                              {"velocity", ">13.1e"},
+                              {"turn", ">13.1e"}},
+                             "  ");
+
 std::string row(const Subject& subject, const fs::path& folder, const fs::path& program, int ranks) {
   const Scene scene = made_of(subject);
   const Plan plan = make_plan(scene);
@@ -65,9 +76,8 @@ std::string row(const Subject& subject, const fs::path& folder, const fs::path& 
     if (is_same) same_until = step;
     last = deviation;
   }
-  return fmt::format("  {:<8} {:>6} {:>6} {:>6} {:>12} {:>12.1e} {:>12.1e} {:>12.1e}", subject.name,
-                     scene.bodies.size(), plan.steps, ranks, same_until, last.position, last.velocity,
-                     last.orientation);
+  return trajectories.row(subject.name, scene.bodies.size(), plan.steps, ranks, same_until, last.position,
+                          last.velocity, last.orientation);
 }
 
 void print_trajectories(const fs::path& out, const fs::path& program) {
@@ -75,8 +85,7 @@ void print_trajectories(const fs::path& out, const fs::path& program) {
              fmt::format("{:.0e}", same));
   print_line(
       "(of 20), and at the end: positions in longest semi-axes, velocities in greatest speeds, a quaternion's part");
-  print_line(fmt::format("  {:<8} {:>6} {:>6} {:>6} {:>12} {:>12} {:>12} {:>12}", "scene", "bodies", "steps", "ranks",
-                         "same until", "position", "velocity", "turn"));
+  print_line(trajectories.head());
   for (const Subject& subject : subjects)
     for (const int ranks : {1, 2, 4}) {
       print_line(row(subject, out / subject.name, program, ranks));
@@ -119,13 +128,14 @@ void print_scaling(const fs::path& out, const fs::path& program) {
   print_line(
       fmt::format("This machine has {} processors and was shared with other work: ratios, not seconds, say something",
                   ::sysconf(_SC_NPROCESSORS_ONLN)));
-  print_line(fmt::format("  {:<8} {:>6} {:>6} {:>10} {:>12}", "kind", "bodies", "ranks", "seconds", "over one"));
+  const TextTable columns(
+      {{"kind", "<8"}, {"bodies", ">7"}, {"ranks", ">7"}, {"seconds", ">11.2f"}, {"over one", ">13.2f"}}, "  ");
+  print_line(columns.head());
   const double one = block_seconds(1, 1, out, program);
   for (const auto& [kind, blocks, ranks] :
        {std::tuple{"one", 1, 1}, std::tuple{"strong", 1, 2}, std::tuple{"weak", 2, 2}}) {
     const double seconds = ranks == 1 ? one : block_seconds(blocks, ranks, out, program);
-    print_line(fmt::format("  {:<8} {:>6} {:>6} {:>10.2f} {:>12.2f}", kind, block_of(blocks).bodies.size(), ranks,
-                           seconds, seconds / one));
+    print_line(columns.row(kind, block_of(blocks).bodies.size(), ranks, seconds, seconds / one));
     flush_output();
   }
 }

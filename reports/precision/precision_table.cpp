@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "corpus/command/command.hpp"
+#include "corpus/command/text_table.hpp"
 #include "corpus/json/json_text.hpp"
 
 namespace plumb::reports {
@@ -30,7 +31,6 @@ Json set_json(const SetResults& r) {
           {"set", r.set.name},
           {"of", r.set.of},
           {"pairs", r.pairs},
-
           {"envelopes", allowed},
           {"auto_on_front", r.front.is_auto},
           {"front_note", r.front.note}};
@@ -82,43 +82,60 @@ std::string iterations_text(const Measurement& time) {
 
 std::string time_text(double ns) {
   const double us = ns * 1e-3;
-  return fmt::format("{:>9.{}f} us", us, us < 1e4 ? 3 : 0);
+  return fmt::format("{:.{}f}", us, us < 1e4 ? 3 : 0);
 }
 
+const TextTable point_columns({{"", "<2"},
+                               {"method", "<42"},
+                               {"tol.", ">6"},
+                               {"median", ">9", " us"},
+                               {"p99", ">9", " us"},
+                               {"iter", ">7"},
+                               {"no answer", ">8.1f", " %"},
+                               {"off", ">6.1f", " %"},
+                               {"overlap", ">19"},
+                               {"normal, rad", ">19"},
+                               {"points", ">19"}});
+
 void print_point(const Point& p) {
-  print_line(fmt::format("{} {:<42}{:>6}{}{}{:>7}{:>8.1f} %{:>6.1f} %{:>19}{:>19}{:>19}", p.is_on_front ? '*' : ' ',
-                         name_of(p.variant), tolerance_text(p.variant.tolerance), time_text(p.time.median_ns),
-                         time_text(p.time.p99_ns), iterations_text(p.time), 100 * p.failed, 100 * p.off,
-                         error_text(p.overlap), error_text(p.normal), error_text(p.points)));
+  print_line(point_columns.row(p.is_on_front ? "*" : "", name_of(p.variant), tolerance_text(p.variant.tolerance),
+                               time_text(p.time.median_ns), time_text(p.time.p99_ns), iterations_text(p.time),
+                               100 * p.failed, 100 * p.off, error_text(p.overlap), error_text(p.normal),
+                               error_text(p.points)));
 }
 
 void print_envelopes(const SetResults& r) {
-  print_line(fmt::format("  {:<94}{:>19}{:>19}{:>19}", "condition x epsilon: what the pairs allow", "overlap",
-                         "normal, rad", "points"));
+  const TextTable columns({{"condition x epsilon: what the pairs allow", "<94"},
+                           {"overlap", ">19"},
+                           {"normal, rad", ">19"},
+                           {"points", ">19"}},
+                          "  ");
+  print_line(columns.head());
   for (const Envelope& e : r.envelopes)
-    print_line(fmt::format("    {:<92}{:>19}{:>19}{:>19}", e.scalar, error_text(e.overlap), error_text(e.normal),
-                           error_text(e.points)));
+    print_line(
+        columns.row(fmt::format("  {}", e.scalar), error_text(e.overlap), error_text(e.normal), error_text(e.points)));
 }
 
 void print_paths(const SetResults& r) {
   std::size_t most = 0;
   for (const Path& path : r.paths) most = std::max(most, path.steps.size());
-  std::string head = fmt::format("  {:<42}", "normal, rad (median), after so many iterations");
-  for (std::size_t k = 0; k < most; ++k) head += fmt::format("{:>7}", k);
-  print_line(head);
+  std::vector<Column> columns{{"normal, rad (median), after so many iterations", "<46"}};
+  for (std::size_t k = 0; k < most; ++k) columns.push_back({std::to_string(k), ">7"});
+  const TextTable table(columns, "  ");
+  print_line(table.head());
   for (const Path& path : r.paths) {
-    std::string row = fmt::format("    {:<44}", path.method + ", " + path.scalar);
-    for (const Step& step : path.steps) row += fmt::format("{:>7.0e}", step.normal.median);
-    print_line(row);
+    std::vector<std::string> cells{fmt::format("  {}, {}", path.method, path.scalar)};
+    for (const Step& step : path.steps) cells.push_back(fmt::format("{:.0e}", step.normal.median));
+    print_line(table.row_of(cells));
   }
 }
 
 }  // namespace
 
-std::vector<std::string> json_lines(const SetResults& r) {
-  std::vector<std::string> lines{write_json(set_json(r))};
-  for (const Point& point : r.points) lines.push_back(write_json(point_json(r, point)));
-  for (const Path& path : r.paths) lines.push_back(write_json(path_json(r, path)));
+std::vector<Json> json_lines(const SetResults& r) {
+  std::vector<Json> lines{set_json(r)};
+  for (const Point& point : r.points) lines.push_back(point_json(r, point));
+  for (const Path& path : r.paths) lines.push_back(path_json(r, path));
   return lines;
 }
 
@@ -128,8 +145,7 @@ void print_table(const SetResults& r) {
   print_line(fmt::format("{}: {} pairs, {}, {}; {} of known truth; condition x epsilon of the normal {}", r.set.name,
                          r.pairs, r.set.of, r.set.takes_all ? "overlapping or apart" : "overlap ratio 1e-3..5e-2",
                          r.known, error_text(in_double->normal)));
-  print_line(fmt::format("  {:<42}{:>6}{:>12}{:>12}{:>7}{:>10}{:>8}{:>19}{:>19}{:>19}", "method", "tol.", "median",
-                         "p99", "iter", "no answer", "off", "overlap", "normal, rad", "points"));
+  print_line(point_columns.head());
   for (const Point& p : r.points) print_point(p);
   print_line("  front: " + r.front.note);
   print_envelopes(r);

@@ -22,7 +22,7 @@ struct SetResults {
 };
 
 /// A line each: the set, its points, its paths.
-[[nodiscard]] std::vector<std::string> json_lines(const SetResults& results);
+[[nodiscard]] std::vector<Json> json_lines(const SetResults& results);
 
 void print_table(const SetResults& results);
 

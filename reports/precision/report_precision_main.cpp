@@ -10,17 +10,18 @@
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "reports/precision/precision_table.hpp"
+#include "reports/report_lines.hpp"
 
 namespace plumb::reports {
 namespace {
 
 struct Options {
   std::vector<std::string> sets;
-  std::string method = "all", out;
+  std::string method = "all";
+  ReportLines lines;
   std::int64_t count = 200;
   std::uint64_t seed = 1;
   int repeat = 5;
-  bool json = false;
 };
 
 void declare(CommandLine& app, Options& options) {
@@ -32,8 +33,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("--repeat", options.repeat, "time each pair so often; the least counts")
       ->capture_default_str()
       ->in_range(1, 1000);
-  app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
-  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+  options.lines.declare(app);
 }
 
 /// nullopt after Ctrl-C.
@@ -56,21 +56,6 @@ std::optional<SetResults> measured(const PairSet& set, const std::vector<Solver>
   return out;
 }
 
-/// JSON objects, one a line: printed where they are asked for, and kept for --out.
-class Lines {
- public:
-  explicit Lines(bool printed) : printed_(printed) {}
-  void add(const std::string& line) {
-    text_ += line + "\n";
-    if (printed_) print_line(line);
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  bool printed_;
-  std::string text_;
-};
-
 std::string arguments_of(const Options& options) {
   std::string sets;
   for (const std::string& set : options.sets) sets += (sets.empty() ? " --set " : ",") + set;
@@ -78,13 +63,8 @@ std::string arguments_of(const Options& options) {
   return sets + methods + fmt::format(" --cases {} --seed {} --repeat {}", options.count, options.seed, options.repeat);
 }
 
-std::string run_line(const Options& options) {
-  return write_json(
-      {{"kind", "run"}, {"command", "plumb report-precision" + arguments_of(options)}, {"host", host_json()}});
-}
-
 /// What is done is kept; which sets are not is said on stderr, and in the table or the last line.
-void say_what_is_left_out(const std::vector<PairSet>& sets, std::size_t done, bool json, Lines& lines) {
+void say_what_is_left_out(const std::vector<PairSet>& sets, std::size_t done, ReportLines& lines) {
   Json names = Json::array();
   std::string text = "interrupted: incomplete, without";
   for (std::size_t i = done; i < sets.size(); ++i) {
@@ -92,25 +72,25 @@ void say_what_is_left_out(const std::vector<PairSet>& sets, std::size_t done, bo
     text += (i == done ? " " : ", ") + std::string(sets[i].name);
   }
   (void)std::fprintf(stderr, "%s\n", text.c_str());
-  if (!json) print_line(text);
-  lines.add(write_json({{"kind", "interrupted"}, {"without", names}}));
+  lines.print_table(text);
+  lines.add({{"kind", "interrupted"}, {"without", names}});
 }
 
-int report(const Options& options) {
+int report(Options& options) {
   const std::vector<PairSet> sets = find_sets(sets_with_hard(), options.sets);
   const std::vector<Solver> solvers = find_solvers(options.method);
-  Lines lines(options.json);
-  lines.add(run_line(options));
+  ReportLines& lines = options.lines;
+  lines.add_run("plumb report-precision" + arguments_of(options));
   std::size_t done = 0;
   for (; done < sets.size() && !interrupted(); ++done) {
     const std::optional<SetResults> results = measured(sets[done], solvers, options);
     if (!results) break;
-    for (const std::string& line : json_lines(*results)) lines.add(line);
-    if (!options.json) print_table(*results);
+    for (const Json& line : json_lines(*results)) lines.add(line);
+    if (!lines.is_json()) print_table(*results);
     flush_output();
   }
-  if (done < sets.size()) say_what_is_left_out(sets, done, options.json, lines);
-  if (!options.out.empty()) write_file(options.out, lines.text());
+  if (done < sets.size()) say_what_is_left_out(sets, done, lines);
+  lines.write();
   return exit_done;
 }
 

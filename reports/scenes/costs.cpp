@@ -1,6 +1,5 @@
-#include <fmt/format.h>
-
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "reports/scenes/tables.hpp"
 #include "reports/scenes/timing.hpp"
 #include "solver/scene/named.hpp"
@@ -57,10 +56,11 @@ double seconds_from(const scene::Snapshot& start, const Scene& scene, int repeat
 
 }  // namespace
 
-SceneTable effect_costs(const SceneOptions& options) {
-  SceneTable table;
-  table.lines.push_back(
-      fmt::format("{:<14}{:>22}{:>14}{:>12}", "effect", "step with / without", "bytes, body", "contact"));
+ReportTable effect_costs(const SceneOptions& options) {
+  ReportTable table;
+  const TextTable columns(
+      {{"effect", "<14"}, {"step with / without", ">22.3f"}, {"bytes, body", ">14"}, {"contact", ">12"}});
+  table.lines.push_back(columns.head());
   const Scene all = everything();
   Simulation run(all, scene::make_plan(all));
   const auto memory = scene::memory_of(all, run.plan());
@@ -79,12 +79,11 @@ SceneTable effect_costs(const SceneOptions& options) {
     const std::string name(Parameters::name);
     const auto found = memory.find(name);
     const scene::Memory bytes = found == memory.end() ? scene::Memory{} : found->second;
-    table.lines.push_back(fmt::format("{:<14}{:>22.3f}{:>14}{:>12}", name, ratio, bytes.body, bytes.pair));
-    table.rows.push_back({{"kind", "effect"},
-                          {"effect", name},
-                          {"time_ratio", ratio},
-                          {"bytes_per_body", bytes.body},
-                          {"bytes_per_contact", bytes.pair}});
+    table.add(columns.row(name, ratio, bytes.body, bytes.pair), {{"kind", "effect"},
+                                                                 {"effect", name},
+                                                                 {"time_ratio", ratio},
+                                                                 {"bytes_per_body", bytes.body},
+                                                                 {"bytes_per_contact", bytes.pair}});
   });
   return table;
 }

@@ -1,7 +1,7 @@
 #include <cmath>
-#include <fmt/format.h>
 
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "reports/scenes/tables.hpp"
 #include "reports/scenes/timing.hpp"
 #include "solver/scene/named.hpp"
@@ -41,10 +41,16 @@ Grown grow(const scene::NamedScene& named, int bodies) {
 
 }  // namespace
 
-SceneTable scene_growth(const SceneOptions& options) {
-  SceneTable table;
-  table.lines.push_back(fmt::format("{:>8}{:>10}{:>10}{:>14}{:>14}{:>12}{:>9}", "bodies", "contacts", "pairs",
-                                    "step / n", "/ (n log n)", "solver", "failed"));
+ReportTable scene_growth(const SceneOptions& options) {
+  ReportTable table;
+  const TextTable columns({{"bodies", ">8"},
+                           {"contacts", ">10"},
+                           {"pairs", ">10"},
+                           {"step / n", ">14.2f"},
+                           {"/ (n log n)", ">14.2f"},
+                           {"solver", ">10.1f", " %"},
+                           {"failed", ">9"}});
+  table.lines.push_back(columns.head());
   const scene::NamedScene& pile = *scene::find_named_scene("pile");
   double linear = 0, with_log = 0;
   for (const int bodies : {200, 600, 2000, 6000, 20000}) {
@@ -52,9 +58,8 @@ SceneTable scene_growth(const SceneOptions& options) {
     const Grown grown = grow(pile, bodies);
     const double each = grown.seconds / bodies, each_log = each / std::log(bodies);
     if (linear == 0) linear = each, with_log = each_log;
-    table.lines.push_back(fmt::format("{:>8}{:>10}{:>10}{:>14.2f}{:>14.2f}{:>10.1f} %{:>9}", bodies, grown.touching,
-                                      grown.pairs, each / linear, each_log / with_log, 100 * solver_share(grown.shares),
-                                      grown.totals.failed));
+    table.lines.push_back(columns.row(bodies, grown.touching, grown.pairs, each / linear, each_log / with_log,
+                                      100 * solver_share(grown.shares), grown.totals.failed));
     table.rows.push_back({{"kind", "growth"},
                           {"bodies", bodies},
                           {"contacts", grown.touching},
@@ -68,7 +73,7 @@ SceneTable scene_growth(const SceneOptions& options) {
   return table;
 }
 
-SceneTable scene_rest(const SceneOptions& /*options*/) {
+ReportTable scene_rest(const SceneOptions& /*options*/) {
   const scene::Scene scene = scene::find_named_scene("pile")->make(200);
   Simulation run(scene, scene::make_plan(scene));
   double greatest = 0;
@@ -78,11 +83,15 @@ SceneTable scene_rest(const SceneOptions& /*options*/) {
   }
   const double left = run.energy().at("kinetic") / greatest, share = solver_share(run.seconds());
   const scene::Totals totals = run.totals();
-  SceneTable table;
-  table.lines = {fmt::format("{:>8}{:>12}{:>14}{:>9}{:>24}{:>12}", "steps", "solves", "evaluations", "failed",
-                             "kinetic / greatest", "solver"),
-                 fmt::format("{:>8}{:>12}{:>14}{:>9}{:>24.1e}{:>10.1f} %", run.steps(), totals.solves,
-                             totals.evaluations, totals.failed, left, 100 * share)};
+  ReportTable table;
+  const TextTable columns({{"steps", ">8"},
+                           {"solves", ">12"},
+                           {"evaluations", ">14"},
+                           {"failed", ">9"},
+                           {"kinetic / greatest", ">24.1e"},
+                           {"solver", ">10.1f", " %"}});
+  table.lines = {columns.head(),
+                 columns.row(run.steps(), totals.solves, totals.evaluations, totals.failed, left, 100 * share)};
   table.rows = {{{"kind", "rest"},
                  {"steps", run.steps()},
                  {"solves", totals.solves},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "reports/scenes/tables.hpp"
 #include "reports/scenes/timing.hpp"
 #include "solver/scene/named.hpp"
@@ -103,7 +104,16 @@ bool dissipates(const Plan& plan) {
   return false;
 }
 
-void add_row(SceneTable& table, const std::string& name, double accuracy, const Scene& scene, const Outcome& outcome,
+const TextTable columns({{"scene", "<11"},
+                         {"accuracy", ">9.0e"},
+                         {"steps", ">9"},
+                         {"evaluations", ">12"},
+                         {"position", ">12.1e"},
+                         {"turn, rad", ">12.1e"},
+                         {"energy", ">12"},
+                         {"time", ">9.2f"}});
+
+void add_row(ReportTable& table, const std::string& name, double accuracy, const Scene& scene, const Outcome& outcome,
              const Outcome& reference, double coarsest) {
   const auto [shift, turn] = errors(scene, outcome, reference);
   Json row{{"kind", "precision"},
@@ -118,18 +128,16 @@ void add_row(SceneTable& table, const std::string& name, double accuracy, const 
            {"failed", outcome.totals.failed}};
   if (!dissipates(outcome.plan)) row["energy_drift"] = outcome.drift;
   const std::string drift = dissipates(outcome.plan) ? "dissipates" : fmt::format("{:.1e}", outcome.drift);
-  table.lines.push_back(fmt::format("{:<11}{:>9.0e}{:>9}{:>12}{:>12.1e}{:>12.1e}{:>12}{:>9.2f}", name, accuracy,
-                                    outcome.plan.steps, outcome.totals.evaluations, shift, turn, drift,
+  table.lines.push_back(columns.row(name, accuracy, outcome.plan.steps, outcome.totals.evaluations, shift, turn, drift,
                                     outcome.seconds / coarsest));
   table.rows.push_back(std::move(row));
 }
 
 }  // namespace
 
-SceneTable scene_precision(const SceneOptions& options) {
-  SceneTable table;
-  table.lines.push_back(fmt::format("{:<11}{:>9}{:>9}{:>12}{:>12}{:>12}{:>12}{:>9}", "scene", "accuracy", "steps",
-                                    "evaluations", "position", "turn, rad", "energy", "time"));
+ReportTable scene_precision(const SceneOptions& options) {
+  ReportTable table;
+  table.lines.push_back(columns.head());
   for (const scene::NamedScene& named : scene::named_scenes()) {
     const bool is_asked =
         options.scenes.empty() || std::ranges::find(options.scenes, named.name) != options.scenes.end();

@@ -11,13 +11,13 @@ namespace {
 
 struct ScenesCommand {
   SceneOptions tables;
-  std::string out;
+  ReportLines lines;
 };
 
-int report_scenes(const ScenesCommand& command) {
+int report_scenes(ScenesCommand& command) {
   struct Part {
     const char* title;
-    SceneTable (*make)(const SceneOptions& options);
+    ReportTable (*make)(const SceneOptions& options);
   };
   constexpr Part parts[] = {
       {"Accuracy: largest error at the end against a finer run (positions in longest semi-axes), drift of energy over "
@@ -32,17 +32,9 @@ int report_scenes(const ScenesCommand& command) {
        scene_growth},
       {"The pile of 200, from its fall to rest, on one thread; the solver's share of the time of contacts",
        scene_rest}};
-  std::string lines;
-  for (const Part& part : parts) {
-    if (interrupted()) break;
-    const SceneTable table = part.make(command.tables);
-    print_line(part.title);
-    for (const std::string& line : table.lines) print_line("  " + line);
-    print_line("");
-    flush_output();
-    for (const Json& row : table.rows) lines += write_json(row) + "\n";
-  }
-  if (!command.out.empty()) write_file(command.out, lines);
+  for (const Part& part : parts)
+    if (!interrupted()) command.lines.add(part.title, part.make(command.tables));
+  command.lines.write();
   return exit_done;
 }
 
@@ -57,6 +49,6 @@ int main(int argc, char** argv) {
   app.add_option("--repeat", command.tables.repeat, "of each time; the least counts")
       ->capture_default_str()
       ->is_positive();
-  app.add_option("--out", command.out, "file for the rows as JSON, one a line");
+  command.lines.declare(app);
   return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report_scenes(command); });
 }

@@ -1,19 +1,11 @@
-// Times of a simulation, as processor time of this process: the machine may be shared.
+// Times of a simulation, as processor time.
 #pragma once
 
-#include <time.h>
-
 #include "corpus/command/interrupt.hpp"
+#include "reports/processor_time.hpp"
 #include "solver/scene/simulation.hpp"
 
 namespace plumb::reports {
-
-/// Seconds.
-[[nodiscard]] inline double processor_time() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Seconds of so many steps, or of all that are left.
 [[nodiscard]] inline double time_steps(scene::Simulation& run, std::int64_t steps) {

@@ -8,10 +8,11 @@
 #include <thread>
 #include <utility>
 
-#include "corpus/command/build_info.hpp"
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "corpus/solvers/solver.hpp"
+#include "reports/report_lines.hpp"
 #include "reports/stability/rows.hpp"
 
 namespace plumb::reports {
@@ -19,11 +20,12 @@ namespace {
 
 struct Options {
   std::vector<std::string> paths, arithmetic;
-  std::string method, out;
+  std::string method;
+  ReportLines lines;
   ForeignOption foreign;
   std::uint64_t samples = 5, cases = 0;  // 0 cases: all
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-  bool json = false, list = false;
+  bool list = false;
 };
 
 void declare(CommandLine& app, Options& options) {
@@ -40,8 +42,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("--cases", options.cases, "the first so many of each step; default: all")->check(refuse_count);
   app.add_option("--threads", options.threads, "changes nothing but the time")->in_range(1, 1024);
   app.add_flag("--list", options.list, "every answer that is lost or wrong, a line each, also of published methods");
-  app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
-  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+  options.lines.declare(app);
 }
 
 std::string own_methods(const Options& options) {
@@ -122,16 +123,15 @@ Json json_of(const StabilityRow& row) {
   return out;
 }
 
-std::string json_lines(const StabilityResults& results, const Options& options, const std::vector<Solver>& foreign) {
+void add_lines(const StabilityResults& results, Options& options, const std::vector<Solver>& foreign) {
   const std::string fewer = options.cases > 0 ? fmt::format(" --cases {}", options.cases) : "";
   std::string who = own_methods(options).empty() ? "" : " --method " + own_methods(options);
   for (const Solver& solver : foreign) who += solver.option;
   const std::string command = fmt::format("plumb report-stability {}{} --samples {}{}", fmt::join(options.paths, " "),
                                           who, options.samples, fewer);
-  std::string text = write_json({{"kind", "run"}, {"command", command}, {"host", host_json()}}) + "\n";
-  for (const StabilityRow& row : results.rows) text += write_json(json_of(row)) + "\n";
-  if (interrupted()) text += write_json({{"kind", "interrupted"}}) + "\n";
-  return text;
+  options.lines.add_run(command);
+  for (const StabilityRow& row : results.rows) options.lines.add(json_of(row));
+  options.lines.add_end();
 }
 
 /// The rows of a method in an arithmetic as one.
@@ -159,15 +159,21 @@ std::string digits_text(const StabilityRow& row, double error) {
 
 void print_arithmetics(const StabilityResults& results, const std::vector<std::string>& methods,
                        const std::vector<Arithmetic>& of) {
-  print_line(fmt::format("{:<18}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", "method", "arithmetic", "answers", "right", "lost",
-                         "wrong", "overlap digits"));
+  const TextTable columns({{"method", "<18"},
+                           {"arithmetic", "<52"},
+                           {"answers", ">9"},
+                           {"right", ">8"},
+                           {"lost", ">7"},
+                           {"wrong", ">7"},
+                           {"overlap digits", ">16"}});
+  print_line(columns.head());
   for (const std::string& method : methods)
     for (const Arithmetic& arithmetic : of) {
       const StabilityRow row = joined(results.rows, method, arithmetic.name);
       const StepCounts n = row.total();
       if (n.answers > 0)
-        print_line(fmt::format("{:<18}{:<52}{:>9}{:>8}{:>7}{:>7}{:>16}", method, arithmetic.name, n.answers, n.right,
-                               n.lost, n.wrong, digits_text(row, row.largest.overlap)));
+        print_line(columns.row(method, arithmetic.name, n.answers, n.right, n.lost, n.wrong,
+                               digits_text(row, row.largest.overlap)));
     }
 }
 
@@ -178,36 +184,41 @@ std::string step_text(const StabilityRow& row) {
 
 /// In double, where each method lets go.
 void print_ladders(const StabilityResults& results) {
-  print_line(fmt::format("\n{:<27}{:<16}{:<18}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", "ladder, in double", "knob", "method",
-                         "right", "of", "overlap", "normal", "points", "lets go at step"));
+  const TextTable columns({{"ladder, in double", "<27"},
+                           {"knob", "<16"},
+                           {"method", "<18"},
+                           {"right", ">6", "/"},
+                           {"of", "<5"},
+                           {"overlap", ">9"},
+                           {"normal", ">8"},
+                           {"points", ">8", "  "},
+                           {"lets go at step", ""}});
+  print_line("\n" + columns.head());
   for (const StabilityRow& row : results.rows) {
     if (row.arithmetic != "double") continue;
     const StepCounts n = row.total();
-    print_line(fmt::format("{:<27}{:<16}{:<18}{:>6}/{:<5}{:>9}{:>8}{:>8}  {}", row.ladder, row.knob, row.method,
-                           n.right, n.answers, digits_text(row, row.largest.overlap),
+    print_line(columns.row(row.ladder, row.knob, row.method, n.right, n.answers, digits_text(row, row.largest.overlap),
                            digits_text(row, row.largest.normal), digits_text(row, row.largest.points), step_text(row)));
   }
 }
 
-int report(const Options& options) {
+int report(Options& options) {
   const std::vector<Solver> foreign = load_solvers(options.foreign);
   const std::vector<std::string> methods = methods_of(options, foreign);
   std::vector<Arithmetic> of = arithmetics_of(options);
   for (Arithmetic& arithmetic : of)
     if (arithmetic.name == "double") arithmetic = with_foreign(arithmetic, foreign);
   const StabilityResults results = measure_stability(cases_of(options), methods, of, options.threads);
-  const std::string lines = json_lines(results, options, foreign);
-  if (!options.out.empty()) write_file(options.out, lines);
-  if (options.json) {
-    print_line(lines.substr(0, lines.size() - 1));
-  } else {
+  add_lines(results, options, foreign);
+  options.lines.write();
+  if (!options.lines.is_json()) {
     print_arithmetics(results, methods, of);
     print_ladders(results);
   }
   std::size_t failures = 0;
   for (const Unstable& one : results.unstable) {
     failures += one.is_failure ? 1 : 0;
-    if (!options.json && (one.is_failure || options.list)) print_line(one.line);
+    if (one.is_failure || options.list) options.lines.print_table(one.line);
   }
   return failures > 0 ? exit_finding : exit_done;
 }

@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "corpus/case/case.hpp"
-#include "corpus/command/build_info.hpp"
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "reports/report_lines.hpp"
 #include "reports/study/tables.hpp"
 
 namespace plumb::reports {
@@ -18,7 +18,7 @@ namespace {
 struct Part {
   const char* name;
   const char* title;
-  StudyTable (*make)(const StudyOptions& options);
+  ReportTable (*make)(const StudyOptions& options);
 };
 
 constexpr std::array parts{
@@ -51,8 +51,7 @@ constexpr std::array parts{
 struct Options {
   StudyOptions study;
   std::vector<std::string> parts;
-  std::string out;
-  bool json = false;
+  ReportLines lines;
 };
 
 std::vector<std::string> part_names() {
@@ -76,8 +75,7 @@ void declare(CommandLine& app, Options& options) {
   count("--pairs", study.pairs, "for each point of a limit");
   count("--cost-pairs", study.cost_pairs, "of each set whose cost is measured");
   app.add_option("--threads", study.threads, "changes nothing but the time")->in_range(1, 1024);
-  app.add_flag("--json", options.json, "the JSON objects in the place of the tables");
-  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+  options.lines.declare(app);
 }
 
 bool is_asked(const Options& options, const Part& part) {
@@ -92,25 +90,16 @@ std::string command_of(const Options& options) {
                      s.seed, s.starts, s.orientations, s.pairs, s.cost_pairs);
 }
 
-void print(const Part& part, const StudyTable& table) {
-  print_line(part.title);
-  for (const std::string& line : table.lines) print_line("  " + line);
-  print_line("");
-  flush_output();
-}
-
-int report(const Options& options) {
-  std::string lines = write_json({{"kind", "run"}, {"command", command_of(options)}, {"host", host_json()}}) + "\n";
+int report(Options& options) {
+  options.lines.add_run(command_of(options));
   for (const Part& part : parts) {
     if (!is_asked(options, part) || interrupted()) continue;
-    const StudyTable table = part.make(options.study);
+    const ReportTable table = part.make(options.study);
     if (interrupted()) break;  // a part that was cut short says nothing
-    if (!options.json) print(part, table);
-    for (const Json& row : table.rows) lines += write_json(row) + "\n";
+    options.lines.add(part.title, table);
   }
-  if (interrupted()) lines += write_json({{"kind", "interrupted"}}) + "\n";
-  if (!options.out.empty()) write_file(options.out, lines);
-  if (options.json) print_line(lines.substr(0, lines.size() - 1));
+  options.lines.add_end();
+  options.lines.write();
   return exit_done;
 }
 

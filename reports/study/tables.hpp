@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "corpus/json/json_text.hpp"
+#include "reports/report_lines.hpp"
 
 namespace plumb::reports {
 
@@ -17,18 +17,13 @@ struct StudyOptions {
   unsigned threads = 1;  ///< changes nothing but the time
 };
 
-struct StudyTable {
-  std::vector<std::string> lines;
-  std::vector<Json> rows;
-};
-
-[[nodiscard]] StudyTable spheroid_groups(const StudyOptions& options);
-[[nodiscard]] StudyTable superquadric_groups(const StudyOptions& options);
-[[nodiscard]] StudyTable six_equations_roots(const StudyOptions& options);
-[[nodiscard]] StudyTable misalignment_shares(const StudyOptions& options);
+[[nodiscard]] ReportTable spheroid_groups(const StudyOptions& options);
+[[nodiscard]] ReportTable superquadric_groups(const StudyOptions& options);
+[[nodiscard]] ReportTable six_equations_roots(const StudyOptions& options);
+[[nodiscard]] ReportTable misalignment_shares(const StudyOptions& options);
 /// Rows alone: a map is a picture.
-[[nodiscard]] StudyTable misalignment_maps(const StudyOptions& options);
-[[nodiscard]] StudyTable limits_and_sweeps(const StudyOptions& options);
-[[nodiscard]] StudyTable costs_at_equal_accuracy(const StudyOptions& options);
+[[nodiscard]] ReportTable misalignment_maps(const StudyOptions& options);
+[[nodiscard]] ReportTable limits_and_sweeps(const StudyOptions& options);
+[[nodiscard]] ReportTable costs_at_equal_accuracy(const StudyOptions& options);
 
 }  // namespace plumb::reports

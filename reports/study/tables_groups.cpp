@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "reports/study/starts.hpp"
 #include "reports/study/tables.hpp"
 
@@ -74,27 +75,39 @@ std::string point_text(const Vec3<double>& p) {
   return p.allFinite() ? fmt::format("({:.6f}, {:.6f}, {:.6f})", p[0], p[1], p[2]) : "-";
 }
 
+const TextTable group_columns({{"ratio", "<8g"},
+                               {"method", "<27"},
+                               {"R1", ">10"},
+                               {"R2", ">10"},
+                               {"R3", ">10"},
+                               {"R4", ">10"},
+                               {"R5", ">10"},
+                               {"d_n1", ">10"},
+                               {"d_n2", ">10"},
+                               {"n1_n2", ">10"},
+                               {"off", ">10"},
+                               {"  p1, p2", ""}});
+
 std::string line_of(const GroupAnswer& answer) {
   const auto& [contact, d, off] = answer.studied;
-  std::string out = fmt::format("{:<8g}{:<27}", answer.ratio, answer.method);
-  if (contact.status != Status::converged) return out + std::string(name(contact.status));
-  for (const double r : d.residues) out += fmt::format("{:>10}", residue_text(r));
-  for (const double angle : {d.d_n1, d.d_n2, d.n1_n2}) out += fmt::format("{:>10}", angle_text(angle));
-  out += fmt::format("{:>10}{}", angle_text(off), answer.certified ? " " : "?");
-  return out + fmt::format(" {} {}", point_text(contact.point1), point_text(contact.point2));
+  if (contact.status != Status::converged)
+    return group_columns.row(answer.ratio, fmt::format("{:<27}{}", answer.method, name(contact.status)));
+  const auto& r = d.residues;
+  return group_columns.row(
+      answer.ratio, answer.method, residue_text(r[0]), residue_text(r[1]), residue_text(r[2]), residue_text(r[3]),
+      residue_text(r[4]), angle_text(d.d_n1), angle_text(d.d_n2), angle_text(d.n1_n2), angle_text(off),
+      fmt::format("{} {} {}", answer.certified ? " " : "?", point_text(contact.point1), point_text(contact.point2)));
 }
 
-StudyTable table_of(BedShape shape, const StudyOptions& options) {
-  StudyTable out;
+ReportTable table_of(BedShape shape, const StudyOptions& options) {
+  ReportTable out;
   for (const Group& group : find_groups(shape, options.seed)) {
     out.lines.push_back(heading(group, shape));
     if (group.drawn == 0) continue;
     out.rows.push_back(group_json(group, shape));
-    out.lines.push_back(fmt::format("{:<8}{:<27}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}  p1, p2",
-                                    "ratio", "method", "R1", "R2", "R3", "R4", "R5", "d_n1", "d_n2", "n1_n2", "off"));
+    out.lines.push_back(group_columns.head());
     for (const GroupAnswer& answer : group.answers) {
-      out.lines.push_back(line_of(answer));
-      out.rows.push_back(answer_json(group, answer));
+      out.add(line_of(answer), answer_json(group, answer));
     }
   }
   return out;
@@ -120,9 +133,6 @@ Json roots_json(const PairRoots& found) {
   return out;
 }
 
-constexpr std::array kinds{SixRootKind::common_normal, SixRootKind::common_normal_apart, SixRootKind::signs,
-                           SixRootKind::z, SixRootKind::both};
-
 /// "6 (31 %)": so many of a kind, and the share of the starts that end at one.
 std::string kind_text(const PairRoots& found, SixRootKind kind) {
   int roots = 0, starts = 0;
@@ -137,33 +147,43 @@ std::string documented_text(const PairRoots& found) {
   return "no root";
 }
 
+const TextTable root_columns({{"pair", "<27"},
+                              {"roots", ">6"},
+                              {"all", ">10"},
+                              {"common normal", ">15"},
+                              {"the same apart", ">15"},
+                              {"signs", ">15"},
+                              {"z", ">15"},
+                              {"both", ">15"},
+                              {"not converged", ">14"},
+                              {"elsewhere", ">11", "  "},
+                              {"its own start ends at", ""}});
+
 std::string line_of(const PairRoots& found) {
-  std::string out =
-      fmt::format("{:<27}{:>6}{:>10}", found.pair, found.roots.size(), found.set.complete ? "proved" : "open");
-  for (const SixRootKind kind : kinds) out += fmt::format("{:>15}", kind_text(found, kind));
-  return out + fmt::format("{:>14}{:>11}  {}", found.not_converged, found.elsewhere, documented_text(found));
+  const auto of = [&](SixRootKind kind) { return kind_text(found, kind); };
+  return root_columns.row(found.pair, found.roots.size(), found.set.complete ? "proved" : "open",
+                          of(SixRootKind::common_normal), of(SixRootKind::common_normal_apart), of(SixRootKind::signs),
+                          of(SixRootKind::z), of(SixRootKind::both), found.not_converged, found.elsewhere,
+                          documented_text(found));
 }
 
 }  // namespace
 
-StudyTable spheroid_groups(const StudyOptions& options) {
+ReportTable spheroid_groups(const StudyOptions& options) {
   return table_of(BedShape::spheroid, options);
 }
 
-StudyTable superquadric_groups(const StudyOptions& options) {
+ReportTable superquadric_groups(const StudyOptions& options) {
   return table_of(BedShape::superquadric, options);
 }
 
-StudyTable six_equations_roots(const StudyOptions& options) {
-  StudyTable out;
-  out.lines.push_back(fmt::format("{:<27}{:>6}{:>10}{:>15}{:>15}{:>15}{:>15}{:>15}{:>14}{:>11}  {}", "pair", "roots",
-                                  "all", "common normal", "the same apart", "signs", "z", "both", "not converged",
-                                  "elsewhere", "its own start ends at"));
+ReportTable six_equations_roots(const StudyOptions& options) {
+  ReportTable out;
+  out.lines.push_back(root_columns.head());
   const double ratio = 1e-2;
   const auto add = [&](const std::string& pair, const Bed& bed) {
     const PairRoots found = find_roots(pair, pair_of(bed, ratio), options.starts, options.seed);
-    out.lines.push_back(line_of(found));
-    out.rows.push_back(roots_json(found));
+    out.add(line_of(found), roots_json(found));
   };
   for (const Group& group : find_groups(BedShape::spheroid, options.seed))
     if (group.drawn > 0 && !interrupted()) add(group.name + ", overlap ratio 0.01", group.bed);

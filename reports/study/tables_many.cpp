@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "corpus/command/text_table.hpp"
 #include "reports/study/cost.hpp"
 #include "reports/study/limits.hpp"
 #include "reports/study/maps.hpp"
@@ -18,10 +19,18 @@ std::string order_text(double x) {
   return std::isnan(x) ? "-" : fmt::format("{:.2f}", x);
 }
 
+const TextTable share_columns({{"aspect", "<8g"},
+                               {"ratio", "<8g"},
+                               {"method", "<27"},
+                               {"pairs", ">7"},
+                               {"answers", ">9"},
+                               {"off %", ">9.1f", " "},
+                               {"[95 %]", "<12"},
+                               {"median, deg", ">12"}});
+
 std::string line_of(const MisalignedShare& s) {
-  return fmt::format("{:<8g}{:<8g}{:<27}{:>7}{:>9}{:>9.1f} [{:.1f}, {:.1f}]{:>12}", s.aspect, s.ratio, s.method,
-                     s.pairs, s.answers, 100.0 * s.off / std::max(1, s.answers), 100 * s.low, 100 * s.high,
-                     number_text(s.median));
+  return share_columns.row(s.aspect, s.ratio, s.method, s.pairs, s.answers, 100.0 * s.off / std::max(1, s.answers),
+                           fmt::format("[{:.1f}, {:.1f}]", 100 * s.low, 100 * s.high), number_text(s.median));
 }
 
 Json share_json(const MisalignedShare& s) {
@@ -49,10 +58,20 @@ Json map_json(const MisalignmentMap& map) {
           {"theta_deg", map.theta}, {"off_deg", off},       {"not_certified", map.not_certified}};
 }
 
+const TextTable limit_columns({{"sweep", "<10"},
+                               {"of", "<33"},
+                               {"at", "<10g"},
+                               {"system", "<27"},
+                               {"proved", "<9"},
+                               {"angle, deg", ">11"},
+                               {"most", ">11"},
+                               {"point", ">11"},
+                               {"overlap", ">11"}});
+
 std::string line_of(const Limit& limit) {
-  return fmt::format("{:<10}{:<33}{:<10g}{:<27}{:>4}/{:<4}{:>11}{:>11}{:>11}{:>11}", limit.sweep, limit.shape, limit.x,
-                     limit.system, limit.certified, limit.pairs, number_text(limit.angle), number_text(limit.angle_max),
-                     number_text(limit.point), number_text(limit.overlap));
+  return limit_columns.row(limit.sweep, limit.shape, limit.x, limit.system,
+                           fmt::format("{:>4}/{}", limit.certified, limit.pairs), number_text(limit.angle),
+                           number_text(limit.angle_max), number_text(limit.point), number_text(limit.overlap));
 }
 
 Json limit_json(const Limit& limit) {
@@ -69,9 +88,16 @@ Json limit_json(const Limit& limit) {
           {"overlap", rounded(limit.overlap)}};
 }
 
+const TextTable order_columns({{"order of ratio", "<43"},
+                               {"system", "<27"},
+                               {"angle", ">9"},
+                               {"point", ">9"},
+                               {"overlap", ">9"},
+                               {"angle at 1e-6", ">14"}});
+
 std::string line_of(const Order& order) {
-  return fmt::format("{:<43}{:<27}{:>9}{:>9}{:>9}{:>14}", order.shape, order.system, order_text(order.angle),
-                     order_text(order.point), order_text(order.overlap), number_text(order.limit));
+  return order_columns.row(order.shape, order.system, order_text(order.angle), order_text(order.point),
+                           order_text(order.overlap), number_text(order.limit));
 }
 
 Json order_json(const Order& order) {
@@ -84,11 +110,18 @@ Json order_json(const Order& order) {
           {"limit_deg", rounded(order.limit)}};
 }
 
+const TextTable cost_columns({{"set", "<18"},
+                              {"target", "<10g"},
+                              {"method", "<27"},
+                              {"pairs", ">7"},
+                              {"tolerance", ">11"},
+                              {"evaluations", ">13"},
+                              {"within %", ">10.1f"}});
+
 std::string line_of(const Cost& cost) {
   const std::string tolerance = std::isnan(cost.tolerance) ? "-" : fmt::format("{:g}", cost.tolerance);
   const std::string evaluations = std::isnan(cost.evaluations) ? "-" : fmt::format("{:g}", cost.evaluations);
-  return fmt::format("{:<18}{:<10g}{:<27}{:>7}{:>11}{:>13}{:>10.1f}", cost.set, cost.target, cost.method, cost.pairs,
-                     tolerance, evaluations, 100 * cost.share);
+  return cost_columns.row(cost.set, cost.target, cost.method, cost.pairs, tolerance, evaluations, 100 * cost.share);
 }
 
 Json cost_json(const Cost& cost) {
@@ -103,19 +136,17 @@ Json cost_json(const Cost& cost) {
 
 }  // namespace
 
-StudyTable misalignment_shares(const StudyOptions& options) {
-  StudyTable out;
-  out.lines.push_back(fmt::format("{:<8}{:<8}{:<27}{:>7}{:>9}{:>9} [95 %]{:>17}", "aspect", "ratio", "method", "pairs",
-                                  "answers", "off %", "median, deg"));
+ReportTable misalignment_shares(const StudyOptions& options) {
+  ReportTable out;
+  out.lines.push_back(share_columns.head());
   for (const MisalignedShare& share : find_shares(options.orientations, options.seed, options.threads)) {
-    out.lines.push_back(line_of(share));
-    out.rows.push_back(share_json(share));
+    out.add(line_of(share), share_json(share));
   }
   return out;
 }
 
-StudyTable misalignment_maps(const StudyOptions& options) {
-  StudyTable out;
+ReportTable misalignment_maps(const StudyOptions& options) {
+  ReportTable out;
   int pairs = 0, not_certified = 0;
   for (const MisalignmentMap& map : find_maps(options.threads)) {
     out.rows.push_back(map_json(map));
@@ -128,31 +159,25 @@ StudyTable misalignment_maps(const StudyOptions& options) {
   return out;
 }
 
-StudyTable limits_and_sweeps(const StudyOptions& options) {
-  StudyTable out;
+ReportTable limits_and_sweeps(const StudyOptions& options) {
+  ReportTable out;
   const Limits found = find_limits(options.pairs, options.seed, options.threads);
-  out.lines.push_back(fmt::format("{:<43}{:<27}{:>9}{:>9}{:>9}{:>14}", "order of ratio", "system", "angle", "point",
-                                  "overlap", "angle at 1e-6"));
+  out.lines.push_back(order_columns.head());
   for (const Order& order : found.orders) {
-    out.lines.push_back(line_of(order));
-    out.rows.push_back(order_json(order));
+    out.add(line_of(order), order_json(order));
   }
-  out.lines.push_back(fmt::format("{:<10}{:<33}{:<10}{:<27}{:<9}{:>11}{:>11}{:>11}{:>11}", "sweep", "of", "at",
-                                  "system", "proved", "angle, deg", "most", "point", "overlap"));
+  out.lines.push_back(limit_columns.head());
   for (const Limit& limit : found.limits) {
-    out.lines.push_back(line_of(limit));
-    out.rows.push_back(limit_json(limit));
+    out.add(line_of(limit), limit_json(limit));
   }
   return out;
 }
 
-StudyTable costs_at_equal_accuracy(const StudyOptions& options) {
-  StudyTable out;
-  out.lines.push_back(fmt::format("{:<18}{:<10}{:<27}{:>7}{:>11}{:>13}{:>10}", "set", "target", "method", "pairs",
-                                  "tolerance", "evaluations", "within %"));
+ReportTable costs_at_equal_accuracy(const StudyOptions& options) {
+  ReportTable out;
+  out.lines.push_back(cost_columns.head());
   for (const Cost& cost : find_costs(options.cost_pairs, options.seed, options.threads)) {
-    out.lines.push_back(line_of(cost));
-    out.rows.push_back(cost_json(cost));
+    out.add(line_of(cost), cost_json(cost));
   }
   return out;
 }

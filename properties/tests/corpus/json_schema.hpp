@@ -1,4 +1,5 @@
-// As much of JSON Schema 2020-12 as scene-1.schema.json uses, so that a test can hold the schema against the reader.
+// As much of JSON Schema 2020-12 as scene-1.schema.json and report-1.schema.json use, so that a test can hold the schema against the
+// reader.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,8 @@ class JsonSchema {
   explicit JsonSchema(Json root) : root_(std::move(root)) {}
 
   [[nodiscard]] bool allows(const Json& value) const { return allows(root_, value); }
+  /// Of a part of the schema.
+  [[nodiscard]] bool allows_as(const Json& part, const Json& value) const { return allows(part, value); }
   /// Follows references from the root: "bodies", "items", ..
   [[nodiscard]] const Json& resolved(const Json& schema) const {
     if (!schema.contains("$ref")) return schema;
@@ -32,11 +35,15 @@ class JsonSchema {
 
   static bool has_type(const Json& schema, const Json& value) {
     if (!schema.contains("type")) return true;
-    const std::string type = schema["type"];
+    const Json types = schema["type"].is_array() ? schema["type"] : Json::array({schema["type"]});
+    return std::any_of(types.begin(), types.end(), [&](const Json& type) { return is_of_type(type, value); });
+  }
+
+  static bool is_of_type(const std::string& type, const Json& value) {
     if (type == "integer") return value.is_number() && value.get<double>() == std::floor(value.get<double>());
     return (type == "number" && value.is_number()) || (type == "string" && value.is_string()) ||
            (type == "boolean" && value.is_boolean()) || (type == "array" && value.is_array()) ||
-           (type == "object" && value.is_object());
+           (type == "object" && value.is_object()) || (type == "null" && value.is_null());
   }
 
   static bool is_among(const Json& schema, const Json& value) {
@@ -76,10 +83,13 @@ class JsonSchema {
   [[nodiscard]] bool allows_object(const Json& schema, const Json& value) const {
     for (const Json& name : schema.value("required", Json::array()))
       if (!value.contains(name.get<std::string>())) return false;
-    if (!schema.contains("properties")) return true;
+    const Json properties = schema.value("properties", Json::object());
+    if (properties.empty() && !schema.contains("additionalProperties")) return true;
     for (const auto& [name, member] : value.items()) {
-      if (schema["properties"].contains(name)) {
-        if (!allows(schema["properties"][name], member)) return false;
+      if (properties.contains(name)) {
+        if (!allows(properties[name], member)) return false;
+      } else if (schema.contains("additionalProperties")) {
+        if (!allows(schema["additionalProperties"], member)) return false;
       } else if (!name.starts_with("x_")) {
         return false;
       }

@@ -3,19 +3,10 @@ import { h } from "./dom";
 import { meetMethods } from "./methods";
 import { preparePaper } from "./paper";
 import { loadPlotly } from "./plot";
-import { atlasSection } from "./sections/atlas";
-import { compareSection } from "./sections/compare/compare";
-import { femSection } from "./sections/fem/fem";
 import { footer } from "./sections/footer";
-import { gallerySection } from "./sections/gallery";
 import { header } from "./sections/header";
-import { laddersSection } from "./sections/ladders/ladders";
-import { machineSection } from "./sections/machine";
 import { nav } from "./sections/nav";
-import { playbackSection } from "./sections/playback";
-import { precisionSection } from "./sections/precision";
-import { studySection } from "./sections/study/study";
-import { summarySection } from "./sections/summary";
+import { partsOf } from "./sections/sections";
 import type { State } from "./state";
 import { startTheme } from "./theme";
 import { load3d } from "./view3d/cards";
@@ -26,25 +17,6 @@ function readReport(): Report | null {
   return text ? (JSON.parse(text) as Report) : null;
 }
 
-/** Of scenes, a study or finite elements alone, what is about campaigns is left out. */
-function sections(state: State): HTMLElement[] {
-  const { runs, precision } = state.report;
-  const isCampaign = runs.length > 0;
-  const all = [
-    isCampaign ? summarySection(state) : null,
-    isCampaign || precision ? precisionSection(state) : null,
-    isCampaign ? atlasSection(state) : null,
-    laddersSection(state),
-    studySection(state.report),
-    femSection(state.report),
-    isCampaign ? gallerySection(state) : null,
-    playbackSection(state.report),
-    isCampaign ? compareSection(state) : null,
-    machineSection(state),
-  ];
-  return all.filter((part) => part !== null);
-}
-
 function show(report: Report, page: HTMLElement): void {
   meetMethods(report);
   const newest = report.runs.at(-1);
@@ -53,9 +25,9 @@ function show(report: Report, page: HTMLElement): void {
     return;
   }
   const state: State = { report, run: newest ? new Watched(newest) : null };
-  const parts = sections(state);
+  const parts = partsOf(state);
   const skip = h("a", { class: "skip", href: "#main" }, "Skip to the report");
-  const main = h("main", { id: "main", tabindex: -1 }, ...parts);
+  const main = h("main", { id: "main", tabindex: -1 }, ...parts.map(({ element }) => element));
   page.append(skip, header(report), nav(state, parts), main, footer(report));
 }
 

@@ -1,5 +1,5 @@
 /** Figures as a reader wants them: few digits, units, "1e-12". */
-import type { Share, Spread } from "./data";
+import type { Host, Share, Spread } from "./data";
 
 const THIN = "\u202f";
 export const DASH = "–";
@@ -75,3 +75,7 @@ export function duration(seconds: number): string {
 export function spread(values: Spread, show: (x: number | null) => string, parts: ("p50" | "p99" | "max")[]): string {
   return values === null ? NONE : parts.map((part) => show(values[part])).join(" / ");
 }
+
+/** " on Linux, x86_64, g++ 12 -O2" */
+export const onMachine = ({ system, machine, compiler, flags }: Host): string =>
+  ` on ${system}, ${machine}, ${compiler} ${flags}`;

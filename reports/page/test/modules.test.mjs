@@ -120,7 +120,9 @@ const ladderRow = (judged, wrong, lost) => {
 };
 
 test("a ladder says where a method lets go, and what of it is known", async () => {
-  const { describeStep, firstFinding, holdsOn, stepName, wholePercent } = await load("sections/ladders/ladder_words.ts");
+  const { describeStep, firstFinding, holdsOn, stepName, wholePercent } = await load(
+    "sections/ladders/ladder_words.ts",
+  );
   const row = ladderRow([8, 200, 0], [0, 1, 0], [0, 20, 0]);
   assert.equal(stepName(LADDER, 2), "1e-8 (step 2 of 3)");
   assert.equal(firstFinding(row), "nonconverged");

@@ -3,24 +3,20 @@
 // `radius` is 1 / (1/r1 + 1/r2) of the distances from the contact to the centres; r2 of a wall is infinite.
 #pragma once
 
-#include "solver/scene/effect/parameter.hpp"
+#include "solver/contact.hpp"
+#include "solver/scene/effect/couple.hpp"
 
 namespace plumb::scene {
 
-/// Resistance to rolling. The head of rolling.hpp has the law.
-struct Rolling {
+struct AcrossNormal {
   static constexpr std::string_view name = "rolling";
-  double coefficient = 0;
-  double stiffness_ratio = 0.1;  ///< spring / (normal stiffness * radius^2)
-  double damping = 0.3;          ///< of the spring, as a fraction of the critical one
-
-  template <class Self, class Visit>
-  static void each_field(Self& self, Visit&& visit) {
-    visit("coefficient", self.coefficient, Range::not_negative);
-    visit("stiffness_ratio", self.stiffness_ratio, Range::positive);
-    visit("damping", self.damping, Range::fraction);
+  [[nodiscard]] static Vec3<double> of(const Vec3<double>& v, const Vec3<double>& normal) {
+    return v - normal.dot(v) * normal;
   }
 };
+
+/// Resistance to rolling. The head of rolling.hpp has the law.
+using Rolling = Couple<AcrossNormal>;
 
 [[nodiscard]] Role role(const Rolling& rolling, const Scene& scene);
 void install(const Rolling& rolling, World& world);

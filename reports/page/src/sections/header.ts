@@ -1,7 +1,7 @@
-import type { Playback, Report, Run, Study } from "../data";
+import type { Playback, Report, Run } from "../data";
 import { h } from "../dom";
-import { count, number } from "../numbers";
-import { femLine } from "./fem/fem_words";
+import { count } from "../numbers";
+import { SECTIONS } from "./sections";
 
 function alarm(run: Run): HTMLElement | null {
   const errors = Object.entries(run.harness_errors);
@@ -23,16 +23,7 @@ function cutShort({ name, end }: Playback): HTMLElement | null {
   return h("div", { class: "alarm", role: "alert" }, words, "Its run did not reach its end.");
 }
 
-const sceneLine = ({ name, scene, bodies, times }: Playback): string =>
-  `${name}: scene ${scene}, ${count(bodies.length)} bodies, ${count(times.length)} frames to t = ${number(times.at(-1))}`;
-
-function studyLine({ groups, commit }: Study): string {
-  const words = groups.length > 0 ? `${count(groups.length)} groups of pairs, ` : "";
-  return `study: ${words}commit ${commit}`;
-}
-
-function partCutShort(name: string, part: { interrupted: boolean } | null): HTMLElement | null {
-  if (!part?.interrupted) return null;
+function partCutShort(name: string): HTMLElement {
   const words = h("strong", {}, `The ${name} is incomplete. `);
   return h("div", { class: "alarm", role: "alert" }, words, "It was interrupted: it shows only what was done.");
 }
@@ -41,9 +32,8 @@ export function header(report: Report): HTMLElement {
   const runs = report.runs.map(
     (run) => `${run.name}: ${count(run.cases)} cases, seed ${run.seed}, commit ${run.commit}`,
   );
-  const { playbacks, study, fem } = report;
-  const parts = [study && studyLine(study), fem && femLine(fem)].filter((line) => line !== null);
-  const lines = [...runs, ...playbacks.map(sceneLine), ...parts];
+  const lines = [...runs, ...SECTIONS.flatMap((section) => section.lines?.(report) ?? [])];
+  const cut = SECTIONS.map((section) => section.cutShort?.(report)).filter((name) => typeof name === "string");
   return h(
     "header",
     { class: "top" },
@@ -52,7 +42,6 @@ export function header(report: Report): HTMLElement {
     h("ul", { class: "runs" }, ...lines.map((text) => h("li", {}, text))),
     ...report.runs.map(alarm),
     ...report.playbacks.map(cutShort),
-    partCutShort("study", report.study),
-    partCutShort("finite element study", report.fem),
+    ...cut.map(partCutShort),
   );
 }

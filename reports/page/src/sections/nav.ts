@@ -1,6 +1,7 @@
 import { h, select } from "../dom";
 import type { State } from "../state";
 import { themeButton } from "../theme";
+import type { Part } from "./sections";
 
 function markCurrent(links: Map<Element, HTMLAnchorElement>): void {
   const watcher = new IntersectionObserver(
@@ -34,22 +35,8 @@ function runSelect(state: State): HTMLElement | null {
   return choice;
 }
 
-/** Short names of the sections. */
-const NAMES: Record<string, string> = {
-  summary: "Summary",
-  precision: "Precision",
-  atlas: "Atlas",
-  ladders: "Ladders",
-  study: "Study",
-  fem: "Elements",
-  gallery: "Gallery",
-  playback: "Playback",
-  compare: "Compare",
-  machine: "Machine",
-};
-
-export function nav(state: State, parts: HTMLElement[]): HTMLElement {
-  const links = new Map(parts.map((part) => [part, h("a", { href: `#${part.id}` }, NAMES[part.id] ?? part.id)]));
+export function nav(state: State, parts: Part[]): HTMLElement {
+  const links = new Map(parts.map(({ name, element }) => [element, h("a", { href: `#${element.id}` }, name)]));
   markCurrent(links);
   const list = h("ul", {}, ...[...links.values()].map((link) => h("li", {}, link)));
   return h(

@@ -72,6 +72,13 @@ function scene(playback: Playback): HTMLElement {
   );
 }
 
+/** What the head says of the scenes. */
+export const playbackLines = ({ playbacks }: Report): string[] =>
+  playbacks.map(
+    ({ name, scene, bodies, times }) =>
+      `${name}: scene ${scene}, ${count(bodies.length)} bodies, ${count(times.length)} frames to t = ${number(times.at(-1))}`,
+  );
+
 /** null where the report holds no scene. */
 export function playbackSection({ playbacks }: Report): HTMLElement | null {
   if (playbacks.length === 0) return null;

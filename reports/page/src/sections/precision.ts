@@ -2,7 +2,7 @@ import { command } from "../commands";
 import type { Precision, PrecisionPoint } from "../data";
 import { button, h, section, select, unique } from "../dom";
 import { inOrder, scalarsInOrder } from "../methods";
-import { count, error, number, percent, time } from "../numbers";
+import { count, error, number, onMachine, percent, time } from "../numbers";
 import { figure } from "../plot";
 import type { State } from "../state";
 import { legend, methodName, scalarSwatch } from "../swatch";
@@ -176,9 +176,6 @@ function scalarsOf(precision: Precision): string[] {
   return scalars.sort((a, b) => Number(b === "double") - Number(a === "double"));
 }
 
-const machineOf = ({ host }: Precision): string =>
-  host ? ` on ${host.system}, ${host.machine}, ${host.compiler} ${host.flags}` : "";
-
 const cutShort = ({ without }: Precision): string =>
   without.length > 0 ? ` (interrupted: without ${without.join(", ")})` : "";
 
@@ -232,7 +229,7 @@ function content(precision: Precision, view: View): HTMLElement[] {
     h(
       "p",
       { class: "note" },
-      `${count(precision.sets.length)} sets, measured at commit ${precision.commit}${machineOf(precision)}${cutShort(precision)}:`,
+      `${count(precision.sets.length)} sets, measured at commit ${precision.commit}${onMachine(precision.host)}${cutShort(precision)}:`,
     ),
     command(precision.command),
   ];

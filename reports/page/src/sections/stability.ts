@@ -3,7 +3,7 @@ import { command } from "../commands";
 import type { Stability, StabilityRow } from "../data";
 import { type Child, h } from "../dom";
 import { inOrder } from "../methods";
-import { count, NONE } from "../numbers";
+import { count, NONE, onMachine } from "../numbers";
 import { methodName } from "../swatch";
 import { type Column, table } from "../table";
 import { LADDER_NAME } from "./ladders/ladder_name";
@@ -94,13 +94,12 @@ function summary({ totals }: Stability): HTMLElement | null {
 
 export function stabilityBlock(stability: Stability): (HTMLElement | null)[] {
   const { host, commit, interrupted } = stability;
-  const machine = host ? ` on ${host.system}, ${host.machine}, ${host.compiler} ${host.flags}` : "";
   return [
     h("h3", {}, "The same ladders in other arithmetic"),
     summary(stability),
     methodsTable(stability),
     arithmeticsTable(stability),
-    h("p", { class: "note" }, `Measured at commit ${commit}${machine}${interrupted ? " (interrupted)" : ""}:`),
+    h("p", { class: "note" }, `Measured at commit ${commit}${onMachine(host)}${interrupted ? " (interrupted)" : ""}:`),
     command(stability.command),
   ];
 }

@@ -1,7 +1,6 @@
 /** The finite elements: which method's normal the force of a sub-particle analysis follows. */
 import { command } from "../../commands";
-import type { Report } from "../../data";
-import type { Fem } from "../../data_fem";
+import type { Fem, Report } from "../../data";
 import { type Child, h, section } from "../../dom";
 import { count, number } from "../../numbers";
 import { figure } from "../../plot";

@@ -1,6 +1,6 @@
 /** The angle of the finite elements' force to each method's normal, by overlap ratio: a mark for each geometry and method. */
 import type { Data, Shape } from "plotly.js";
-import type { Fem, FemAnswer } from "../../data_fem";
+import type { Fem, FemAnswer } from "../../data";
 import { logAxis, logScale, marginLabels, marginShapes } from "../../log_scale";
 import { colourOf, symbolOf } from "../../methods";
 import { error, number } from "../../numbers";

@@ -1,5 +1,5 @@
 /** The finite elements' tables: angles and centres, what was checked, convergence, half-spaces, geometries. */
-import type { Fem, FemAnswer, FemCheck, FemConvergence, FemGeometry, HalfSpace } from "../../data_fem";
+import type { Fem, FemAnswer, FemCheck, FemConvergence, FemGeometry, HalfSpace } from "../../data";
 import { breakable, type Child, details, h } from "../../dom";
 import { count, error, NONE, number } from "../../numbers";
 import { methodName } from "../../swatch";

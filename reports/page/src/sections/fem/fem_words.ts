@@ -1,5 +1,5 @@
 /** The finite elements in words. */
-import type { Fem, FemAnswer, FemBody, FemGeometry, Unanswered } from "../../data_fem";
+import type { Fem, FemAnswer, FemBody, FemGeometry, Unanswered } from "../../data";
 import { inOrder } from "../../methods";
 import { count, error, number } from "../../numbers";
 

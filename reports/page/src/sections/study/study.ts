@@ -2,6 +2,7 @@
 import { command } from "../../commands";
 import type { Report, Study } from "../../data";
 import { type Child, h, section } from "../../dom";
+import { onMachine } from "../../numbers";
 import { anglesBlock, groupsBlock } from "./study_groups";
 import { limitsBlock, ordersBlock } from "./study_limits";
 import { mapsBlock, sharesBlock } from "./study_maps";
@@ -14,9 +15,8 @@ const WHAT =
   "Kildashti, Dong and Samali (Powder Technology, 2018) showed that the six equations by which Lin and Ng find the common normal of two bodies have solutions that are none: absolute values lose the signs, and the z components are never asked for. The residues R1 and R2 then vanish, R3 to R5 do not. Here that comparison is made again, and continued: every method on groups of spheroids (G) and superquadrics (S), each answer held against a certified common normal. The pairs are our own, in the source's terms: drawn until the original equations fail in the way of the group.";
 
 function origin({ host, commit, interrupted, command: text }: Study): Child[] {
-  const machine = host ? ` on ${host.system}, ${host.machine}, ${host.compiler} ${host.flags}` : "";
   return [
-    h("p", { class: "note" }, `Made at commit ${commit}${machine}${interrupted ? " (interrupted)" : ""}:`),
+    h("p", { class: "note" }, `Made at commit ${commit}${onMachine(host)}${interrupted ? " (interrupted)" : ""}:`),
     command(text),
   ];
 }

@@ -1,5 +1,5 @@
 /** The source's study in words. */
-import type { StudyAnswer, StudyGroup, StudyLimit, StudyMap } from "../../data";
+import type { Study, StudyAnswer, StudyGroup, StudyLimit, StudyMap } from "../../data";
 import { type Child, h } from "../../dom";
 import { count, error, NONE, number } from "../../numbers";
 
@@ -93,3 +93,7 @@ export function describeLimits(rows: StudyLimit[], quantity: Quantity): string {
 
 const KINDS: Record<string, string> = { signs: "wrong signs", z: "wrong z component", both: "wrong signs and z" };
 export const kindWords = (kind: string): string => KINDS[kind] ?? kind;
+
+/** What the head says of it. */
+export const studyLine = ({ groups, commit }: Study): string =>
+  `study: ${groups.length > 0 ? `${count(groups.length)} groups of pairs, ` : ""}commit ${commit}`;

@@ -1,13 +1,17 @@
 // plumb report-certify-cost: what a certificate costs, at each effort and against a solve in double.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
 
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "properties/generators/families.hpp"
+#include "reports/bench/quantile.hpp"
+#include "reports/certified/parts.hpp"
+#include "reports/processor_time.hpp"
+#include "reports/report_lines.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/reference/reference.hpp"
 
@@ -19,15 +23,13 @@ constexpr int repetitions = 3;  // of each measurement; the least counts
 struct Options {
   std::int64_t cases = 200;
   std::uint64_t seed = 1;
-  bool json = false;
-  std::string out;
+  ReportLines lines;
 };
 
 void declare(CommandLine& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
   declare_seed(app, options.seed);
-  app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
-  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+  options.lines.declare(app, "one JSON object a family in the place of the table");
 }
 
 /// A family with the budgets of its two cheaper efforts, ms.
@@ -44,30 +46,20 @@ bool is_within(const Pair& pair) {
          fits(pair.body2.shape.n2);
 }
 
-/// Processor time of the process, ms: the machine may be shared.
-double now() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
-}
-
 /// The least time of the repetitions, ms. What `work` returns is kept, so that none of it is left out.
 template <class Work>
 double least_time(const Work& work) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repetitions; ++i) {
-    const double start = now();
+    const double start = processor_time();
     [[maybe_unused]] const volatile bool kept = work();
-    least = std::min(least, now() - start);
+    least = std::min(least, 1e3 * (processor_time() - start));
   }
   return least;
 }
 
-double median(std::vector<double> x) {
-  if (x.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
+double median(const std::vector<double>& x) {
+  return quantile(x, 0.5);
 }
 
 struct Times {
@@ -115,6 +107,10 @@ Json to_json(const Row& row, const Times& times, const Options& options) {
   return out;
 }
 
+/// Without a head: each cell says what it is.
+const TextTable columns({{"", "<8"}, {"", ">9.3f", " ms"}, {"", ">9.0f", " x new_cn"}, {"", ">7", " cells"}, {"", ""}},
+                        "  ");
+
 void print_row(const Row& row, const Times& times, const Options& options) {
   print_line(fmt::format("{}, {}: {} cases{}, new_cn {:.4f} ms", row.family, row.cases, times.method.size(),
                          is_cut_short(times, options) ? " (interrupted: incomplete)" : "", median(times.method)));
@@ -123,35 +119,29 @@ void print_row(const Row& row, const Times& times, const Options& options) {
     std::string budget;
     if (k < row.budget.size())
       budget = fmt::format("   budget {:>4} ms: {}", row.budget[k], ms <= row.budget[k] ? "met" : "NOT MET");
-    print_line(fmt::format("  {:<8}{:>9.3f} ms{:>9.0f} x new_cn{:>7} cells{}", name(efforts[k]), ms,
-                           median(times.ratio[k]), median(times.cells[k]), budget));
+    print_line(columns.row(name(efforts[k]), ms, median(times.ratio[k]), median(times.cells[k]), budget));
   }
 }
 
-int report(const Options& options) {
-  std::string lines;
+int report(Options& options) {
   for (const Row& row : rows) {
     if (interrupted()) break;
     const Times times = run(row, options);
-    const std::string line = write_json(to_json(row, times, options));
-    lines += line + "\n";
-    if (options.json)
-      print_line(line);
-    else
-      print_row(row, times, options);
+    options.lines.add(to_json(row, times, options));
+    if (!options.lines.is_json()) print_row(row, times, options);
     flush_output();
   }
-  if (!options.out.empty()) write_file(options.out, lines);
+  options.lines.write();
   return exit_done;
 }
 
 }  // namespace
-}  // namespace plumb::reports
 
-int main(int argc, char** argv) {
-  plumb::reports::Options options;
-  plumb::CommandLine app("Median times of the reference at its three efforts, and of new_cn.",
-                         "plumb report-certify-cost");
-  plumb::reports::declare(app, options);
-  return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
+int report_certify_cost(int argc, char** argv) {
+  Options options;
+  CommandLine app("Median times of the reference at its three efforts, and of new_cn.", "plumb report-certify-cost");
+  declare(app, options);
+  return run_command(app, argc, argv, [&] { return report(options); });
 }
+
+}  // namespace plumb::reports

@@ -8,10 +8,13 @@
 
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/command/text_table.hpp"
 #include "properties/generators/draft.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/laws/allowance.hpp"
 #include "properties/laws/laws_answer.hpp"
+#include "reports/certified/parts.hpp"
+#include "reports/report_lines.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb::reports {
@@ -24,8 +27,7 @@ struct Options {
   double unit = 1, shift = 0;
   std::uint64_t sample = 1000;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
-  bool json = false;
-  std::string out;
+  ReportLines lines;
 };
 
 void declare(CommandLine& app, Options& options) {
@@ -39,8 +41,7 @@ void declare(CommandLine& app, Options& options) {
       ->capture_default_str()
       ->check(refuse_count);
   app.add_option("--threads", options.threads, "changes nothing but the time")->in_range(1, 1024);
-  app.add_flag("--json", options.json, "one JSON object a family in the place of the table");
-  app.add_option("--out", options.out, "file for the JSON objects, one a line");
+  options.lines.declare(app, "one JSON object a family in the place of the table");
 }
 
 struct Counts {
@@ -157,11 +158,19 @@ Json to_json(const std::string& family, const Counts& c, const Options& options)
   return out;
 }
 
+const TextTable columns({{"family", "<12"},
+                         {"cases", ">10"},
+                         {"not converged", ">15"},
+                         {"not by bounds", ">16"},
+                         {"judged", ">10"},
+                         {"undecidable", ">13"},
+                         {"findings", ">10"},
+                         {"iterations", ">13"}});
+
 void print_row(const std::string& family, const Counts& c) {
   std::uint64_t findings = 0;
   for (const auto& [word, n] : c.findings) findings += n;
-  print_line(fmt::format("{:<12}{:>10}{:>15}{:>14}{:>12}{:>12}{:>10}{:>13}", family, c.cases, c.lost, c.suspicious,
-                         c.judged, c.undecided, findings,
+  print_line(columns.row(family, c.cases, c.lost, c.suspicious, c.judged, c.undecided, findings,
                          fmt::format("{}/{}/{}", c.quantile(0.5), c.quantile(0.99), c.quantile(1))));
   for (const std::string& line : c.named) print_line("    " + line);
 }
@@ -172,37 +181,32 @@ void require_family(const std::string& wanted) {
     throw InputFailure("--family", 0, wanted, "no such family; plumb families lists them");
 }
 
-int report(const Options& options) {
+int report(Options& options) {
   require_family(options.family);
-  std::string lines;
   std::uint64_t findings = 0;
-  if (!options.json)
-    print_line("family           cases  not converged   not by bounds    judged  undecidable  findings   iterations");
+  options.lines.print_table(columns.head());
   for (const Family& family : families()) {
     const std::string family_name(family.name);
     if ((!options.family.empty() && options.family != family_name) || interrupted()) continue;
     const Counts counts = run(family_name, options);
-    const std::string line = write_json(to_json(family_name, counts, options));
-    lines += line + "\n";
+    options.lines.add(to_json(family_name, counts, options));
     findings += counts.named.size();
-    if (options.json)
-      print_line(line);
-    else
-      print_row(family_name, counts);
+    if (!options.lines.is_json()) print_row(family_name, counts);
     flush_output();
   }
-  if (!options.out.empty()) write_file(options.out, lines);
+  options.lines.write();
   return findings > 0 ? exit_finding : exit_done;
 }
 
 }  // namespace
-}  // namespace plumb::reports
 
-int main(int argc, char** argv) {
-  plumb::reports::Options options;
-  plumb::CommandLine app(
+int report_auto(int argc, char** argv) {
+  Options options;
+  CommandLine app(
       "The answers of auto against the reference's bounds; what they do not show right, and a sample, by all laws",
       "plumb report-auto");
-  plumb::reports::declare(app, options);
-  return plumb::run_command(app, argc, argv, [&] { return plumb::reports::report(options); });
+  declare(app, options);
+  return run_command(app, argc, argv, [&] { return report(options); });
 }
+
+}  // namespace plumb::reports

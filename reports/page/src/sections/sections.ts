@@ -1,0 +1,64 @@
+/** The sections in their order: all that the page, its navigation and its head know of each. */
+import type { Report } from "../data";
+import type { State } from "../state";
+import { atlasSection } from "./atlas";
+import { compareSection } from "./compare/compare";
+import { femSection } from "./fem/fem";
+import { femLine } from "./fem/fem_words";
+import { gallerySection } from "./gallery";
+import { laddersSection } from "./ladders/ladders";
+import { machineSection } from "./machine";
+import { playbackLines, playbackSection } from "./playback";
+import { precisionSection } from "./precision";
+import { studySection } from "./study/study";
+import { studyLine } from "./study/study_words";
+import { summarySection } from "./summary";
+
+interface Section {
+  /** In the navigation. */
+  name: string;
+  /** Without it there is always something to show. */
+  shows?: (report: Report) => unknown;
+  make: (state: State) => HTMLElement | null;
+  /** What the head says of its data. */
+  lines?: (report: Report) => string[];
+  /** What the head calls it where Ctrl-C cut it short. */
+  cutShort?: (report: Report) => string | false | undefined;
+}
+
+const isCampaign = ({ runs }: Report): boolean => runs.length > 0;
+
+export const SECTIONS: Section[] = [
+  { name: "Summary", shows: isCampaign, make: summarySection },
+  { name: "Precision", shows: (report) => isCampaign(report) || report.precision, make: precisionSection },
+  { name: "Atlas", shows: isCampaign, make: atlasSection },
+  { name: "Ladders", make: laddersSection },
+  {
+    name: "Study",
+    make: ({ report }) => studySection(report),
+    lines: ({ study }) => (study ? [studyLine(study)] : []),
+    cutShort: ({ study }) => study?.interrupted && "study",
+  },
+  {
+    name: "Elements",
+    make: ({ report }) => femSection(report),
+    lines: ({ fem }) => (fem ? [femLine(fem)] : []),
+    cutShort: ({ fem }) => fem?.interrupted && "finite element study",
+  },
+  { name: "Gallery", shows: isCampaign, make: gallerySection },
+  { name: "Playback", make: ({ report }) => playbackSection(report), lines: playbackLines },
+  { name: "Compare", shows: isCampaign, make: compareSection },
+  { name: "Machine", make: machineSection },
+];
+
+export interface Part {
+  name: string;
+  element: HTMLElement;
+}
+
+/** Those that have something to show. */
+export const partsOf = (state: State): Part[] =>
+  SECTIONS.flatMap(({ name, shows, make }) => {
+    const element = !shows || shows(state.report) ? make(state) : null;
+    return element ? [{ name, element }] : [];
+  });

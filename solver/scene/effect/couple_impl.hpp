@@ -1,0 +1,69 @@
+// The law of couple.hpp: a spring and a dashpot against a part of the relative rotation of two bodies.
+#pragma once
+
+#include <algorithm>
+
+#include "solver/scene/body/world.hpp"
+#include "solver/scene/effect.hpp"
+#include "solver/scene/effect/couple.hpp"
+#include "solver/scene/effect/stick_slip.hpp"
+#include "solver/scene/facts.hpp"
+
+namespace plumb::scene {
+
+template <class Part>
+void resist(const Couple<Part>& parameters, Column& springs, World& world) {
+  const Contacts& contacts = world.contacts;
+  for (const std::uint32_t c : contacts.pressing) {
+    const Vec3<double> normal = contacts.normal->vector(c);
+    const double radius = (*contacts.radius)[c], square = radius * radius;
+    const double stiffness = parameters.stiffness_ratio * (*contacts.stiffness)[c] * square;
+    const double critical = 2 * std::sqrt(stiffness * square / (*contacts.inverse_mass)[c]);
+    const StickSlip law{stiffness, parameters.damping * critical,
+                        parameters.coefficient * radius * (*contacts.normal_force)[c]};
+    springs.vector(c) = Part::of(springs.vector(c), normal);
+    world.turn(c, law.pull(springs.vector(c), Part::of(world.relative_turn(c), normal), world.time_step));
+  }
+}
+
+/// The shortest time of the spring and of its dashpot, against a body's least moment: a ball's, or what a slender body has of it.
+template <class Part>
+[[nodiscard]] double couple_time(const Couple<Part>& parameters, const Scene& scene) {
+  const double slender = longest_axis(scene) / shortest_axis(scene);
+  const double stiffer = std::sqrt(1.25 * parameters.stiffness_ratio) * slender;
+  const double dashpot = 3 * parameters.damping * std::sqrt(parameters.stiffness_ratio) * slender * slender;
+  return collision_time(scene) / std::max({1.0, stiffer, dashpot});
+}
+
+/// The work that the springs hold.
+template <class Part>
+[[nodiscard]] double spring_energy(const Couple<Part>& parameters, const Column& springs, const World& world) {
+  double sum = 0;
+  for (const std::uint32_t c : world.contacts.pressing) {
+    const double radius = (*world.contacts.radius)[c];
+    const double stiffness = parameters.stiffness_ratio * (*world.contacts.stiffness)[c] * radius * radius;
+    sum += stiffness * springs.vector(c).squaredNorm() / 2;
+  }
+  return sum;
+}
+
+template <class Part>
+[[nodiscard]] Role couple_role(const Couple<Part>& couple, const Scene& scene) {
+  Role out;
+  require_elastic_force(scene, Part::name, "is a share of a normal force");
+  if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
+  if (couple.coefficient == 0) out.off = "the coefficient is 0";
+  out.needs = {
+      .contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true, .radius = true};
+  out.needs.fastest = couple_time(couple, scene);
+  return out;
+}
+
+template <class Part>
+void install_couple(const Couple<Part>& couple, World& world, const char* column) {
+  Column& springs = world.columns.add(column, Part::name, history(3));
+  world.contact_passes.push_back({Part::name, [couple, &springs, &world] { resist(couple, springs, world); }});
+  world.energies.push_back({Part::name, [couple, &springs, &world] { return spring_energy(couple, springs, world); }});
+}
+
+}  // namespace plumb::scene
