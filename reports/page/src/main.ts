@@ -20,12 +20,12 @@ function readReport(): Report | null {
 function show(report: Report, page: HTMLElement): void {
   meetMethods(report);
   const newest = report.runs.at(-1);
-  if (!newest && report.playbacks.length === 0 && !report.study && !report.fem) {
+  const state: State = { report, run: newest ? new Watched(newest) : null };
+  const parts = partsOf(state);
+  if (parts.every(({ isAbout }) => isAbout)) {
     page.append(h("p", { class: "notice" }, "The report holds no run, no scene, no study and no finite elements."));
     return;
   }
-  const state: State = { report, run: newest ? new Watched(newest) : null };
-  const parts = partsOf(state);
   const skip = h("a", { class: "skip", href: "#main" }, "Skip to the report");
   const main = h("main", { id: "main", tabindex: -1 }, ...parts.map(({ element }) => element));
   page.append(skip, header(report), nav(state, parts), main, footer(report));

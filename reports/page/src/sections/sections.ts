@@ -20,6 +20,8 @@ interface Section {
   /** Without it there is always something to show. */
   shows?: (report: Report) => unknown;
   make: (state: State) => HTMLElement | null;
+  /** It says where the others come from, and is nothing by itself. */
+  isAbout?: boolean;
   /** What the head says of its data. */
   lines?: (report: Report) => string[];
   /** What the head calls it where Ctrl-C cut it short. */
@@ -48,17 +50,18 @@ export const SECTIONS: Section[] = [
   { name: "Gallery", shows: isCampaign, make: gallerySection },
   { name: "Playback", make: ({ report }) => playbackSection(report), lines: playbackLines },
   { name: "Compare", shows: isCampaign, make: compareSection },
-  { name: "Machine", make: machineSection },
+  { name: "Machine", make: machineSection, isAbout: true },
 ];
 
 export interface Part {
   name: string;
   element: HTMLElement;
+  isAbout: boolean;
 }
 
 /** Those that have something to show. */
 export const partsOf = (state: State): Part[] =>
-  SECTIONS.flatMap(({ name, shows, make }) => {
+  SECTIONS.flatMap(({ name, shows, make, isAbout = false }) => {
     const element = !shows || shows(state.report) ? make(state) : null;
-    return element ? [{ name, element }] : [];
+    return element ? [{ name, element, isAbout }] : [];
   });
