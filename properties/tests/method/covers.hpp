@@ -61,8 +61,12 @@ struct Tally {
   /// `least`: the lowest overlap of many directions.
   void judge(Said said, double overlap, double least, double rounding) {
     if (said == Said::is_unfinished) ++unfinished;
-    if (said == Said::is_lowest) EXPECT_GE(least, overlap - rounding);
-    if (least < overlap - rounding) EXPECT_NE(said, Said::is_lowest);
+    if (said == Said::is_lowest) {
+      EXPECT_GE(least, overlap - rounding);
+    }
+    if (least < overlap - rounding) {
+      EXPECT_NE(said, Said::is_lowest);
+    }
     lowest += said == Said::is_lowest ? 1 : 0;
     higher += said == Said::sees_lower ? 1 : 0;
   }

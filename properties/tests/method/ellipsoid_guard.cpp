@@ -161,8 +161,12 @@ TEST(EllipsoidGuard, OfSimilarEllipsoidsItIsExact) {
       const EllipsoidContact<double> found = EllipsoidSolver<double>{pair, want, {}}.solve(start);
       if (found.status != Status::converged) continue;
       const bool passes = is_inner_lowest<double>(pair, found.at.touch, found.normal, found.overlap);
-      if (found.overlap <= least) EXPECT_TRUE(passes) << draw;
-      if (found.overlap > least + 1e-2) EXPECT_FALSE(passes) << draw;
+      if (found.overlap <= least) {
+        EXPECT_TRUE(passes) << draw;
+      }
+      if (found.overlap > least + 1e-2) {
+        EXPECT_FALSE(passes) << draw;
+      }
       lowest += found.overlap <= least ? 1 : 0;
       higher += found.overlap > least + 1e-2 ? 1 : 0;
     }

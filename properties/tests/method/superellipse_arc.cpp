@@ -78,7 +78,9 @@ TEST(SuperellipseArc, IsTheUnitCurveWithItsGradientAndCurvature) {
     EXPECT_LE(abs(Fine(pow(abs(ca), nu) + pow(abs(cb), nu) - 1)), Fine("1e-46"));
     const auto near = [&](const PerBody<Fine>& found, const Fine& truth) {
       // As far as a power of e^-690 is kept.
-      if (abs(truth) > Fine("1e-290")) EXPECT_LE(abs(Fine(first<Fine>(found) / truth - 1)), Fine("1e-43"));
+      if (abs(truth) > Fine("1e-290")) {
+        EXPECT_LE(abs(Fine(first<Fine>(found) / truth - 1)), Fine("1e-43"));
+      }
     };
     near(at.ga, plain_power(ca, nu - 1));
     near(at.gb, plain_power(cb, nu - 1));
@@ -97,7 +99,9 @@ TEST(SuperellipseArc, GradientsLieOnTheDualCurve) {
     const auto [ca, cb] = c_of(at);
     const Fine nu = first<Fine>(arc.nu), mu = nu / (nu - 1);
     EXPECT_EQ(first<Fine>(arc.nu) == Fine(n), n >= 2);
-    if (n < 2) EXPECT_LE(abs(Fine(mu - Fine(n))), Fine("1e-45"));
+    if (n < 2) {
+      EXPECT_LE(abs(Fine(mu - Fine(n))), Fine("1e-45"));
+    }
     EXPECT_LE(abs(Fine(ga / gb / (Fine(v.a) / Fine(v.b)) - 1)), Fine("1e-43"));
     EXPECT_LE(abs(Fine(pow(abs(ga), mu) + pow(abs(gb), mu) - 1)), Fine("1e-43"));
     EXPECT_LE(abs(Fine(ca * ga + cb * gb - 1)), Fine("1e-46"));
@@ -112,8 +116,9 @@ TEST(SuperellipseArc, InDoubleItIsRightToRounding) {
     const ArcPoint<Fine> truth = arc_at<Fine>(arc_of<Fine>(n), {Fine(v.a), Fine(v.b)}, is_g);
     const auto near = [&](const PerBody<double>& found, const PerBody<Fine>& exact) {
       const auto expected = static_cast<double>(first<Fine>(exact));
-      if (std::abs(expected) > 1e-200 && std::abs(expected) < 1e200)
+      if (std::abs(expected) > 1e-200 && std::abs(expected) < 1e200) {
         EXPECT_NEAR(first<double>(found), expected, 2e-13 * std::abs(expected));  // a power's logarithm: 460 epsilon
+      }
     };
     near(ours.ca, truth.ca), near(ours.cb, truth.cb), near(ours.ga, truth.ga), near(ours.gb, truth.gb);
     near(ours.ka, truth.ka), near(ours.kb, truth.kb), near(ours.t, truth.t), near(ours.u, truth.u);

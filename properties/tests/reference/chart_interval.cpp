@@ -120,7 +120,9 @@ TEST(ChartInterval, AProvedBoxHoldsJustOneCommonNormal) {
       ++proved;
       EXPECT_LE(proof.radius, radius);
       EXPECT_LE(distance(guess, s.at), Fine(proof.error) + Fine("1e-40"));
-      if (off > 0) EXPECT_LE(proof.error, 3 * off);
+      if (off > 0) {
+        EXPECT_LE(proof.error, 3 * off);
+      }
       for (int k = 0; k < 2; ++k) {
         const ChartPair<Fine> start = draw_near(guess, proof.radius, stream);
         const LocalSolution<Fine> found = solve_on_charts<Fine>(s.placed, {}, start, Fine("1e-45"), 40);

@@ -109,8 +109,12 @@ TYPED_TEST(Enclosure, OnlyPointsOfABodyLieInIt) {
         support_point<double>({shape.semi_axes.cast<double>(), body.n1, body.n2}, u).gradient * (1 + off);
     const Fine gauge_there = gauge<Fine>(shape, x.cast<Fine>());
     const bool says = is_inside<TypeParam>(body, x);
-    if (gauge_there > 1) EXPECT_FALSE(says) << draw << ' ' << gauge_there - 1;
-    if (gauge_there < 1 - 1e-14) EXPECT_TRUE(says) << draw << ' ' << gauge_there - 1;
+    if (gauge_there > 1) {
+      EXPECT_FALSE(says) << draw << ' ' << gauge_there - 1;
+    }
+    if (gauge_there < 1 - 1e-14) {
+      EXPECT_TRUE(says) << draw << ' ' << gauge_there - 1;
+    }
     (says ? inside : outside) += 1;
   }
   EXPECT_GT(inside, 100);

@@ -201,8 +201,9 @@ TEST(Proof, NoLeafMayChangeItsLetter) {
           // An excluded leaf may as well be an open one: its witness bounds it.
           const bool may_be_so =
               (from == Leaf::excluded && to == Leaf::open) || (from == Leaf::open && to == Leaf::excluded);
-          if (!may_be_so)
+          if (!may_be_so) {
             EXPECT_TRUE(is_none) << m.name << ": " << static_cast<int>(from) << " to " << static_cast<int>(to);
+          }
           (is_none ? refused : true_all_the_same) += 1;
         }
       }

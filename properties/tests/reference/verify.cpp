@@ -183,7 +183,9 @@ TEST(Verify, ARegionsSolutionIsWithinItsRadiusAndItsBoundHolds) {
     const RegionProof<I> proof = verify_region<I>(framed, region, enclosed<I>(moved));
     if (!proof.convex) continue;
     located += proof.located ? 1 : 0;
-    if (proof.located) EXPECT_GE(high_as<Fine>(proof.radius), (moved - v).norm()) << draw;
+    if (proof.located) {
+      EXPECT_GE(high_as<Fine>(proof.radius), (moved - v).norm()) << draw;
+    }
     const Fine least = low_as<Fine>(I(proof.value - proof.deficit));
     for (int k = 0; k < 20; ++k) EXPECT_LE(least, truth.overlap(draw_in(region, stream))) << draw;
     EXPECT_LE(least, truth.overlap(v)) << draw;
