@@ -44,15 +44,14 @@ inline constexpr double least_curvature = 1e-3;  ///< of the size: flatter direc
 inline constexpr double off_saddle = 0.3;        ///< step of a descent off a saddle
 inline constexpr double widest_descent = 0.5;    ///< first and largest radius of trust
 inline constexpr double beside_saddle = 0.4, across_saddle = 0.07;  ///< starts beside a saddle, on no plane of symmetry
-inline constexpr double promising_residual = 0.05,
-                        promising_factor = 0.8;  ///< small and falling: more steps are worth it
+inline constexpr double promising_residual = 0.05;                  ///< small, and by
+inline constexpr double promising_factor = 0.8;                     ///< falling: more steps are worth it
 inline constexpr double blocky = 3;  ///< an exponent above it: the direction does not say where on a face a point is
 
 // A step from surface point to surface point (surface_step.hpp).
 inline constexpr double pole = 1e-3;          ///< of the outer arc's c: nearer to the pole the inner arc is Cartesian
 inline constexpr double past_the_pole = 0.1;  ///< of the radius in g: one that falls below is taken as past the pole
-inline constexpr double near_inner_point =
-    0.04;  ///< square of the inner arc's turn up to which its second order will do
+inline constexpr double near_inner_point = 0.04;  ///< square of the inner arc's turn: second order holds up to it
 inline constexpr double most_shrunk = -0.7, most_grown = 3;  ///< by which the normal's length is corrected
 inline constexpr double least_ratio = 0.02;       ///< of the smaller coordinate: a step past infinity ends there
 inline constexpr double longest_component = 1e3;  ///< of a step that a singular system has blown up
