@@ -25,7 +25,7 @@ void judge(const Pair& pair, const std::vector<Vector3<double>>& grid, Stream& s
   for (Solver::Answer first : found) {
     first.evaluations = 0;
     const Said said = what_says<HeightCover<double, Silent>>(silent, first, generous, framed);
-    tally.judge(said, first.overlap, least, 1e-13 * framed.size);
+    tally.judge(said, first.overlap, least, 1e-13 * solver.size());
   }
 }
 
