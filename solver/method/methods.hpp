@@ -33,6 +33,7 @@ struct MethodIn {
   std::string_view published_by;  ///< authors and year; empty: plumb's own, and a finding of it is a failure of plumb
   MethodLook look;
 
+  /// Whether it is a baseline: its findings are its result.
   [[nodiscard]] constexpr bool is_published() const { return !published_by.empty(); }
 };
 /// In double, the scalar of most.

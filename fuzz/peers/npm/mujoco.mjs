@@ -39,7 +39,7 @@ function solve(pair) {
 }
 
 await serve(solve, {
-  name: process.argv.length > 2 ? `mujoco_wasm, ${tolerance}` : 'mujoco_wasm',
+  name: process.argv.length > 2 ? `mujoco_wasm-${tolerance}` : 'mujoco_wasm',
   version: mujoco.mj_versionString(),
   licence: 'Apache-2.0',
   shapes: 'ellipsoids',

@@ -80,6 +80,15 @@ class JsonSchema {
     return std::all_of(value.begin(), value.end(), [&](const Json& item) { return allows(schema["items"], item); });
   }
 
+  /// patternProperties, of which there is one alone.
+  static bool is_left_open(const Json& schema, const std::string& name) {
+    return name.starts_with("x_") && schema.contains("patternProperties");
+  }
+
+  [[nodiscard]] bool allows_others(const Json& schema, const Json& member) const {
+    return schema.contains("additionalProperties") && allows(schema["additionalProperties"], member);
+  }
+
   [[nodiscard]] bool allows_object(const Json& schema, const Json& value) const {
     for (const Json& name : schema.value("required", Json::array()))
       if (!value.contains(name.get<std::string>())) return false;
@@ -88,9 +97,7 @@ class JsonSchema {
     for (const auto& [name, member] : value.items()) {
       if (properties.contains(name)) {
         if (!allows(properties[name], member)) return false;
-      } else if (schema.contains("additionalProperties")) {
-        if (!allows(schema["additionalProperties"], member)) return false;
-      } else if (!name.starts_with("x_")) {
+      } else if (!is_left_open(schema, name) && !allows_others(schema, member)) {
         return false;
       }
     }

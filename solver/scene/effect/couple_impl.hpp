@@ -11,6 +11,7 @@
 
 namespace plumb::scene {
 
+/// Turns the bodies of each pressing contact against their relative rotation; `springs` holds how far each has turned.
 template <class Part>
 void resist(const Couple<Part>& parameters, Column& springs, World& world) {
   const Contacts& contacts = world.contacts;
@@ -47,6 +48,7 @@ template <class Part>
   return sum;
 }
 
+/// What a couple needs of a scene, and why it is off. Throws SceneError without an elastic force.
 template <class Part>
 [[nodiscard]] Role couple_role(const Couple<Part>& couple, const Scene& scene) {
   Role out;
@@ -59,6 +61,7 @@ template <class Part>
   return out;
 }
 
+/// Adds the springs' column, the pass and the energy.
 template <class Part>
 void install_couple(const Couple<Part>& couple, World& world, const char* column) {
   Column& springs = world.columns.add(column, Part::name, history(3));

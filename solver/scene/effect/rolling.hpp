@@ -8,8 +8,10 @@
 
 namespace plumb::scene {
 
+/// The part of a rotation across a contact's normal.
 struct AcrossNormal {
   static constexpr std::string_view name = "rolling";
+  /// `normal`: a unit vector.
   [[nodiscard]] static Vec3<double> of(const Vec3<double>& v, const Vec3<double>& normal) {
     return v - normal.dot(v) * normal;
   }

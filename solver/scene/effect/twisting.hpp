@@ -6,8 +6,10 @@
 
 namespace plumb::scene {
 
+/// The part of a rotation about a contact's normal.
 struct AboutNormal {
   static constexpr std::string_view name = "twisting";
+  /// `normal`: a unit vector.
   [[nodiscard]] static Vec3<double> of(const Vec3<double>& v, const Vec3<double>& normal) {
     return normal.dot(v) * normal;
   }

@@ -54,12 +54,12 @@ const LAWS = FINDINGS.slice(0, -1).map(({ word, meaning }, index) => ({
 
 const LOOKS = [
   ["auto", "", "#0072b2", "#56b4f5", "circle"],
-  ["original_cn", "Lin & Ng 1995", "#c44e00", "#ff8a45", "triangle-up"],
-  ["corrected_cn", "Kildashti, Dong & Samali 2018", "#a86d00", "#f0b030", "diamond"],
   ["new_cn", "Kildashti, Dong & Samali 2018", "#00795a", "#27c39a", "square"],
-  ["minimum_distance", "Wellmann, Lillie & Wriggers 2008", "#5f6b14", "#c3cf5a", "hexagon"],
+  ["corrected_cn", "Kildashti, Dong & Samali 2018", "#a86d00", "#f0b030", "diamond"],
+  ["original_cn", "Lin & Ng 1995", "#c44e00", "#ff8a45", "triangle-up"],
   ["geometric_potential", "Houlsby 2009", "#b0508a", "#e79bc8", "triangle-down"],
   ["geometric_potential_midway", "Podlozhnyuk, Pirker & Kloss 2017", "#6a51a3", "#b7a1ef", "pentagon"],
+  ["minimum_distance", "Wellmann, Lillie & Wriggers 2008", "#5f6b14", "#c3cf5a", "hexagon"],
   ["first_touch", "Cleary, Stokes & Hurley 1997", "#9b1d3f", "#ff7d93", "star-diamond"],
 ].map(([name, published_by, light, dark, symbol]) => ({ name, published_by, light, dark, symbol }));
 
