@@ -2,9 +2,11 @@
 // with which it is instantiated.
 #pragma once
 
+// Declares what the others define: clang takes [[nodiscard]] at the first declaration alone.
+#include "solver/method/method_table.hpp"
+
 #include "method_bodies.inc"
 #include "solver/method/auto/automatic_impl.hpp"
-#include "solver/method/method_table.hpp"
 
 #define PLUMB_INSTANTIATE_METHODS(S) \
   PLUMB_INSTANTIATE_AUTOMATIC(S)     \
