@@ -95,7 +95,7 @@ TEST(Meridian, AnArcsBoundIsBelowTheOverlapAllOverIt) {
     const double first = std::floor(stream.uniform(0, 4)) + stream.uniform(0, 0.7),
                  last = first + stream.uniform(0, 0.25);
     const auto apart = points_apart<I>(framed.pair, bodies.witness_at((first + last) / 2));
-    ASSERT_TRUE(apart);
+    if (!apart) FAIL() << draw;
     const double least = least_on<I>(framed, {first, last}, *apart);
     double lowest = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= 50; ++k) lowest = std::min(lowest, bodies.overlap_at(first + (last - first) * k / 50));

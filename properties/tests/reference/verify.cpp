@@ -274,7 +274,7 @@ TEST(Verify, NoTwoPointsOfBodiesApartAreNearer) {
     const Witness witness{inner(pair.body1.shape), inner(pair.body2.shape)};
     const auto least = least_overlap_apart<I>(enclosed_pair, witness);
     const auto apart = points_apart<I>(enclosed_pair, witness);
-    ASSERT_TRUE(least && apart) << draw;
+    if (!least || !apart) FAIL() << draw;
     const PlacedPair<double> placed = place<double>(pair);
     const Vec3<double> between = placed.body1.to_pair(witness.point1) - placed.body2.to_pair(witness.point2);
     EXPECT_NEAR(high(*least), -between.norm(), 1e-14) << draw;
