@@ -29,9 +29,9 @@ std::string type_of(const Json& description) {
 
 Json one_of_words(const Json& words, const Field& field) {
   std::string known;
-  for (const Json& word : words) {
+  for (const std::string word : words) {
     if (field.text() == word) return word;
-    known += (known.empty() ? "" : ", ") + word.get<std::string>();
+    known += (known.empty() ? "" : ", ") + word;
   }
   field.fail("'" + field.text() + "' is none of " + known);
 }

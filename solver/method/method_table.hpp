@@ -49,9 +49,11 @@ Contact<S> guarded(const Pair& pair, const Want& want, const Contact<S>* last) {
 
 template <class S>
 [[nodiscard]] constexpr auto method_rows() {
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a template takes none
 #define PLUMB_METHOD(function, name, problem, published_by, light, dark, symbol, summary)                \
   MethodIn<S>{name,         Problem::problem,     summary, detail::guarded<S, function<S>>, function<S>, \
               published_by, {light, dark, symbol}},
+  // NOLINTEND(bugprone-macro-parentheses)
   return std::to_array({
 #include "solver/method/method_rows.inc"
   });
