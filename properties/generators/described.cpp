@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "corpus/json/fields.hpp"
 #include "properties/generators/draft.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"

@@ -53,7 +53,7 @@ void judge(const Pair& pair, const Solver& solver, Stream& stream, Tally& tally)
   const Silent silent{solver};
   const PlacedPair<double> placed = place<double>(pair);
   const auto bound = ParallelAxesBound<double>::of(placed);
-  ASSERT_TRUE(bound);
+  if (!bound) FAIL();
   const auto found = common_normals(solver, stream, 16);
   double least = lowest_of_grid(solver, grid_about(placed.body1.rotation.col(2)));
   for (const auto& first : found) least = std::min(least, first.overlap);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <stdexcept>
 
 #include "properties/generators/draft.hpp"
 #include "solver/pose.hpp"
@@ -63,14 +64,21 @@ long double overlap_along(const PlacedPair<double>& pair, const Vec3<long double
   return support_of(pair.body1, n) + support_of(pair.body2, -n) - n.dot(pair.body2.centre.cast<long double>());
 }
 
+/// Of a pair that was drawn with parallel axes: it has one.
+Bound bound_of(const PlacedPair<double>& placed) {
+  const auto bound = Bound::of(placed);
+  if (!bound) throw std::logic_error("the axes are not parallel");
+  return *bound;
+}
+
 /// The pair's bound, with a basis of the world that its latitudes are in: the axis towards body 2.
 struct Around {
   PlacedPair<double> placed;
-  std::optional<Bound> bound;
+  Bound bound;
   Vec3<double> axis;
   Tangent<double> across;
 
-  explicit Around(const Drawn& drawn) : placed(place<double>(drawn.pair)), bound(Bound::of(placed)) {
+  explicit Around(const Drawn& drawn) : placed(place<double>(drawn.pair)), bound(bound_of(placed)) {
     axis = placed.body1.rotation.col(drawn.axis1).normalized();
     if (axis.dot(placed.body2.centre) < 0) axis = -axis;
     across = tangent_basis<double>(axis);
@@ -105,10 +113,9 @@ TEST(ParallelAxesBound, NoDirectionIsLowerThanAWitnessSays) {
     Stream stream("parallel axes", 1, tilt == 0 ? 0 : 1);
     for (int draw = 0; draw < 150; ++draw) {
       const Around around(draw_parallel(stream, tilt));
-      ASSERT_TRUE(around.bound) << draw;
       const double rounding = 1e-15 * (4 + around.placed.body2.shape.semi_axes.maxCoeff());
       for (int k = 0; k < 10; ++k) {
-        const auto witness = around.bound->witness(draw_latitude(stream), 0);
+        const auto witness = around.bound.witness(draw_latitude(stream), 0);
         const Latitude<double> other = draw_latitude(stream);
         const double height = witness.height(other);
         for (int j = 0; j < 12; ++j) {
@@ -128,12 +135,11 @@ TEST(ParallelAxesBound, AtItsOwnLatitudeItIsTheLowestOfTheCircle) {
   Stream stream("own latitude", 1, 0);
   for (int draw = 0; draw < 100; ++draw) {
     const Around around(draw_parallel(stream, draw % 2 == 0 ? 0 : 1e-8));
-    ASSERT_TRUE(around.bound) << draw;
     const Latitude<double> at = draw_latitude(stream);
-    const auto witness = around.bound->witness(at, 0);
+    const auto witness = around.bound.witness(at, 0);
     const double height = witness.height(at);
     EXPECT_GE(around.lowest_on(at, 90).first, height - 2e-14) << draw;
-    const Vec3<double> n = around.bound->lowest(at, witness).eigen();
+    const Vec3<double> n = around.bound.lowest(at, witness).eigen();
     EXPECT_NEAR(n.norm(), 1, 1e-14) << draw;
     EXPECT_NEAR(static_cast<double>(overlap_along(around.placed, n.normalized().cast<long double>())), height, 2e-14)
         << draw;
@@ -157,8 +163,8 @@ TEST(ParallelAxesBound, WithoutABallItBoundsTheOverlapOfWhatIsLeft) {
     }
     for (int k = 0; k < 20; ++k) {
       const Latitude<double> own = draw_latitude(stream), other = draw_latitude(stream);
-      const auto witness = around.bound->witness(own, ball);
-      EXPECT_NEAR(witness.height(own), around.bound->witness(own, 0).height(own) - ball, 1e-14);
+      const auto witness = around.bound.witness(own, ball);
+      EXPECT_NEAR(witness.height(own), around.bound.witness(own, 0).height(own) - ball, 1e-14);
       const Vec3<double> n = around.at(other, stream.uniform(0, turn_once));
       const auto there = static_cast<double>(overlap_along(around.placed, n.normalized().cast<long double>()));
       EXPECT_GE(there - ball, witness.height(other) - 2e-15 * 5) << draw;
@@ -173,8 +179,8 @@ TEST(ParallelAxesBound, ItsGradientIsTheHeightsDifference) {
     const Around around(draw_parallel(stream, draw % 2 == 0 ? 0 : 1e-8));
     const Latitude<double> at = draw_latitude(stream);
     if (at.x < 0.05) continue;
-    const auto witness = around.bound->witness(at, 0);
-    const Latitude<double> gradient = around.bound->gradient(at, witness);
+    const auto witness = around.bound.witness(at, 0);
+    const Latitude<double> gradient = around.bound.gradient(at, witness);
     const double step = 1e-6;
     const auto slope = [&](double x, double z) {
       const Latitude<double> ahead{at.x + step * x, at.z + step * z}, behind{at.x - step * x, at.z - step * z};
@@ -210,7 +216,7 @@ TEST(ParallelAxesBound, BackwardsIsWhereTheOppositeIsAsLow) {
   for (int draw = 0; draw < 300; ++draw) {
     const Around around(draw_parallel(stream, 0));
     const Latitude<double> from = draw_latitude(stream), to = draw_latitude(stream);
-    if (!around.bound->is_backwards(from, to)) continue;
+    if (!around.bound.is_backwards(from, to)) continue;
     ++backwards;
     for (int k = 0; k < 20; ++k) {
       const double share = stream.uniform();
@@ -227,9 +233,9 @@ TEST(ParallelAxesBound, ThereIsOneOfParallelAxesAlone) {
   for (int draw = 0; draw < 50; ++draw) {
     const Drawn coaxial = draw_parallel(stream, 0, true), tilted = draw_parallel(stream, 1e-3);
     const auto of = [](const Pair& pair) { return Bound::of(place<double>(pair)); };
-    ASSERT_TRUE(of(coaxial.pair)) << draw;
-    EXPECT_TRUE(of(coaxial.pair)->is_coaxial()) << draw;
-    EXPECT_FALSE(of(coaxial.pair)->circle_axis()) << draw;
+    const Bound bound = bound_of(place<double>(coaxial.pair));
+    EXPECT_TRUE(bound.is_coaxial()) << draw;
+    EXPECT_FALSE(bound.circle_axis()) << draw;
     EXPECT_FALSE(of(tilted.pair)) << draw;
     Pair triaxial = coaxial.pair;
     triaxial.body1.shape = {{1, 0.8, 0.5}, 2, 2};
@@ -239,10 +245,9 @@ TEST(ParallelAxesBound, ThereIsOneOfParallelAxesAlone) {
   beside.body1.shape.semi_axes = {1, 1, 2};
   beside.body2.shape.semi_axes = {2, 2, 1};
   beside.body2.position << 1e-3, 0, 0.5;
-  const auto bound = Bound::of(place<double>(beside));
-  ASSERT_TRUE(bound);
-  EXPECT_TRUE(bound->is_parallel());
-  EXPECT_FALSE(bound->is_coaxial());
+  const Bound bound = bound_of(place<double>(beside));
+  EXPECT_TRUE(bound.is_parallel());
+  EXPECT_FALSE(bound.is_coaxial());
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST(SurfaceEquations, NewtonsSystemIsTheJacobianAtACommonNormal) {
     const std::array<Equation4<Fine>, 4> system = newton_system<Fine>(f, f.overlap);
     for (int body = 0; body < 2; ++body)
       for (int coordinate = 0; coordinate < 2; ++coordinate) {
-        const auto column = static_cast<std::size_t>(2 * body + coordinate);
+        const std::size_t column = 2 * static_cast<std::size_t>(body) + static_cast<std::size_t>(coordinate);
         const auto values = [&](const Surfaces<Fine>& at) { return equations_at<Fine>(c.pair, at).value; };
         const std::array<Fine, 4> slope = slope_of(c.pair, c.at, body, coordinate, values);
         for (std::size_t k = 0; k < 4; ++k)
