@@ -3,7 +3,7 @@
 
 #include "properties/laws/laws_scene.hpp"
 #include "properties/tests/scene/crowd.hpp"
-#include "solver/scene/effect/stick_slip.hpp"
+#include "solver/scene/contact/stick_slip.hpp"
 
 namespace plumb::scene {
 namespace {

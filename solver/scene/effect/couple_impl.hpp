@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/stick_slip.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/effect/couple.hpp"
-#include "solver/scene/effect/stick_slip.hpp"
 #include "solver/scene/facts.hpp"
 
 namespace plumb::scene {

@@ -1,8 +1,8 @@
 #include "solver/scene/effect/friction.hpp"
 
 #include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/stick_slip.hpp"
 #include "solver/scene/effect.hpp"
-#include "solver/scene/effect/stick_slip.hpp"
 #include "solver/scene/facts.hpp"
 
 namespace plumb::scene {
