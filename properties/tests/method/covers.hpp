@@ -16,6 +16,10 @@
 
 namespace plumb::covers_tests {
 
+[[nodiscard]] inline EllipsoidPair<double> framed_ellipsoids(const Pair& pair) {
+  return ellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)));
+}
+
 /// A solver whose solves never converge.
 template <class Solver>
 struct WithoutSolves {
@@ -108,6 +112,20 @@ template <class Solver>
     if (!is_known) out.push_back(found);
   }
   return out;
+}
+
+/// Calls `use(first, least)` with each common normal that so many starts find, as a search's first answer, and with the lowest
+/// overlap that they and the grid's directions show.
+template <class Solver, class Use>
+void for_each_common_normal(const Solver& solver, const std::vector<Vector3<double>>& grid, Stream& stream, int starts,
+                            const Use& use) {
+  auto found = common_normals(solver, stream, starts);
+  double least = lowest_of_grid(solver, grid);
+  for (const auto& first : found) least = std::min(least, first.overlap);
+  for (auto& first : found) {
+    first.evaluations = 0;
+    use(first, least);
+  }
 }
 
 }  // namespace plumb::covers_tests

@@ -73,15 +73,11 @@ void judge(const Solver& solver, const std::vector<Vector3<double>>& grid,
            const std::optional<RotationDerivative<double>>& rotation, Stream& stream, Tally& tally) {
   using Silent = WithoutSolves<Solver>;
   const Silent silent{solver};
-  double least = lowest_of_grid(solver, grid);
-  const auto found = common_normals(solver, stream, 12);
-  for (const auto& first : found) least = std::min(least, first.overlap);
-  for (auto first : found) {
-    if (first.overlap <= solver.inner_rolling_radius()) continue;  // nothing is lower, and nothing is looked at
-    first.evaluations = 0;
+  for_each_common_normal(solver, grid, stream, 12, [&](const auto& first, double least) {
+    if (first.overlap <= solver.inner_rolling_radius()) return;  // nothing is lower, and nothing is looked at
     using Cover = DirectionCover<double, Silent, generous>;
     tally.judge(what_says<Cover>(silent, first, generous, rotation), first.overlap, least, 1e-13 * solver.size());
-  }
+  });
 }
 
 Pair draw_pair(Stream& stream, const Superellipsoid<double>& shape1, const Superellipsoid<double>& shape2) {
@@ -96,7 +92,7 @@ TEST(Directions, OfEllipsoidsNoLowerOneIsExcluded) {
   for (std::uint64_t draw = 0; draw < 80; ++draw) {
     Stream stream("ellipsoids", 1, draw);
     const Pair pair = draw_pair(stream, random_ellipsoid(stream, 4), random_ellipsoid(stream, 4));
-    const EllipsoidPair<double> framed = ellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)));
+    const EllipsoidPair<double> framed = framed_ellipsoids(pair);
     const Want want;
     judge(EllipsoidSolver<double>{framed, want, {}}, grid, std::nullopt, stream, tally);
   }
@@ -134,7 +130,7 @@ TEST(Directions, OfBodiesOfRevolutionNoLowerOneIsExcluded) {
     shape1.semi_axes[2] = stream.log_uniform(0.3, 3);
     shape2.semi_axes[2] = stream.log_uniform(0.3, 3);
     const Pair pair = draw_pair(stream, shape1, shape2);
-    const EllipsoidPair<double> framed = ellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)));
+    const EllipsoidPair<double> framed = framed_ellipsoids(pair);
     const Want want;
     judge(EllipsoidSolver<double>{framed, want, {}}, grid, RotationDerivative<double>::of(place<double>(pair)), stream,
           tally);

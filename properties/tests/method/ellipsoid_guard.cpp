@@ -8,15 +8,14 @@
 
 #include "properties/generators/draft.hpp"
 #include "properties/generators/generators.hpp"
+#include "properties/tests/method/covers.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoid_solver.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::ellipsoid_guard_tests {
 namespace {
 
-EllipsoidPair<double> framed(const Pair& pair) {
-  return ellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)));
-}
+using covers_tests::framed_ellipsoids;
 
 /// Deep in each other: `apart` is the centres' distance, as a share of the sum of the least semi-axes.
 Pair draw_pair(Stream& stream, double aspect, double apart) {
@@ -28,21 +27,6 @@ Pair draw_pair(Stream& stream, double aspect, double apart) {
   const double least = pair.body1.shape.semi_axes.minCoeff() + pair.body2.shape.semi_axes.minCoeff();
   pair.body2.position = random_direction(stream) * (apart * least);
   return pair;
-}
-
-/// On the unit sphere: squares of a cube's faces, so many a side.
-std::vector<Vector3<double>> directions(int side) {
-  std::vector<Vector3<double>> out;
-  for (int face = 0; face < 6; ++face)
-    for (int i = 0; i < side; ++i)
-      for (int j = 0; j < side; ++j) {
-        Vec3<double> v;
-        v[face / 2] = face % 2 == 0 ? 1 : -1;
-        v[(face / 2 + 1) % 3] = (2 * i + 1.0) / side - 1;
-        v[(face / 2 + 2) % 3] = (2 * j + 1.0) / side - 1;
-        out.push_back(Vector3<double>::of(Vec3<double>(v.normalized())));
-      }
-  return out;
 }
 
 double overlap_along(const EllipsoidPair<double>& pair, const Vector3<double>& n) {
@@ -61,7 +45,7 @@ struct Tally {
 
 /// Every common normal that Newton finds from the axes, held against the grid.
 void judge(const Pair& drawn, const std::vector<Vector3<double>>& grid, Tally& tally) {
-  const EllipsoidPair<double> pair = framed(drawn);
+  const EllipsoidPair<double> pair = framed_ellipsoids(drawn);
   const double least = lowest_of(pair, grid);
   const Want want;
   for (const Vector3<double>& start :
@@ -81,7 +65,7 @@ void judge(const Pair& drawn, const std::vector<Vector3<double>>& grid, Tally& t
 
 /// Shallow and deep, round and slender: what either condition calls the lowest no direction undercuts.
 TEST(EllipsoidGuard, NoDirectionIsLowerThanWhatItPasses) {
-  const std::vector<Vector3<double>> grid = directions(36);
+  const std::vector<Vector3<double>> grid = covers_tests::grid_of_directions(36);
   Tally tally;
   Stream stream("ellipsoid guard", 1, 0);
   for (int draw = 0; draw < 240; ++draw)
@@ -99,7 +83,7 @@ TEST(EllipsoidGuard, TheRollingRadiusIsTheLeastRadiusOfCurvature) {
     const Pair drawn = draw_pair(stream, 8, 0);
     const Pair twin{drawn.body1, drawn.body1};
     const PairFrame<double> frame(twin);
-    const double radius = frame.to_world_length(inner_rolling_radius(framed(twin))) / 2;
+    const double radius = frame.to_world_length(inner_rolling_radius(framed_ellipsoids(twin))) / 2;
     const auto least_radius = [&](const Vec3<double>& u) {
       const Mat3<double> h = support_hessian<double>(drawn.body1.shape, u).hessian;
       return Eigen::SelfAdjointEigenSolver<Mat3<double>>(h).eigenvalues()[1];  // the least is 0, along u
@@ -116,7 +100,7 @@ TEST(EllipsoidGuard, TheInnerEllipsoidLiesInTheSumAndTouchesItAlongTheNormal) {
   Stream stream("inner ellipsoid", 1, 0);
   double closest = 0;
   for (int draw = 0; draw < 200; ++draw) {
-    const EllipsoidPair<double> pair = framed(draw_pair(stream, 10, 0.5));
+    const EllipsoidPair<double> pair = framed_ellipsoids(draw_pair(stream, 10, 0.5));
     const Vector3<double> n = Vector3<double>::of(random_direction(stream));
     const Touch<double> at = touch(pair, n);
     const auto [rows1, rows2] = detail::across_rows(pair, at.u);
@@ -147,14 +131,14 @@ TEST(EllipsoidGuard, TheInnerEllipsoidLiesInTheSumAndTouchesItAlongTheNormal) {
 
 /// Ellipsoids alike but for their size: the sum is an ellipsoid, and the condition is then exact.
 TEST(EllipsoidGuard, OfSimilarEllipsoidsItIsExact) {
-  const std::vector<Vector3<double>> grid = directions(48);
+  const std::vector<Vector3<double>> grid = covers_tests::grid_of_directions(48);
   Stream stream("similar", 1, 0);
   int lowest = 0, higher = 0;
   for (int draw = 0; draw < 60; ++draw) {
     Pair drawn = draw_pair(stream, 5, stream.uniform(0.1, 0.9));
     drawn.body2.shape.semi_axes = drawn.body1.shape.semi_axes * stream.uniform(0.3, 1);
     drawn.body2.quaternion = drawn.body1.quaternion;
-    const EllipsoidPair<double> pair = framed(drawn);
+    const EllipsoidPair<double> pair = framed_ellipsoids(drawn);
     const double least = lowest_of(pair, grid);
     const Want want;
     for (const Vector3<double>& start : {Vector3<double>{1, 0.1, 0}, {-1, 0, 0.1}, {0, 1, 0.1}, {0.1, 0, -1}}) {
@@ -179,7 +163,7 @@ TEST(EllipsoidGuard, OfSimilarEllipsoidsItIsExact) {
 TEST(EllipsoidGuard, OfSpheresEveryDirectionPasses) {
   Pair spheres;
   spheres.body2.shape.semi_axes *= 0.7;
-  const EllipsoidPair<double> pair = framed(spheres);
+  const EllipsoidPair<double> pair = framed_ellipsoids(spheres);
   EXPECT_TRUE((is_within_rolling_radius<double>(pair, 1.7)));
   EXPECT_FALSE((is_within_rolling_radius<double>(pair, 1.7 * (1 + 1e-12))));
 }

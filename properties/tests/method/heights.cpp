@@ -15,18 +15,14 @@ using Silent = WithoutSolves<Solver>;
 constexpr int generous = budget::last_search;  // evaluations: what the cover has room for
 
 void judge(const Pair& pair, const std::vector<Vector3<double>>& grid, Stream& stream, Tally& tally) {
-  const EllipsoidPair<double> framed = ellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)));
+  const EllipsoidPair<double> framed = framed_ellipsoids(pair);
   const Want want;
   const Solver solver{framed, want, {}};
   const Silent silent{solver};
-  const std::vector<Solver::Answer> found = common_normals(solver, stream, 12);
-  double least = lowest_of_grid(solver, grid);
-  for (const Solver::Answer& first : found) least = std::min(least, first.overlap);
-  for (Solver::Answer first : found) {
-    first.evaluations = 0;
+  for_each_common_normal(solver, grid, stream, 12, [&](const Solver::Answer& first, double least) {
     const Said said = what_says<HeightCover<double, Silent>>(silent, first, generous, framed);
     tally.judge(said, first.overlap, least, 1e-13 * solver.size());
-  }
+  });
 }
 
 Pair draw_pair(Stream& stream, const Superellipsoid<double>& shape1, const Superellipsoid<double>& shape2) {

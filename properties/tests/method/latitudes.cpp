@@ -54,15 +54,12 @@ void judge(const Pair& pair, const Solver& solver, Stream& stream, Tally& tally)
   const PlacedPair<double> placed = place<double>(pair);
   const auto bound = ParallelAxesBound<double>::of(placed);
   if (!bound) FAIL();
-  const auto found = common_normals(solver, stream, 16);
-  double least = lowest_of_grid(solver, grid_about(placed.body1.rotation.col(2)));
-  for (const auto& first : found) least = std::min(least, first.overlap);
-  for (auto first : found) {
-    if (first.overlap <= solver.inner_rolling_radius()) continue;  // nothing is lower, and nothing is looked at
-    first.evaluations = 0;
-    const Said said = what_says<LatitudeCover<double, Silent>>(silent, first, generous, *bound);
+  const std::vector<Vector3<double>> grid = grid_about(placed.body1.rotation.col(2));
+  for_each_common_normal(solver, grid, stream, 16, [&, &bound = *bound](const auto& first, double least) {
+    if (first.overlap <= solver.inner_rolling_radius()) return;  // nothing is lower, and nothing is looked at
+    const Said said = what_says<LatitudeCover<double, Silent>>(silent, first, generous, bound);
     tally.judge(said, first.overlap, least, 1e-13 * solver.size());
-  }
+  });
 }
 
 void judge_all(std::string_view name, Beside beside, double tilt, Tally& tally) {
