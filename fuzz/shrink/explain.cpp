@@ -134,25 +134,21 @@ std::string matters_text(const std::vector<Range>& ranges) {
   return out;
 }
 
-/// The words of the ranges, one after the other.
-template <class Is>
-std::string words_of(const std::vector<Range>& ranges, const Is& is) {
+std::string untried_text(const std::vector<Range>& ranges) {
   std::string out;
   for (const Range& range : ranges)
-    if (is(range)) out += (out.empty() ? "" : ", ") + range.number.words;
+    if (!range.finished) out += (out.empty() ? "; not tried to the end: " : ", ") + range.number.words;
   return out;
 }
 
 std::string indifference_text(const std::vector<Range>& ranges) {
+  const auto matters = [](const Range& r) { return r.matters(); };
   const auto indifferent = [](const Range& r) { return !r.matters() && r.finished; };
-  const std::string untried = words_of(ranges, [](const Range& r) { return !r.finished; });
-  const std::string rest = untried.empty() ? "" : "; not tried to the end: " + untried;
-  if (words_of(ranges, indifferent).empty()) return rest;
-  const bool any_matters = std::any_of(ranges.begin(), ranges.end(), [](const Range& r) { return r.matters(); });
-  const char* const others = any_matters || !untried.empty()
-                                 ? "; the other numbers do not matter (still there at every value tried)"
-                                 : "; no number matters (changed one at a time: still there at every value tried)";
-  return rest + others;
+  const std::string untried = untried_text(ranges);
+  if (std::none_of(ranges.begin(), ranges.end(), indifferent)) return untried;
+  if (!untried.empty() || std::any_of(ranges.begin(), ranges.end(), matters))
+    return untried + "; the other numbers do not matter (still there at every value tried)";
+  return "; no number matters (changed one at a time: still there at every value tried)";
 }
 
 /// What is true of a number, in fields.

@@ -16,9 +16,10 @@ struct Accuracy {
   std::optional<double> points = std::nullopt;  ///< the same; nothing: as far as a normal off by `normal` moves them
 
   [[nodiscard]] bool is_rounding() const { return normal == 0 && overlap == 0 && points.value_or(0) == 0; }
-  /// Whether what is right by the other is right by this one.
+  /// Whether what is right by the other is right by this one, and not all the other way round.
   [[nodiscard]] bool is_coarser_than(const Accuracy& other) const {
-    return normal >= other.normal && overlap >= other.overlap && !points && !other.points;
+    const bool holds_all = normal >= other.normal && overlap >= other.overlap && !points && !other.points;
+    return holds_all && (normal > other.normal || overlap > other.overlap);
   }
 };
 

@@ -135,7 +135,7 @@ template <class Look>
 auto Judge::decided_by(const JudgedBy& by, const Contact<double>& answer, const Accuracy& accuracy, const Look& look,
                        Nearby nearby_by) {
   // A finer level than the one that was asked for is worth no proof.
-  const bool is_finer = by.accuracy.is_coarser_than(accuracy) && !accuracy.is_coarser_than(by.accuracy);
+  const bool is_finer = by.accuracy.is_coarser_than(accuracy);
   for (std::size_t dearer = 0;; ++dearer) {
     const Effort effort = efforts[dearer];
     const Reference& against = reference(effort);

@@ -181,7 +181,7 @@ int write_issue(const Arguments& args) {
       solver_instead(args.foreign, args.foreign.empty() ? c->expect.method.value_or("auto") : "", "--issue");
   if (!solver) throw InputFailure(args.issue, 0, "expect.method", "names no method");
   const Accuracy accuracy = parse_accuracy(args.accuracy);
-  const std::string asked = accuracy.is_rounding() ? "" : " --accuracy " + accuracy_text(accuracy);
+  const std::string asked = accuracy_option(accuracy_text(accuracy));
   const Issue found =
       issue(*c, *solver, accuracy, "plumb report --issue " + shell_word(args.issue) + solver->option + asked);
   if (!found.has_finding) {
