@@ -381,6 +381,19 @@ TEST(Nearby, IsTheConditionNumberOfEllipsoids) {
   }
 }
 
+/// Also where long double tells neighbours apart no more: exponents in the thousands, and duals of them.
+TEST(Nearby, MoreIsMore) {
+  for (const double exponent : {2.0, 8.0, 300.0, 3000.0, 1.01, 1.0003}) {
+    Pair pair = generate("ellipsoid", 31, 3).pair;
+    pair.body1.shape.n1 = pair.body1.shape.n2 = exponent;
+    const Solution found = find_reference(pair).common_normal;
+    ASSERT_TRUE(found.solved) << exponent;
+    const NearbyAnswers nearby = nearby_answers(pair, found, 8), more = more_than_nearby(pair, found, 8);
+    EXPECT_GE(more.normal, nearby.normal) << exponent;
+    EXPECT_GE(more.points, nearby.points) << exponent;
+  }
+}
+
 /// corpus/cases/regressions/point-in-a-corner.json: the tip of exponent 1.5 in a corner of exponent 8.
 TEST(Nearby, IsMoreInACorner) {
   Pair pair;

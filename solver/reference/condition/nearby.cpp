@@ -111,6 +111,12 @@ NearbyAnswers sum_of_changes(const Pair& pair, const Solution& found, double k, 
   return out;
 }
 
+/// A solve that counts as done before it is half the way to a neighbour shows less than there is.
+bool reaches_neighbours(const Pair& pair, double k) {
+  const StandardArithmetic mode;
+  return 2 * local_tolerance<long double>(place<long double>(pair)) < k * std::numeric_limits<double>::epsilon();
+}
+
 }  // namespace
 
 NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) {
@@ -119,6 +125,7 @@ NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k) 
 
 NearbyAnswers more_than_nearby(const Pair& pair, const Solution& found, double k) {
   const double margin = 100, infinity = std::numeric_limits<double>::infinity();
+  if (!reaches_neighbours(pair, k)) return {infinity, infinity};
   const NearbyAnswers sum = sum_of_changes<long double>(pair, found, k, {infinity, infinity});
   return {margin * sum.normal, margin * sum.points};
 }

@@ -9,12 +9,6 @@ namespace {
 template <class S>
 constexpr int local_limit = std::is_same_v<S, Real50> ? 300 : 60;
 
-/// |F| at which a solve in S counts as done: the rounding of the residual itself, with the exponents' share in it.
-template <class S>
-S local_tolerance(const PlacedPair<S>& pair) {
-  return S(16) * (S(1) + sharpest_exponent<S>(pair)) * epsilon<S>();
-}
-
 template <class S>
 LocalSolution<S> solve_in_stages(const PlacedPair<S>& pair, const Goal<S>& goal, const Vec3<S>& direction) {
   const S sharp = sharpest_exponent<S>(pair), tolerance = local_tolerance<S>(pair);

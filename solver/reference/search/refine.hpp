@@ -6,6 +6,12 @@
 
 namespace plumb::reference {
 
+/// |F| at which a solve in S counts as done: the rounding of the residual itself, with the exponents' share in it.
+template <class S>
+[[nodiscard]] S local_tolerance(const PlacedPair<S>& pair) {
+  return S(16) * (S(1) + sharpest_exponent<S>(pair)) * epsilon<S>();
+}
+
 /// n ~ (A1 A1' + A2 A2')^-1 v, A = R diag(a, b, c), unit: the normal at first touch along v of two equal, equally turned
 /// ellipsoids, and a good start for the others. The z axis where v is zero. S: double, long double, Real50.
 template <class S>
