@@ -205,7 +205,8 @@ void add_answer(Tally& tally, const Place& place, const Contact<double>& answer,
 Json right_json(const Tally& tally) {
   Json json = Json::object();
   for (std::size_t i = 0; i < accuracy_levels.size(); ++i) json[std::string(accuracy_levels[i].name)] = tally.right[i];
-  json["asked"] = tally.of(FindingKind::none);
+  // Slow is no error in what is said; a solver that does not come back is slow as well, and has not converged.
+  json["asked"] = tally.of(FindingKind::none) + tally.converged_findings[static_cast<std::size_t>(FindingKind::slow)];
   return json;
 }
 

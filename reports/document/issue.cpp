@@ -106,11 +106,15 @@ std::string common_normal_text(const Pair& pair, const JudgedAnswer& judged, con
 
 /// What "expected" rests on, what was asked for, and how to see it again.
 std::string origin_text(const JudgedAnswer& judged, const Accuracy& accuracy, const std::string& command) {
+  const Contact<double>& answer = judged.answer;
+  const std::string told = answer.method.empty()
+                               ? "Nothing was told"
+                               : fmt::format("Status told: {}; verdict told: {}; {} iterations", name(answer.status),
+                                             name(answer.verdict), answer.iterations);
   return fmt::format(
-      "\nStatus told: {}; verdict told: {}; {} iterations. Accuracy asked for: {}. What is expected is certified by "
-      "interval arithmetic on these very numbers (plumb {}). To see it again:\n\n    {}\n",
-      name(judged.answer.status), name(judged.answer.verdict), judged.answer.iterations, accuracy_text(accuracy),
-      build_info().commit, command);
+      "\n{}. Accuracy asked for: {}. What is expected is certified by interval arithmetic on these very numbers (plumb "
+      "{}). To see it again:\n\n    {}\n",
+      told, accuracy_text(accuracy), build_info().commit, command);
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ class LineReader {
   }
 
   /// Of an array that the line has beside.
-  [[nodiscard]] std::size_t length_of(const std::string& name) const { return line_.member(name).value().size(); }
+  [[nodiscard]] std::size_t length_of(const std::string& name) const { return line_.member(name).elements().size(); }
 
   [[nodiscard]] std::vector<Field> elements(const Json& description, const Field& field) const {
     const auto other = description.find("x-as-many-as");
