@@ -95,6 +95,14 @@ std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::st
   throw InputFailure("--method", 0, method, command + " takes one method");
 }
 
+Solver solver_of_case(const Case& c, const std::string& file, int line) {
+  const std::string name = c.expect.method.value_or("auto");
+  if (name.starts_with("solver:"))
+    throw InputFailure(file, line, "expect.method", "'" + name + "' needs the library: --solver FILE");
+  if (std::optional<Solver> found = find_solver(name)) return *std::move(found);
+  throw InputFailure(file, line, "expect.method", "no method '" + name + "' here");
+}
+
 void flush_output() {
   if (std::fflush(stdout) != 0) fail_with("standard output", errno);
 }

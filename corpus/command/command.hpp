@@ -30,6 +30,10 @@ void declare_solver(CommandLine& app, ForeignOption& option, const std::string& 
 [[nodiscard]] std::optional<Solver> solver_instead(const ForeignOption& foreign, const std::string& method,
                                                    const std::string& command);
 
+/// The solver that a case names, `auto` where it names none. Throws InputFailure where it is not of this build: also for a library,
+/// which a case must not make us load.
+[[nodiscard]] Solver solver_of_case(const Case& c, const std::string& file, int line);
+
 enum ExitCode { exit_done = 0, exit_finding = 1, exit_unusable = 2, exit_interrupted = 130 };
 
 /// Parses the arguments, runs the body (which returns 0 or 1) and turns whatever it throws into one line on stderr and 2.

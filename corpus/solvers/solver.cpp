@@ -1,5 +1,7 @@
 #include "corpus/solvers/solver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -21,10 +23,7 @@ Solver solver_of(const Method& method) {
 }
 
 std::string known_names() {
-  std::string names;
-  for (const Method& method : methods()) names += (names.empty() ? "" : ", ") + std::string(method.name);
-  for (const std::string& peer : peer_names()) names += ", " + peer;
-  return names;
+  return fmt::format("{}", fmt::join(solver_names(), ", "));
 }
 
 // A method that is named twice would have each of its answers counted twice.
@@ -32,19 +31,30 @@ bool contains(const std::vector<Solver>& solvers, const std::string& name) {
   return std::any_of(solvers.begin(), solvers.end(), [&](const Solver& solver) { return solver.name == name; });
 }
 
-Solver find_solver(const std::string& name) {
-  if (const Method* method = find_method(name)) return solver_of(*method);
-  const std::vector<std::string> peers = peer_names();
-  if (std::find(peers.begin(), peers.end(), name) != peers.end()) return load_peer(name);
+Solver solver_named(const std::string& name) {
+  if (std::optional<Solver> found = find_solver(name)) return *std::move(found);
   throw InputFailure("--method", 0, name, "no such method; there are " + known_names());
 }
 
 }  // namespace
 
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.emplace_back(method.name);
+  for (const std::string& peer : peer_names()) names.push_back(peer);
+  return names;
+}
+
+std::optional<Solver> find_solver(const std::string& name) {
+  if (const Method* method = find_method(name)) return solver_of(*method);
+  const std::vector<std::string> peers = peer_names();
+  if (std::find(peers.begin(), peers.end(), name) == peers.end()) return std::nullopt;
+  return load_peer(name);
+}
+
 std::vector<Solver> all_solvers() {
   std::vector<Solver> solvers;
-  for (const Method& method : methods()) solvers.push_back(solver_of(method));
-  for (const std::string& peer : peer_names()) solvers.push_back(load_peer(peer));
+  for (const std::string& name : solver_names()) solvers.push_back(solver_named(name));
   return solvers;
 }
 
@@ -53,7 +63,7 @@ std::vector<Solver> find_solvers(const std::string& names) {
   std::vector<Solver> solvers;
   std::istringstream list(names);
   for (std::string name; std::getline(list, name, ',');)
-    if (!contains(solvers, name)) solvers.push_back(find_solver(name));
+    if (!contains(solvers, name)) solvers.push_back(solver_named(name));
   if (solvers.empty()) throw InputFailure("--method", 0, "", "names no method; there are " + known_names());
   return solvers;
 }

@@ -49,6 +49,12 @@ struct SolverLimits {
 /// Every solver that this build has, in the order of `plumb methods`.
 [[nodiscard]] std::vector<Solver> all_solvers();
 
+/// Their names, in that order; no peer is started.
+[[nodiscard]] std::vector<std::string> solver_names();
+
+/// The one of that name; nothing where there is none.
+[[nodiscard]] std::optional<Solver> find_solver(const std::string& name);
+
 /// Comma-separated names or "all"; throws InputFailure (corpus/case/case.hpp) for an unknown one.
 [[nodiscard]] std::vector<Solver> find_solvers(const std::string& names);
 

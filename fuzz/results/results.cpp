@@ -262,9 +262,7 @@ std::vector<std::string> family_order(const Results& results) {
 }
 
 std::vector<std::string> method_order(const Tallies& tallies) {
-  std::vector<std::string> known;
-  for (const Solver& solver : all_solvers()) known.push_back(solver.name);
-  return ordered(tallies, known);
+  return ordered(tallies, solver_names());
 }
 
 std::vector<std::string> ladder_order(const Ladders& ladders) {

@@ -23,16 +23,6 @@ void declare(CommandLine& app, Arguments& args) {
   app.add_flag("--json", args.json, "one object a case");
 }
 
-Solver solver_of_case(const Case& c, const std::string& file, int line) {
-  const std::string name = c.expect.method.value_or("auto");
-  // A case must not make us load a library.
-  if (name.starts_with("solver:"))
-    throw InputFailure(file, line, "expect.method", "'" + name + "' needs the library: --solver FILE");
-  for (const Solver& solver : all_solvers())
-    if (solver.name == name) return solver;
-  throw InputFailure(file, line, "expect.method", "no method '" + name + "' here");
-}
-
 int shrink_files(const Arguments& args) {
   const std::optional<Solver> asked = solver_instead(args.foreign, args.method, "shrink");
   const Accuracy accuracy = parse_accuracy(args.accuracy);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "corpus/command/command.hpp"
 #include "properties/command/life.hpp"
 #include "properties/laws/judged_answer.hpp"
 #include "solver/diagnosis.hpp"
@@ -33,15 +34,6 @@ struct Reply {
 
 std::string own_method(const Case& c) {
   return c.expect.method.value_or("auto");
-}
-
-Solver solver_named(const std::string& name, const std::string& file, int line) {
-  // A case must not make us load a library: whoever replays it names the library.
-  if (name.starts_with("solver:"))
-    throw InputFailure(file, line, "expect.method", "'" + name + "' needs the library: --solver FILE");
-  for (Solver& solver : all_solvers())
-    if (solver.name == name) return std::move(solver);
-  throw InputFailure(file, line, "expect.method", "no method '" + name + "' here");
 }
 
 void require_equal(std::vector<std::string>& differences, std::string_view what, std::string_view expected,
@@ -130,9 +122,8 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   const auto begin = Clock::now();
   const auto recorded = instead ? std::nullopt : recorded_answer(c, file, line);
   Judge judge(c.pair, source);
-  const Reply reply = recorded
-                          ? reply_of(judge, *recorded)
-                          : reply_of(judge, c, instead ? *instead : solver_named(own_method(c), file, line), accuracy);
+  const Reply reply = recorded ? reply_of(judge, *recorded)
+                               : reply_of(judge, c, instead ? *instead : solver_of_case(c, file, line), accuracy);
   const auto& [contact, judgement, nanoseconds, asked] = reply.judged;
   Replayed out{file, line, c.name, reply.method, judgement.finding, {}, {}, 0};
   out.status = name(contact.status);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,14 +13,24 @@
 
 namespace plumb {
 
-/// Of a long array the first two and the last stand for the others.
+/// Elements of an array, or of an object whose members have numbers for names: what is read of one is read of each.
+inline bool has_elements(const Json& tree) {
+  if (!tree.is_object()) return tree.is_array();
+  const auto items = tree.items();
+  return std::all_of(items.begin(), items.end(),
+                     [](const auto& item) { return item.key().find_first_not_of("-0123456789") == std::string::npos; });
+}
+
+/// Of many elements the first two and the last stand for the others.
 inline void collect_places(const Json& tree, const Json::json_pointer& here, std::vector<Json::json_pointer>& out) {
   out.push_back(here);
-  if (tree.is_object())
-    for (const auto& [key, value] : tree.items()) collect_places(value, here / key, out);
-  if (tree.is_array())
-    for (std::size_t i = 0; i < tree.size(); ++i)
-      if (i < 2 || i + 1 == tree.size()) collect_places(tree[i], here / i, out);
+  if (!tree.is_structured()) return;
+  const bool are_alike = has_elements(tree);
+  std::size_t i = 0;
+  for (const auto& [key, value] : tree.items()) {
+    if (!are_alike || i < 2 || i + 1 == tree.size()) collect_places(value, here / key, out);
+    ++i;
+  }
 }
 
 /// Values as text, so that there may be what JSON has not.

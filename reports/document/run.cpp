@@ -66,9 +66,9 @@ Json method_json(const std::string& method, const Tally& t) {
 std::string options_of(const Results& results) {
   std::string methods, foreign;
   bool all = true;
-  for (const Solver& solver : all_solvers()) {
-    const bool asked = results.asked.methods.contains(solver.name);
-    if (asked) methods += (methods.empty() ? "" : ",") + solver.name;
+  for (const std::string& name : solver_names()) {
+    const bool asked = results.asked.methods.contains(name);
+    if (asked) methods += (methods.empty() ? "" : ",") + name;
     all = all && asked;
   }
   for (const auto& [method, solver] : results.foreign) foreign += solver.option;

@@ -1,5 +1,5 @@
 # The programs that these tests start, and foreign solvers to load.
-target_link_libraries(test_corpus PRIVATE fmt::fmt plumb_scene_files)
+target_link_libraries(test_corpus PRIVATE fmt::fmt plumb_command plumb_scene_files)
 target_sources(test_corpus PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/command/life.cpp ${CMAKE_CURRENT_SOURCE_DIR}/command/replay_case.cpp
                                    ${CMAKE_CURRENT_SOURCE_DIR}/command/replay_reports.cpp)
 foreach(variant IN ITEMS sphere future mute)
