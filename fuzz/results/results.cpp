@@ -4,10 +4,10 @@
 #include <array>
 #include <fstream>
 #include <limits>
-#include <regex>
 #include <system_error>
 
 #include "corpus/command/interrupt.hpp"
+#include "corpus/file/output_file.hpp"
 #include "corpus/file/text_input.hpp"
 #include "corpus/json/number_text.hpp"
 #include "corpus/solvers/solver.hpp"
@@ -160,22 +160,14 @@ Results read_bins(const Field& root) {
   return results;
 }
 
-/// A file's name, also of one that a killed process was writing (corpus/file/output_file.hpp).
-std::string name_meant(const fs::path& file) {
-  static const std::regex being_written(R"((.+\.(?:json|bins))\..+\.\d+\.\d+\.tmp)");
-  const std::string name = file.filename().string();
-  std::smatch match;
-  return std::regex_match(name, match, being_written) ? match[1].str() : name;
-}
-
 /// Only what write_results() names, so that a folder with other files in it loses none.
 void remove_old_results(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = name_meant(entry);
+    const std::string name = finished_name(entry);
     if (name == "summary.json" || name == "campaign.bins") fs::remove(entry);
   }
   for (const auto& entry : fs::directory_iterator(folder / "failures")) {
-    const std::string name = name_meant(entry);
+    const std::string name = finished_name(entry);
     if (name.ends_with(kSimplest) || name.ends_with(kWorst) || name.ends_with(kShrunk)) fs::remove(entry);
   }
 }
