@@ -27,7 +27,7 @@ class TextTable {
 
   [[nodiscard]] std::string head() const {
     std::string out = before_;
-    for (const Column& column : columns_) out += head_of(column);
+    for (std::size_t i = 0; i < columns_.size(); ++i) append(out, i, head_of(columns_[i]));
     return trimmed(std::move(out));
   }
 
@@ -36,16 +36,22 @@ class TextTable {
   [[nodiscard]] std::string row(const Cells&... cells) const {
     std::string out = before_;
     std::size_t i = 0;
-    ((out += cell(columns_.at(i++), cells)), ...);
+    ((append(out, i, cell(columns_.at(i), cells)), ++i), ...);
     return trimmed(std::move(out));
   }
   [[nodiscard]] std::string row_of(const std::vector<std::string>& cells) const {
     std::string out = before_;
-    for (std::size_t i = 0; i < cells.size(); ++i) out += cell(columns_.at(i), cells[i]);
+    for (std::size_t i = 0; i < cells.size(); ++i) append(out, i, cell(columns_.at(i), cells[i]));
     return trimmed(std::move(out));
   }
 
  private:
+  /// What fills its column is still apart from the next.
+  void append(std::string& line, std::size_t i, const std::string& text) const {
+    const bool are_bare = i > 0 && columns_[i - 1].after.empty() && !text.empty();
+    line += are_bare && !line.ends_with(' ') && !text.starts_with(' ') ? " " + text : text;
+  }
+
   /// Right over a cell and its unit, or over the cell alone.
   static std::string head_of(const Column& column) {
     const bool has_unit = column.after.find_first_not_of(' ') != std::string::npos;

@@ -54,14 +54,15 @@ Json answer_line(const Round& round, const Solver& solver, const JudgedAnswer& j
 void keep(Round& round, const std::string& method, const Finding& finding) {
   const std::string words = bucket(name(finding.kind), method, round.c.pair, round.judge.reference());
   ++round.results.buckets[words];
-  round.results.kept.add(words, failure_of(failing_case(round.c, method, finding, round.source.command)));
+  round.results.kept.add(
+      words, failure_of(failing_case(round.c, method, finding, round.options.accuracy, round.source.command)));
 }
 
 /// The reference is no method: its case is kept without an expectation that replay could not ask for.
 void keep_beaten_reference(Round& round, const std::string& method, double by) {
   const Finding finding{FindingKind::wrong_branch, by / 1e-15, "lowest overlap",
                         fmt::format("the normal of {} proves an overlap lower by {:.3g} of the size", method, by)};
-  Case kept = failing_case(round.c, "reference", finding, round.source.command);
+  Case kept = failing_case(round.c, "reference", finding, {}, round.source.command);
   kept.expect = {};
   const std::string words = bucket(name(finding.kind), "reference", round.c.pair, round.judge.reference());
   ++round.results.buckets[words];

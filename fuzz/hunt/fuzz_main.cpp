@@ -74,7 +74,7 @@ fs::path keep(const Case& fuzzed, const Hunted& hunted, const Explained& explain
               const fs::path& out) {
   const Finding& finding = hunted.judged.judgement.finding;
   const std::string file = bucket_of(fuzzed, std::string(name(finding.kind)), solver.name);
-  const Case found = failing_case(fuzzed, solver.name, finding, "plumb fuzz");
+  const Case found = failing_case(fuzzed, solver.name, finding, explained.shrunk.accuracy, "plumb fuzz");
   const fs::path folder = out / "failures", shrunk = folder / (file + std::string(kShrunk));
   fs::create_directories(folder);
   write_file(folder / (file + "--fuzzed.json"), format_case(found) + "\n");

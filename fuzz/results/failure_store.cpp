@@ -73,8 +73,10 @@ Json severity_json(double severity) {
   return "infinite";
 }
 
-Case failing_case(const Case& c, const std::string& method, const Finding& finding, const std::string& command) {
+Case failing_case(const Case& c, const std::string& method, const Finding& finding, const Accuracy& accuracy,
+                  const std::string& command) {
   Case kept = c;
+  if (!accuracy.is_rounding()) kept.extra["x_accuracy"] = accuracy_text(accuracy);
   kept.expect = {};
   kept.expect.method = method;
   kept.expect.finding = std::string(name(finding.kind));

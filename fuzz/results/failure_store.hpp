@@ -55,8 +55,8 @@ class KeptFailures {
   std::map<std::string, KeptBucket> buckets_;
 };
 
-/// The case to keep of a finding by a method; `command` repeats the campaign.
+/// The case to keep of a finding by a method at that accuracy; `command` repeats the campaign.
 [[nodiscard]] Case failing_case(const Case& c, const std::string& method, const Finding& finding,
-                                const std::string& command);
+                                const Accuracy& accuracy, const std::string& command);
 
 }  // namespace plumb

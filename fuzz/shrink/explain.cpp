@@ -204,7 +204,7 @@ Case kept_shrunk(const Case& from, const Explained& explained, const std::string
   bare.pair = explained.shrunk.pair;
   bare.provenance = Json{{"shrunk_from", from.name}};
   const auto severity = [](const JudgedAnswer& of) { return severity_json(of.judgement.finding.severity); };
-  Case kept = failing_case(bare, method, explained.shrunk.found.judgement.finding, "");
+  Case kept = failing_case(bare, method, explained.shrunk.found.judgement.finding, explained.shrunk.accuracy, "");
   kept.provenance.erase("command");
   kept.provenance["from_severity"] = severity(explained.shrunk.from);
   kept.provenance["explanation"] = explained.sentence;

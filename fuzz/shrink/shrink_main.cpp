@@ -9,7 +9,7 @@ namespace plumb {
 namespace {
 
 struct Arguments {
-  std::string file, method, out, accuracy = "rounding";
+  std::string file, method, out, accuracy;
   ForeignOption foreign;
   bool json = false;
 };
@@ -18,14 +18,13 @@ void declare(CommandLine& app, Arguments& args) {
   app.add_option("CASE", args.file, "case file; of a .jsonl each line is shrunk by itself")->required();
   auto* method = app.add_option("--method", args.method, "instead of the method that the case names");
   declare_solver(app, args.foreign, "the same, a shared library (solver/plumb_solver.h)", method);
-  declare_accuracy(app, args.accuracy);
+  declare_accuracy_of_cases(app, args.accuracy);
   app.add_option("--out", args.out, "write the simplest case to this file");
   app.add_flag("--json", args.json, "one object a case");
 }
 
 int shrink_files(const Arguments& args) {
   const std::optional<Solver> asked = solver_instead(args.foreign, args.method, "shrink");
-  const Accuracy accuracy = parse_accuracy(args.accuracy);
   bool found = false;
   std::string kept;
   each_case(args.file, [&](const Case& c, int line) {
@@ -33,7 +32,7 @@ int shrink_files(const Arguments& args) {
       throw InputFailure(args.file, line, "x_answer",
                          "is a recorded answer: --method or --solver names who answers simpler cases");
     const Solver solver = asked ? *asked : solver_of_case(c, args.file, line);
-    const Explained explained = shrink_and_explain(c.pair, solver, accuracy);
+    const Explained explained = shrink_and_explain(c.pair, solver, accuracy_for(c, args.file, line, args.accuracy));
     const bool failed = explained.shrunk.from.judgement.finding.kind != FindingKind::none;
     found = found || failed;
     if (failed) kept += format_case(kept_shrunk(c, explained, solver.name)) + "\n";

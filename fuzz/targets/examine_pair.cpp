@@ -22,7 +22,7 @@ void light(const JudgedAnswer& judged, const Reference& reference) {
 void keep_finding(const Case& c, const char* target, const std::string& method, const Finding& finding,
                   const Reference& reference) {
   keep_fuzzed(bucket(name(finding.kind), method, c.pair, reference) + "--fuzzed.json",
-              format_case(failing_case(c, method, finding, target)) + "\n");
+              format_case(failing_case(c, method, finding, target_settings().accuracy, target)) + "\n");
 }
 
 Outcome examine_pair(const Case& c, const char* target) {

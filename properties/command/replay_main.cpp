@@ -24,7 +24,7 @@ struct Options {
   std::string junit;
   std::string sarif;
   std::string cache;
-  std::string accuracy = "rounding";
+  std::string accuracy;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   bool quiet = false;
 };
@@ -33,7 +33,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("PATH", options.paths, "case files, and folders of them")->required();
   auto* method = app.add_option("--method", options.method, "instead of the method that each case names");
   declare_solver(app, options.foreign, "the same, a shared library (solver/plumb_solver.h)", method);
-  declare_accuracy(app, options.accuracy);
+  declare_accuracy_of_cases(app, options.accuracy);
   app.add_option("--junit", options.junit, "write JUnit XML to this file");
   app.add_option("--sarif", options.sarif, "write SARIF 2.1.0 to this file");
   app.add_option("--cache", options.cache, cache_help);
@@ -45,7 +45,7 @@ void declare(CommandLine& app, Options& options) {
 struct By {
   std::optional<Solver> instead;
   ReferenceSource source;
-  Accuracy accuracy;
+  std::string accuracy;  ///< empty: that of each case
 };
 
 struct Kept {
@@ -90,9 +90,10 @@ class InOrder {
  private:
   void work(std::size_t i) {
     if (has_failed_) return;
+    const auto& [c, file, line] = cases_[i];
     Ended ended;
     try {
-      ended.done = replay_case(cases_[i].c, cases_[i].file, cases_[i].line, by_.instead, by_.source, by_.accuracy);
+      ended.done = replay_case(c, file, line, by_.instead, by_.source, accuracy_for(c, file, line, by_.accuracy));
     } catch (...) {
       ended.failure = std::current_exception();
     }
@@ -138,8 +139,7 @@ void write_reports(const Options& options, const std::vector<Replayed>& done) {
 
 int replay(const Options& options) {
   const auto store = open_store(options.cache);
-  const By by{solver_instead(options.foreign, options.method, "replay"), references_of(store),
-              parse_accuracy(options.accuracy)};
+  const By by{solver_instead(options.foreign, options.method, "replay"), references_of(store), options.accuracy};
   const Reading reading = read_all(options.paths);
   InOrder in_order(reading.cases, by, options.quiet);
   const std::vector<Replayed> done = in_order.run(options.threads);

@@ -4,13 +4,14 @@
 #include <sstream>
 
 #include "corpus/case/case.hpp"
+#include "corpus/json/fields.hpp"
 #include "corpus/json/number_text.hpp"
 
 namespace plumb {
 namespace {
 
 [[noreturn]] void refuse(const std::string& part) {
-  throw InputFailure("--accuracy", 0, part, "is none of normal=ANGLE (1e-6rad, 0.01deg), overlap=RATIO, points=RATIO");
+  throw FieldError(part, "is none of normal=ANGLE (1e-6rad, 0.01deg), overlap=RATIO, points=RATIO");
 }
 
 double read_number(const std::string& text, const std::string& part) {
@@ -47,9 +48,7 @@ bool same(const Accuracy& a, const Accuracy& b) {
   return a.normal == b.normal && a.overlap == b.overlap && a.points == b.points;
 }
 
-}  // namespace
-
-Accuracy parse_accuracy(const std::string& text) {
+Accuracy read_accuracy(const std::string& text) {
   for (const AccuracyLevel& level : accuracy_levels)
     if (text == level.name) return level.accuracy;
   if (text.empty()) refuse(text);
@@ -57,6 +56,24 @@ Accuracy parse_accuracy(const std::string& text) {
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) read_part(out, part);
   return out;
+}
+
+}  // namespace
+
+Accuracy parse_accuracy(const std::string& text) try { return read_accuracy(text); } catch (const FieldError& e) {
+  throw InputFailure("--accuracy", 0, e.field, e.what());
+}
+
+Accuracy accuracy_for(const Case& c, const std::string& file, int line, const std::string& text) {
+  if (!text.empty()) return parse_accuracy(text);
+  if (!c.extra.contains("x_accuracy")) return {};
+  const Field kept = Field(c.extra).member("x_accuracy");
+  try {
+    return read_accuracy(kept.text());
+  } catch (const FieldError& e) {
+    throw InputFailure(file, line, "x_accuracy",
+                       e.field == "x_accuracy" ? e.what() : "'" + kept.text() + "' " + e.what());
+  }
 }
 
 std::string accuracy_text(const Accuracy& accuracy) {

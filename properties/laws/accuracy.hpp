@@ -9,6 +9,8 @@
 
 namespace plumb {
 
+struct Case;
+
 /// Zero: to rounding.
 struct Accuracy {
   double normal = 0;                            ///< rad
@@ -42,6 +44,9 @@ inline constexpr std::size_t right_at_no_level = accuracy_levels.size();
 /// "normal=0.01deg,overlap=1e-6,points=1e-3", what is not named to rounding; or a level's name. An angle ends in rad or deg. Throws
 /// InputFailure, which names --accuracy.
 [[nodiscard]] Accuracy parse_accuracy(const std::string& text);
+
+/// Of a kept finding: `text` as parse_accuracy() reads it; empty: the case's "x_accuracy", or else rounding. Throws InputFailure.
+[[nodiscard]] Accuracy accuracy_for(const Case& c, const std::string& file, int line, const std::string& text);
 
 /// The same in words that are read back; a level by its name.
 [[nodiscard]] std::string accuracy_text(const Accuracy& accuracy);

@@ -17,6 +17,11 @@ inline void declare_accuracy(CommandLine& app, std::string& text) {
   app.add_option("--accuracy", text, kAccuracyHelp)->capture_default_str();
 }
 
+/// The same of kept cases; empty: what accuracy_for() takes.
+inline void declare_accuracy_of_cases(CommandLine& app, std::string& text) {
+  app.add_option("--accuracy", text, std::string(kAccuracyHelp) + " (default: that of the case, or rounding)");
+}
+
 /// " --accuracy TEXT" for a command that is printed; nothing for rounding, which needs none.
 [[nodiscard]] inline std::string accuracy_option(const std::string& text) {
   return text == "rounding" ? "" : " --accuracy " + text;

@@ -253,10 +253,11 @@ def main():
     motions(rows)
     print(f"moved; {time.monotonic() - start:.0f} s", file=sys.stderr)
     hard_set(rows, args.out, args.hard)
-    text = (f"# The board\n\n{summary['cases']} pairs of the four families, seed 1, commit {summary['host']['commit']}; right: of the judged, with exact "
-            "95 % intervals; findings at rounding. `reports/board/run` makes it again.\n\n" + table(rows, rows["auto"]["ns"]) + "\n" + details(rows, worst) + "\n")
-    with open(f"{args.out}/board.md", "w") as file:
-        file.write(text)
+    head = (f"# The board\n\n{summary['cases']} pairs of the four families, seed 1, commit {summary['host']['commit']}; right: of the judged, with exact "
+            "95 % intervals; findings at rounding. `reports/board/run` makes it again.\n\n" + table(rows, rows["auto"]["ns"]) + "\n")
+    for name, text in (("table.md", head), ("board.md", head + details(rows, worst) + "\n")):
+        with open(f"{args.out}/{name}", "w") as file:
+            file.write(text)
     plumb("report", campaign, *options, "-o", f"{args.out}/page.html")
     with open(f"{args.out}/board.json", "w") as file:
         json.dump({"cases": summary["cases"], "rows": rows}, file, indent=1)

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string out, issue, accuracy = "rounding";
+  std::string out, issue, accuracy;
   std::map<std::string, std::string> sections;  ///< the files that options name, by section
   ForeignOption foreign;
   std::size_t failures = 500;
@@ -38,7 +38,7 @@ void declare(CommandLine& app, Arguments& args) {
   app.add_option("--issue", args.issue,
                  "instead: this case as a report for its solver's maintainer, in Markdown, to --out or standard "
                  "output; 1 when there is a finding");
-  declare_accuracy(app, args.accuracy);
+  declare_accuracy_of_cases(app, args.accuracy);
   for (const Section& section : all_sections()) {
     const std::string name = section.name;
     const std::string source = source_of(section) + (source_of(section).starts_with("plumb ") ? " --out" : "");
@@ -180,7 +180,7 @@ int write_issue(const Arguments& args) {
   const auto solver =
       solver_instead(args.foreign, args.foreign.empty() ? c->expect.method.value_or("auto") : "", "--issue");
   if (!solver) throw InputFailure(args.issue, 0, "expect.method", "names no method");
-  const Accuracy accuracy = parse_accuracy(args.accuracy);
+  const Accuracy accuracy = accuracy_for(*c, args.issue, 0, args.accuracy);
   const std::string asked = accuracy_option(accuracy_text(accuracy));
   const Issue found =
       issue(*c, *solver, accuracy, "plumb report --issue " + shell_word(args.issue) + solver->option + asked);

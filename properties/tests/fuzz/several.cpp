@@ -87,5 +87,24 @@ TEST_F(Several, FindingsGoByTheAccuracyThatIsAskedFor) {
   EXPECT_EQ(summary.at("methods").begin()->at("right").at("asked"), 12);
 }
 
+/// Replay goes by the accuracy that a case was kept at, whatever it is.
+TEST_F(Several, AKeptCaseHoldsItsAccuracy) {
+  const std::string epa = " --solver " + kPeers + "peer_libccd_epa.so";
+  ASSERT_EQ(campaign(epa + " --accuracy normal=1e-13rad --out finer").code, 1);
+  const fs::path kept = fs::directory_iterator(path_ / "finer" / "failures")->path();
+  Json c = Json::parse(std::ifstream(kept));
+  EXPECT_EQ(c.at("x_accuracy"), "normal=1e-13rad,overlap=0");
+  EXPECT_EQ(plumb("replay finer/failures" + epa).code, 0);
+  EXPECT_EQ(plumb("replay finer/failures --accuracy 1deg" + epa).code, 1);
+  const auto replayed_at = [&](const char* accuracy) {
+    c["x_accuracy"] = accuracy;
+    return plumb("replay " + file("c.json", c.dump()) + epa + " 2>&1");
+  };
+  EXPECT_EQ(replayed_at("1deg").code, 1);
+  const Ran refused = replayed_at("a foot");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.out.find("c.json: x_accuracy: 'a foot'"), std::string::npos) << refused.out;
+}
+
 }  // namespace
 }  // namespace plumb
