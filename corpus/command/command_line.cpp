@@ -8,7 +8,7 @@
 #include <span>
 #include <sstream>
 
-#include "corpus/command/command_rows.hpp"
+#include "corpus/command/help/command_rows.hpp"
 #include "corpus/json/nearest_word.hpp"
 
 namespace plumb {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "corpus/command/command_rows.hpp"
+#include "corpus/command/help/command_rows.hpp"
 #include "corpus/command/program_folder.hpp"
 #include "corpus/json/nearest_word.hpp"
 

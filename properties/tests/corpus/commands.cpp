@@ -236,8 +236,13 @@ TEST_F(Commands, EveryHelpHasExamples) {
     const std::size_t at = help.find(mark);
     ASSERT_NE(at, std::string::npos) << name;
     const std::string options = help.substr(0, at);
-    for (const std::string& word : parts_of(help.substr(at + mark.size()), ' '))
-      if (word.starts_with("-")) EXPECT_NE(options.find(word), std::string::npos) << name << " has no " << word;
+    for (const std::string& example : parts_of(help.substr(at + mark.size()), '\n')) {
+      if (!example.starts_with("  plumb")) continue;
+      for (const std::string& word : parts_of(example, ' ')) {
+        if (!word.starts_with("-")) continue;
+        EXPECT_NE(options.find(word), std::string::npos) << name << " has no " << word;
+      }
+    }
   }
 }
 
@@ -250,7 +255,7 @@ TEST_F(Commands, AWordThatIsNearlyOneIsTold) {
 TEST_F(Commands, BashCompletesCommandsAndOptions) {
   const auto completed = [](const std::string& words, int at) {
     return run("PATH=" PLUMB_BINARY_DIR "/bin:$PATH bash -c '. " PLUMB_SOURCE_DIR
-               "/corpus/command/shell/plumb.bash; COMP_WORDS=(" +
+               "/corpus/command/help/shell/plumb.bash; COMP_WORDS=(" +
                words + "); COMP_CWORD=" + std::to_string(at) + "; _plumb; printf \"%s\\n\" \"${COMPREPLY[@]}\"'")
         .out;
   };

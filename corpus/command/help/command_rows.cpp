@@ -1,4 +1,4 @@
-#include "corpus/command/command_rows.hpp"
+#include "corpus/command/help/command_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::string examples_text(std::string_view command) {
   constexpr std::string_view before = "plumb ";
   const CommandRow* const row = command.starts_with(before) ? find_command(command.substr(before.size())) : nullptr;
   if (row == nullptr || row->examples.empty()) return {};
-  std::string out = "\nExamples:\n";
+  std::string out = "Examples:\n";
   std::istringstream lines{std::string(row->examples)};
   for (std::string line; std::getline(lines, line);) {
     const std::size_t mark = line.find("  # ");
