@@ -3,8 +3,13 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <sstream>
+
+#include "corpus/command/help/command_rows.hpp"
+#include "corpus/json/nearest_word.hpp"
 
 namespace plumb {
 
@@ -84,16 +89,29 @@ CommandOption* CommandLine::add_flag(const std::string& names, bool& value, cons
   return keep(app_->add_flag(names, value, help));
 }
 
+/// Of the first long option that there is none of.
+std::string CommandLine::meant(int argc, char** argv) const {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app_->get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (const std::string word : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+    const std::string name = word.substr(0, word.find('='));
+    const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+    if (name.starts_with("--") && !is_known) return did_you_mean(name, known);
+  }
+  return {};
+}
+
 // Help and version are exceptions of CLI11, too; their code is 0.
 CommandLine::Parsed CommandLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
     return {.go_on = true, .help = "", .error = ""};
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return {.go_on = false, .help = "", .error = error.what()};
+    if (error.get_exit_code() != 0) return {.go_on = false, .help = "", .error = error.what() + meant(argc, argv)};
     std::ostringstream help;
     (void)app_->exit(error, help, help);
-    return {.go_on = false, .help = help.str(), .error = ""};
+    return {.go_on = false, .help = help.str() + examples_text(name_), .error = ""};
   }
 }
 

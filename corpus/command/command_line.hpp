@@ -64,6 +64,7 @@ class CommandLine {
 
  private:
   CommandOption* keep(CLI::Option* option);
+  [[nodiscard]] std::string meant(int argc, char** argv) const;
 
   std::string name_;
   std::unique_ptr<CLI::App> app_;

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "corpus/case/case.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {
@@ -33,7 +34,8 @@ bool contains(const std::vector<Solver>& solvers, const std::string& name) {
 
 Solver solver_named(const std::string& name) {
   if (std::optional<Solver> found = find_solver(name)) return *std::move(found);
-  throw InputFailure("--method", 0, name, "no such method; there are " + known_names());
+  throw InputFailure("--method", 0, name,
+                     "no such method" + did_you_mean(name, solver_names()) + "; there are " + known_names());
 }
 
 }  // namespace

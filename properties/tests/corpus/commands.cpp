@@ -209,7 +209,59 @@ TEST_F(Commands, PlumbAloneListsItsCommands) {
     EXPECT_NE(ran.out.find(name), std::string::npos) << ran.out;
   EXPECT_TRUE(plumb("--version").out.starts_with("plumb "));
   EXPECT_EQ(plumb("solve --help").code, 0);
+  EXPECT_EQ(plumb("-V").out, plumb("--version").out);
   expect_refusal("frobnicate", "plumb: no command 'frobnicate' (plumb --help lists them)");
+}
+
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::vector<std::string> out;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, separator);) out.push_back(part);
+  return out;
+}
+
+TEST_F(Commands, HelpOfACommandIsItsOwn) {
+  const Ran ran = plumb("help replay");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.out, plumb("replay --help").out);
+  expect_refusal("help frobnicate", "plumb: no command 'frobnicate' (plumb --help lists them)");
+}
+
+/// Each shows examples of itself, and each option in them is one that it has.
+TEST_F(Commands, EveryHelpHasExamples) {
+  for (const std::string& line : parts_of(plumb("--commands").out, '\n')) {
+    const std::string name = line.substr(0, line.find('\t'));
+    if (name == "lammps") continue;  // LAMMPS's own help
+    const std::string help = plumb(name + " --help").out, mark = "\nExamples:\n";
+    const std::size_t at = help.find(mark);
+    ASSERT_NE(at, std::string::npos) << name;
+    const std::string options = help.substr(0, at);
+    for (const std::string& example : parts_of(help.substr(at + mark.size()), '\n')) {
+      if (!example.starts_with("  plumb")) continue;
+      for (const std::string& word : parts_of(example, ' ')) {
+        if (!word.starts_with("-")) continue;
+        EXPECT_NE(options.find(word), std::string::npos) << name << " has no " << word;
+      }
+    }
+  }
+}
+
+TEST_F(Commands, AWordThatIsNearlyOneIsTold) {
+  expect_refusal("repaly", "plumb: no command 'repaly' (did you mean 'replay'?)");
+  EXPECT_NE(plumb("replay --metod auto x 2>&1").out.find("(did you mean '--method'?)"), std::string::npos);
+  EXPECT_NE(plumb("solve x --method atuo 2>&1").out.find("no such method (did you mean 'auto'?)"), std::string::npos);
+}
+
+TEST_F(Commands, BashCompletesCommandsAndOptions) {
+  const auto completed = [](const std::string& words, int at) {
+    return run("PATH=" PLUMB_BINARY_DIR "/bin:$PATH bash -c '. " PLUMB_SOURCE_DIR
+               "/corpus/command/help/shell/plumb.bash; COMP_WORDS=(" +
+               words + "); COMP_CWORD=" + std::to_string(at) + "; _plumb; printf \"%s\\n\" \"${COMPREPLY[@]}\"'")
+        .out;
+  };
+  EXPECT_EQ(completed("plumb repl", 1), "replay\n");
+  EXPECT_EQ(completed("plumb help shr", 2), "shrink\n");
+  EXPECT_EQ(completed("plumb replay --acc", 2), "--accuracy\n");
 }
 
 }  // namespace
