@@ -70,6 +70,8 @@ class CaseReader {
   [[nodiscard]] std::optional<Case> next();
   /// Line of the case that next() handed out last; 0 in a file that is one case.
   [[nodiscard]] int line() const { return objects_.line(); }
+  /// As errors name it.
+  [[nodiscard]] const std::string& file() const { return objects_.file(); }
 
  private:
   ObjectReader objects_;

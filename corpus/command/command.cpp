@@ -139,7 +139,7 @@ void each_case(const std::string& file, const std::function<void(const Case&, in
     any = true;
     work(*c, reader.line());
   }
-  if (!any && !interrupted()) throw InputFailure(file, 0, "", "holds no case");
+  if (!any && !interrupted()) throw InputFailure(reader.file(), 0, "", "holds no case");
 }
 
 }  // namespace plumb

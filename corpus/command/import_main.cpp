@@ -134,7 +134,9 @@ void read_file(DumpReader& reader, const Source& source, const Arguments& argume
   }
 }
 
-void report(const Counts& counts) {
+/// Once all is read: beside a refusal nothing else is said.
+void report(const std::vector<std::string>& notes, const Counts& counts) {
+  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
   fmt::print(stderr, "{} frames, {} particles, {} pairs", counts.frames, counts.particles, counts.pairs);
   if (counts.points > 0) fmt::print(stderr, "; left out: {} points (shape and radius 0)", counts.points);
   fmt::print(stderr, "{}\n", interrupted() ? "; interrupted: incomplete" : "");
@@ -145,18 +147,20 @@ int import_files(const Arguments& arguments) {
   LineSink sink(arguments.out);
   Counts counts;
   LastFrame last;
+  std::vector<std::string> notes;
+  std::string first;
   for (std::size_t i = 0; i < arguments.files.size() && !interrupted(); ++i) {
     DumpReader reader(arguments.files[i], options);
     const Source source{reader.file(), arguments.files.size() > 1 ? fmt::format("file{}-", i + 1) : ""};
     read_file(reader, source, arguments, last, sink, counts);
-    for (const std::string& note : reader.notes()) fmt::print(stderr, "{}: {}\n", reader.file(), note);
+    if (i == 0) first = reader.file();
+    for (const std::string& note : reader.notes()) notes.push_back(fmt::format("{}: {}", reader.file(), note));
   }
   if (last.frame) import_frame(last.source, *last.frame, arguments.gap, sink, counts);
   if (counts.frames == 0 && !interrupted())
-    throw InputFailure(arguments.files.front(), 0, arguments.step == "all" ? "" : "step " + arguments.step,
-                       "holds no such frame");
+    throw InputFailure(first, 0, arguments.step == "all" ? "" : "step " + arguments.step, "holds no such frame");
   if (counts.frames > 0) sink.finish();
-  report(counts);
+  report(notes, counts);
   return exit_done;
 }
 

@@ -23,7 +23,7 @@ AppendFile::AppendFile(std::filesystem::path path, std::uint64_t length)
   if (file_ < 0) fail_with(path_.string(), errno);
   if (size_of_file(file_) < length) {
     ::close(file_);
-    throw InputFailure(path_.string(), 0, "", "is shorter than its checkpoint says");
+    throw InputFailure(path_.string(), 0, "", "is shorter than checkpoint.bin says");
   }
   if (::ftruncate(file_, static_cast<off_t>(length)) == 0) return;
   const int error = errno;

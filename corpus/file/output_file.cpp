@@ -119,6 +119,12 @@ std::string finished_name(const fs::path& file) {
   return std::regex_match(name, match, unfinished) ? match[1].str() : name;
 }
 
+bool is_file_name(std::string_view name) {
+  constexpr std::size_t longest = 200;
+  const auto is_foreign = [](char c) { return (c >= '\0' && c < ' ') || c == '/' || c == '\x7f'; };
+  return !name.empty() && name.size() <= longest && name.front() != '.' && std::ranges::none_of(name, is_foreign);
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   OutputFile file(path);
   file.write(text);

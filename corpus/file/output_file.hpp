@@ -36,4 +36,8 @@ class OutputFile {
 /// NAME of a file NAME.HOST.PID.N.tmp, which an OutputFile leaves where its process is killed; of any other file its name.
 [[nodiscard]] std::string finished_name(const std::filesystem::path& file);
 
+/// Whether a name that stands in a file of a user's may become that of a file: one that lies in the folder where it is written, is
+/// not hidden and is short enough, with an ending, for any file system.
+[[nodiscard]] bool is_file_name(std::string_view name);
+
 }  // namespace plumb

@@ -14,7 +14,8 @@ std::string kind_of(const Json& value) {
 }  // namespace
 
 std::string Field::path_of(std::string_view key) const {
-  return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+  const std::string name(key.empty() ? "\"\"" : key);  // a path that is empty is the document
+  return path_.empty() ? name : path_ + "." + name;
 }
 
 bool Field::has(std::string_view key) const {

@@ -26,6 +26,7 @@ bool ends_in_nan_or_infinity(const std::string& read) {
 
 /// "parse error at line 1, column 39: " and the library's account of its grammar: the place is kept.
 std::string in_own_words(const std::string& reason) {
+  if (reason.starts_with("number overflow")) return "a number beyond the range of a double";
   const std::size_t place = reason.find(": ");
   if (!reason.starts_with("parse error") || place == std::string::npos) return reason;
   const bool ends = reason.find("unexpected end of input") != std::string::npos;
@@ -53,6 +54,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     Level& level = levels_.back();
     level.key = name;
+    level.has_key = true;
     if (level.node->contains(name)) throw FieldError(path(), "stands twice");
     return true;
   }
@@ -66,7 +68,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
  private:
   struct Level {
     Json* node;
-    std::string key;
+    std::string key = {};
+    bool has_key = false;
   };
   std::vector<Level> levels_;
 
@@ -85,7 +88,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
   bool open(Json container) {
     if (levels_.size() == deepest) throw FieldError("", "nested deeper than 64 levels");
     Json* node = place(std::move(container));
-    levels_.push_back({node, {}});
+    levels_.push_back({node});
     return true;
   }
 
@@ -99,8 +102,8 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
     for (const Level& level : levels_) {
       if (level.node->is_array())
         text.append("[").append(std::to_string(index_of(level))).append("]");
-      else if (!level.key.empty())
-        text.append(text.empty() ? "" : ".").append(level.key);
+      else if (level.has_key)
+        text.append(text.empty() ? "" : ".").append(level.key.empty() ? "\"\"" : level.key);
     }
     return text;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <type_traits>
 
 #include "corpus/case/case.hpp"
@@ -45,12 +46,18 @@ class Packer {
   }
 };
 
-struct Damaged {};
+struct Damaged {
+  const char* field;
+  const char* reason;
+};
 
-/// Throws Damaged where the bytes end too early.
+/// Throws Damaged, of the field that was entered last, where the bytes end too early or say what no run writes.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
+
+  void enter(const char* field) { field_ = field; }
+  [[noreturn]] void fail(const char* reason) const { throw Damaged{field_, reason}; }
 
   template <class Number>
   [[nodiscard]] Number number() {
@@ -60,10 +67,22 @@ class Unpacker {
     return std::bit_cast<Number>(bits);
   }
   [[nodiscard]] std::string text() { return std::string(take(number<std::uint64_t>())); }
+  /// Of a column, a file or an owner of time: letters that any text may hold.
+  [[nodiscard]] std::string name() {
+    const std::string out = text();
+    if (!std::ranges::all_of(out, [](char c) { return c >= ' ' && c <= '~'; })) fail("holds a name that no run has");
+    return out;
+  }
+  [[nodiscard]] std::int64_t total() {
+    constexpr std::int64_t greatest = std::int64_t{1} << 53;
+    const auto out = number<std::int64_t>();
+    if (out < 0 || out > greatest) fail("must be a whole number from 0 to 2^53");
+    return out;
+  }
   template <class Number>
   [[nodiscard]] std::vector<Number> numbers() {
     const auto count = number<std::uint64_t>();
-    if (count > rest_.size() / sizeof(Number)) throw Damaged{};
+    if (count > rest_.size() / sizeof(Number)) fail(too_early);
     std::vector<Number> out(count);
     const std::string_view taken = take(count * sizeof(Number));
     std::ranges::copy(taken, reinterpret_cast<char*>(out.data()));
@@ -73,21 +92,36 @@ class Unpacker {
   [[nodiscard]] std::map<std::string, Value> table() {
     std::map<std::string, Value> out;
     for (auto left = number<std::uint64_t>(); left > 0; --left) {
-      const std::string name = text();
-      out[name] = number<Value>();
+      const std::string owner = name();
+      out[owner] = number<Value>();
     }
     return out;
   }
-  [[nodiscard]] bool is_empty() const { return rest_.empty(); }
+  /// Takes the checksum from the end of `bytes`, the whole file, whose rest this is.
+  void require_seal(std::string_view bytes) {
+    constexpr std::size_t size = 8;
+    enter("");
+    if (rest_.size() < size) fail(not_sealed);
+    rest_.remove_suffix(size);
+    const std::string_view summed = bytes.substr(0, bytes.size() - size);
+    if (Unpacker(bytes.substr(summed.size())).number<std::uint64_t>() != hash_of_text(summed)) fail(not_sealed);
+  }
+  void require_end() const {
+    if (!rest_.empty()) fail("is longer than it may be");
+  }
 
  private:
+  static constexpr const char* too_early = "ends too early";
+  static constexpr const char* not_sealed = "is damaged: its checksum does not fit, or its end is missing";
+
   std::string_view take(std::uint64_t count) {
-    if (count > rest_.size()) throw Damaged{};
+    if (count > rest_.size()) fail(too_early);
     const std::string_view out = rest_.substr(0, count);
     rest_.remove_prefix(count);
     return out;
   }
   std::string_view rest_;
+  const char* field_ = "version";
 };
 
 void pack(Packer& out, const Snapshot& snapshot) {
@@ -105,27 +139,42 @@ void pack(Packer& out, const Snapshot& snapshot) {
 
 Snapshot unpack_snapshot(Unpacker& in) {
   Snapshot out;
-  out.step = in.number<std::int64_t>();
+  in.enter("snapshot.step");
+  out.step = in.total();
+  in.enter("snapshot.totals");
   for (std::int64_t* total :
        {&out.totals.solves, &out.totals.evaluations, &out.totals.failed, &out.totals.failed_warm, &out.totals.lists})
-    *total = in.number<std::int64_t>();
+    *total = in.total();
+  in.enter("snapshot.pairs");
   out.pairs = in.numbers<std::array<std::uint32_t, 2>>();
+  in.enter("snapshot.columns");
   for (auto left = in.number<std::uint64_t>(); left > 0; --left) {
-    std::string name = in.text();
+    std::string name = in.name();
     out.columns.emplace_back(std::move(name), in.numbers<double>());
   }
+  return out;
+}
+
+std::map<std::string, double> unpack_seconds(Unpacker& in) {
+  in.enter("seconds");
+  auto out = in.table<double>();
+  for (const auto& [owner, spent] : out)
+    if (!std::isfinite(spent) || spent < 0) in.fail("must be finite and not below 0");
   return out;
 }
 
 /// What stands between version and checksum.
 Checkpoint unpack(Unpacker& in) {
   Checkpoint out;
+  in.enter("key");
   out.key = in.number<std::uint64_t>();
   out.snapshot = unpack_snapshot(in);
+  in.enter("lengths");
   out.lengths = in.table<std::uint64_t>();
-  out.seconds = in.table<double>();
+  out.seconds = unpack_seconds(in);
+  in.enter("record");
   out.record = in.text();
-  if (!in.is_empty()) throw Damaged{};
+  in.require_end();
   return out;
 }
 
@@ -154,19 +203,14 @@ Checkpoint parse_checkpoint(const std::string& bytes, const std::string& file) {
   if (!bytes.starts_with(magic))
     throw InputFailure(file, 0, "", "is no checkpoint of plumb, or its beginning is damaged");
   try {
-    Unpacker head(std::string_view(bytes).substr(magic.size()));
-    const auto found = head.number<std::uint64_t>();
+    Unpacker in(std::string_view(bytes).substr(magic.size()));
+    const auto found = in.number<std::uint64_t>();
     if (found != version)
-      throw InputFailure(file, 0, "", "is a checkpoint of version " + std::to_string(found) + ", must be 1");
-    const std::size_t begin = magic.size() + 8;
-    if (bytes.size() < begin + 8) throw Damaged{};
-    const std::string_view summed = std::string_view(bytes).substr(0, bytes.size() - 8);
-    if (Unpacker(std::string_view(bytes).substr(summed.size())).number<std::uint64_t>() != hash_of_text(summed))
-      throw Damaged{};
-    Unpacker in(summed.substr(begin));
+      throw InputFailure(file, 0, "version", "is " + std::to_string(found) + ", must be " + std::to_string(version));
+    in.require_seal(bytes);
     return unpack(in);
-  } catch (const Damaged&) {
-    throw InputFailure(file, 0, "", "is damaged: its checksum does not fit, or its end is missing");
+  } catch (const Damaged& damage) {
+    throw InputFailure(file, 0, damage.field, damage.reason);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "corpus/case/shape_class.hpp"
+#include "corpus/file/output_file.hpp"
 #include "corpus/json/fields.hpp"
 #include "solver/method/automatic.hpp"
 
@@ -144,7 +145,10 @@ void Recorder::restore(const std::string& state) {
   const Field root(tree, "record");
   const auto buckets_in = [](const Field& object) {
     Buckets out;
-    for (const auto& [name, kept] : object.members()) out[name] = {kept.member("measure").number(), case_in(kept)};
+    for (const auto& [name, kept] : object.members()) {
+      if (!is_file_name(name)) kept.fail("is no name of a file");
+      out[name] = {kept.member("measure").number(), case_in(kept)};
+    }
     return out;
   };
   failures_ = buckets_in(root.member("failures"));

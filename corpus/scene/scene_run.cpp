@@ -65,7 +65,7 @@ void SceneRun::begin_in_folder() {
 
 void SceneRun::go_on_from(const Checkpoint& checkpoint) {
   const std::string file = (options_.out / "checkpoint.bin").string();
-  if (!run_.restore(checkpoint.snapshot)) throw InputFailure(file, 0, "", "does not fit the scene");
+  if (!run_.restore(checkpoint.snapshot)) throw InputFailure(file, 0, "snapshot", "does not fit the scene");
   try {
     written_->recorder.restore(checkpoint.record);
   } catch (const FieldError& error) {

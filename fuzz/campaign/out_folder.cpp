@@ -1,5 +1,7 @@
 #include "fuzz/campaign/out_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <system_error>
 
 #include "corpus/file/text_input.hpp"
@@ -11,17 +13,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
-  throw InputFailure(file.string(), 0, "", reason + kForceReplaces);
+[[noreturn]] void refuse(const fs::path& file, const std::string& reason, const std::string& field = "") {
+  throw InputFailure(file.string(), 0, field, reason + kForceReplaces);
 }
 
-/// By the fields of the contract.
-bool is_summary(const fs::path& file) {
-  const Json json = Json::parse(read_text(file), nullptr, false);
-  if (!json.is_object()) return false;
-  for (const char* field : {"cases", "seed", "families", "methods"})
-    if (!json.contains(field)) return false;
-  return true;
+constexpr const char* kForeign = "is no campaign's";
+
+/// What `read` makes of a campaign's file.
+template <class Read>
+auto read_campaigns(const fs::path& file, const Read& read) {
+  const std::string text = read_text(file);
+  try {
+    const Json root = read_json(text);
+    return read(Field(root));
+  } catch (const FieldError& error) {
+    refuse(file, error.field.empty() ? kForeign : fmt::format("{}: {}", error.what(), kForeign), error.field);
+  }
 }
 
 /// Whatever it is, a link that leads nowhere among it.
@@ -35,9 +42,12 @@ bool is_regular(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-/// Not read where it is a pipe.
-bool is_campaigns(const fs::path& file) {
-  return is_regular(file) && is_summary(file);
+/// By the fields of the contract. Not read where it is a pipe.
+void require_summary(const fs::path& file) {
+  if (!is_regular(file)) refuse(file, kForeign);
+  read_campaigns(file, [](const Field& root) {
+    for (const char* field : {"cases", "seed", "families", "methods"}) (void)root.member(field);
+  });
 }
 
 }  // namespace
@@ -52,19 +62,14 @@ FolderLock lock_out(const fs::path& out) {
 std::optional<Asked> asked_in(const fs::path& out) {
   const fs::path file = out / "campaign.bins";
   if (!is_there(file)) return std::nullopt;
-  if (!is_regular(file)) refuse(file, "is no campaign's");
-  const Json root = Json::parse(read_text(file), nullptr, false);
-  try {
-    return Asked::read(Field(root).member("asked"));
-  } catch (const FieldError&) {
-    refuse(file, "is no campaign's");
-  }
+  if (!is_regular(file)) refuse(file, kForeign);
+  return read_campaigns(file, [](const Field& root) { return Asked::read(root.member("asked")); });
 }
 
 void require_replaceable(const fs::path& out, const Asked& asked, bool is_begun) {
   const fs::path summary = out / "summary.json";
   const bool has_summary = is_there(summary);
-  if (has_summary && !is_campaigns(summary)) refuse(summary, "is no campaign's");
+  if (has_summary) require_summary(summary);
   if (const auto earlier = asked_in(out))
     return require_part_of(asked, *earlier, out / "campaign.bins", kForceReplaces);
   if (has_summary && !is_begun) refuse(summary, "is of a campaign whose campaign.bins is not there");

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "corpus/file/output_file.hpp"
 #include "corpus/json/fields.hpp"
 
 namespace plumb {
@@ -57,6 +58,7 @@ Failure read_failure(const std::filesystem::path& path) {
 
 /// The bucket whose file has that name; none where it is another file.
 std::optional<std::string> bucket_of(const std::string& file) {
+  if (!is_file_name(file)) return std::nullopt;
   for (const std::string_view suffix : {kSimplest, kWorst})
     if (file.ends_with(suffix)) return file.substr(0, file.size() - suffix.size());
   return std::nullopt;

@@ -42,14 +42,14 @@ struct Cases {
 
 Cases read_cases(const std::string& path) {
   Cases cases;
+  CaseReader reader(path);
   try {
-    CaseReader reader(path);
     for (auto c = reader.next(); c; c = reader.next()) cases.read.push_back(std::move(*c));
   } catch (const InputFailure& failure) {
     if (cases.read.empty()) throw;
     cases.failure = failure;
   }
-  if (cases.read.empty()) throw InputFailure(path, 0, "", "holds no case");
+  if (cases.read.empty()) throw InputFailure(reader.file(), 0, "", "holds no case");
   return cases;
 }
 
@@ -150,7 +150,7 @@ int check(const Options& options) {
     if (check_answer(c, *answer, source, accuracy) != FindingKind::none) code = exit_finding;
   }
   if (cases.failure) throw *cases.failure;
-  if (!any && !interrupted()) throw InputFailure(options.answers, 0, "", "holds no answer");
+  if (!any && !interrupted()) throw InputFailure(answers.file(), 0, "", "holds no answer");
   return code;
 }
 

@@ -67,11 +67,11 @@ void compare_overlap(std::vector<std::string>& differences, const Answered& answ
 void compare_normal(std::vector<std::string>& differences, const Answered& answered) {
   const Expect& expect = answered.c.expect;
   if (!expect.normal) return;
-  constexpr double radians = 0.017453292519943295;
-  const double allowed = expect.normal_radius.value_or(default_radius);
-  const double angle = angle_deg(*expect.normal, answered.contact.normal) * radians;
+  constexpr double degrees = 57.29577951308232;
+  const double allowed = expect.normal_radius.value_or(default_radius) * degrees;
+  const double angle = angle_deg(*expect.normal, answered.contact.normal);
   if (!(angle <= allowed))
-    differences.push_back(fmt::format("normal off by {:.3g} rad, allowed {:.3g}", angle, allowed));
+    differences.push_back(fmt::format("normal off by {:.3g} deg, allowed {:.3g}", angle, allowed));
 }
 
 void compare_points(std::vector<std::string>& differences, const Answered& answered) {
@@ -128,6 +128,7 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   Replayed out{file, line, c.name, reply.method, judgement.finding, {}, {}, 0};
   out.status = name(contact.status);
   out.is_own = reply.is_plumbs;
+  out.angle_error_deg = judgement.angle_error_deg;
   if (!asked) {
     out.unjudged = "not asked: the solver claims no answer to such a pair";
     return out;

@@ -1,6 +1,7 @@
 // One case of a replay: solved, judged by the laws, held against what it expects.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,8 @@ struct Replayed {
   double seconds = 0;
   std::string status = {};  ///< of the answer
   bool is_own = true;       ///< the method is plumb's own and no published baseline
+  double angle_error_deg =
+      std::numeric_limits<double>::quiet_NaN();  ///< to the certified common normal, whatever the problem; NaN: unknown
 };
 
 enum class Outcome { as_expected, differs, not_judged };

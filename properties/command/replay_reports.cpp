@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "properties/command/ci_formats.hpp"
 
@@ -59,12 +60,22 @@ SarifResult sarif_result(const Replayed& c) {
   return {c.finding.kind, differs(c), differs(c) ? text + "; " + joined(c.differences) : text, {c.file, c.line}, {}};
 }
 
+/// The law that is broken, and how far the normal is off where a case fails or differs.
+std::string what_is_wrong(const Replayed& c) {
+  std::string text;
+  if (!c.finding.law.empty()) text += "; law " + c.finding.law;
+  const bool is_wrong = c.finding.kind != FindingKind::none || differs(c);
+  if (is_wrong && std::isfinite(c.angle_error_deg)) text += fmt::format("; {:.3g} deg off", c.angle_error_deg);
+  return text;
+}
+
 }  // namespace
 
 std::string replay_line(const Replayed& c) {
   std::string text = fmt::format("{}  {}  {}  {:.17g}  {}  {}", word_of(outcome(c)), c.method, name(c.finding.kind),
                                  c.finding.severity, place_of(c), c.name);
   if (!c.unjudged.empty()) text += " (" + c.unjudged + ")";
+  text += what_is_wrong(c);
   for (const std::string& difference : c.differences) text += "; " + difference;
   return text;
 }

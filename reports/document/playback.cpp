@@ -69,7 +69,7 @@ Json end_json(const Field& end) {
 class PlaybackReader {
  public:
   void take(const Field& line) {
-    if (ended_) line.fail("comes after the end");
+    if (ended_) throw FieldError("end", "stands in a line before, which is to be the last");
     if (bodies_ == 0)
       take_head(line);
     else if (line.has("end")) {

@@ -175,8 +175,9 @@ void refuse_nothing_to_show(const Arguments& args) {
 
 /// By the foreign solver that was named, or the method that the case names.
 int write_issue(const Arguments& args) {
-  const std::optional<Case> c = CaseReader(args.issue).next();
-  if (!c) throw InputFailure(args.issue, 0, "", "holds no case");
+  CaseReader reader(args.issue);
+  const std::optional<Case> c = reader.next();
+  if (!c) throw InputFailure(reader.file(), 0, "", "holds no case");
   const auto solver =
       solver_instead(args.foreign, args.foreign.empty() ? c->expect.method.value_or("auto") : "", "--issue");
   if (!solver) throw InputFailure(args.issue, 0, "expect.method", "names no method");

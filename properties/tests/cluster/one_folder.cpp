@@ -1,4 +1,5 @@
 // A folder is one campaign's at a time, and what it holds is not replaced unasked.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -115,10 +116,11 @@ TEST_F(OneFolder, ChunksOfAnotherRequestStayUnlessForced) {
 
 TEST_F(OneFolder, WhatIsNoCampaignsStaysUnlessForced) {
   fs::create_directories(folder_ / "out");
-  for (const std::string text : {"mine", "{\"seed\": 5}", ""}) {
+  for (const auto& [text, place] : {std::pair{"mine", ""}, {"{\"seed\": 5}", "cases: missing: "}, {"", ""}}) {
     write_file(folder_ / "out" / "summary.json", text);
-    expect_refused(kFew + " --seed 5", "out/summary.json: is no campaign's; --force replaces it");
-    expect_refused(kFew + " --seed 5 --resume", "out/summary.json: is no campaign's; --force replaces it");
+    const std::string told = fmt::format("out/summary.json: {}is no campaign's; --force replaces it", place);
+    expect_refused(kFew + " --seed 5", told);
+    expect_refused(kFew + " --seed 5 --resume", told);
     EXPECT_EQ(text_in(folder_ / "out" / "summary.json"), text);
   }
   ASSERT_EQ(run("plumb campaign --family spheroid --cases 4 --seed 5 --out one"), 0);
@@ -127,6 +129,10 @@ TEST_F(OneFolder, WhatIsNoCampaignsStaysUnlessForced) {
   EXPECT_EQ(Json::parse(text_in(folder_ / "out" / "summary.json"))["seed"], 5);
   write_file(folder_ / "out" / "campaign.bins", "mine");
   expect_refused(kFew + " --seed 5", "out/campaign.bins: is no campaign's; --force replaces it");
+  write_file(folder_ / "out" / "campaign.bins", R"({"asked": {"seed": -1}})");
+  expect_refused(kFew + " --seed 5",
+                 "out/campaign.bins: asked.seed: must be a whole number from 0 to 18446744073709551615: "
+                 "is no campaign's; --force replaces it");
 }
 
 TEST_F(OneFolder, AMergeLeavesWhatItDoesNotHold) {

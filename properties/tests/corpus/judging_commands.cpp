@@ -91,6 +91,9 @@ TEST_F(Judging, CheckRefusesWhatHoldsNothingToJudge) {
   expect_refusal("check a.json --answer answers.jsonl", "answers.jsonl:2" + reason);
   (void)file("answer.json", "\n");
   expect_refusal("check a.json --answer answer.json", "answer.json: holds no answer");
+  expect_refusal("check a.json --answer - </dev/null", "standard input: holds no answer");
+  expect_refusal("check - --answer answer.json </dev/null", "standard input: holds no case");
+  expect_refusal("solve - </dev/null", "standard input: holds no case");
 }
 
 TEST_F(Judging, CheckRefusesFieldsThatItDoesNotKnow) {
@@ -184,7 +187,7 @@ TEST_F(Judging, ReplayHoldsACaseToWhatItExpects) {
       {R"({"verdict": "separated"})", "; verdict overlapping, expected separated"},
       {R"({"status": "stalled"})", "; status converged, expected stalled"},
       {R"({"finding": "misaligned"})", "; finding none, expected misaligned"},
-      {R"({"normal": [0, 1, 0]})", "; normal off by 1.57 rad"},
+      {R"({"normal": [0, 1, 0]})", "; normal off by 90 deg, allowed 5.73e-05"},
       {R"({"points": [[1, 0, 0], [0.4, 0, 0]]})", "; points off by "}};
   for (const auto& [expect, difference] : wrong) {
     (void)file("wrong.json", expecting(expect));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "corpus/json/json_text.hpp"
 #include "properties/command/replay_reports.hpp"
@@ -42,6 +43,22 @@ TEST(Replay, WhatNeedsNoReferenceCountsWithoutOne) {
   found.differences = {"finding nonconverged, expected none"};
   EXPECT_EQ(outcome(found), Outcome::differs);
   EXPECT_TRUE(replay_line(found).starts_with("DIFF  auto  nonconverged  10000000000000000  "));
+}
+
+TEST(Replay, WhatFailsIsToldByLawAndInDegrees) {
+  Replayed found = replayed("a");
+  found.angle_error_deg = 1e-14;
+  EXPECT_EQ(replay_line(found), "same  auto  none  0  a.jsonl:1  a");
+  found.finding = {FindingKind::misaligned, 1e13, "normal", ""};
+  found.angle_error_deg = 12.3456;
+  EXPECT_EQ(replay_line(found), "same  auto  misaligned  10000000000000  a.jsonl:1  a; law normal; 12.3 deg off");
+  found.differences = {"finding misaligned, expected none"};
+  EXPECT_TRUE(replay_line(found).ends_with("a; law normal; 12.3 deg off; finding misaligned, expected none"));
+  found.angle_error_deg = std::nan("");
+  EXPECT_TRUE(replay_line(found).ends_with("a; law normal; finding misaligned, expected none"));
+  found.finding = {};
+  found.angle_error_deg = 0.5;
+  EXPECT_TRUE(replay_line(found).ends_with("a; 0.5 deg off; finding misaligned, expected none"));
 }
 
 /// By a method that says what is right of the verdict and nothing else.

@@ -107,6 +107,13 @@ TEST_F(DumpCommands, RefusalsAreOneLineAfterTheAnswersBefore) {
   small.box = "ITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n";
   (void)file("s.dump", small.text());
   expect_refusal("import s.dump", "s.dump: step 100: the box is too small for its particles: over 2e7 images");
+  // What was taken for what is told of a dump that was read, not beside a refusal.
+  DumpText shaped{.columns = "id x y z shapex shapey shapez", .rows = {"1 0 0 0 1e9 1e9 1e9"}};
+  shaped.box = small.box;
+  (void)file("s.dump", shaped.text());
+  expect_refusal("import s.dump --format lammps --step last",
+                 "s.dump: step 100: the box is too small for its particles: over 2e7 images");
+  expect_refusal("import - </dev/null", "standard input: holds no such frame");
 }
 
 TEST_F(DumpCommands, AFileIsReplacedWhenAllOfItIsThere) {

@@ -64,6 +64,18 @@ TEST_F(BrokenCampaigns, TheCommandsSayIt) {
   expect_refusal("merge a.part --out all", "a.part: families.spheroid.methods.original_cn.findings: missing");
 }
 
+/// merge and --resume write each kept case under the name that a part gives it.
+TEST_F(BrokenCampaigns, ANameThatLeavesTheFolderIsRefused) {
+  const std::string kept_name = "\"" + kept().filename().string() + "\"";
+  for (const std::string name : {"../../x--worst.json", "/tmp/x--worst.json", ".x--worst.json", "a\\nb--worst.json"}) {
+    std::string text = part();
+    text.replace(text.find(kept_name), kept_name.size(), "\"" + name + "\"");
+    (void)file("a.part", text);
+    expect_refusal("merge a.part --out all", "a.part:2: file: is no name of a kept failure");
+  }
+  EXPECT_FALSE(fs::exists(path_ / "all"));
+}
+
 TEST_F(BrokenCampaigns, EndlessOnesToo) {
   for (const char* place : {"a.part", "out/campaign.bins"}) {
     fs::remove(path_ / place);

@@ -6,6 +6,7 @@ import inspect
 import os
 import pathlib
 import pkgutil
+import re
 import shutil
 import subprocess
 import sys
@@ -48,6 +49,34 @@ class Package(unittest.TestCase):
             if inspect.isclass(thing) and thing.__module__ == "plumb":
                 for member, value in vars(thing).items():
                     self.assertTrue(member.startswith("_") or value.__doc__, f"{name}.{member}")
+
+    def test_every_argument_stands_in_the_text(self):
+        for name in plumb.__all__:
+            thing = getattr(plumb, name)
+            if not inspect.isfunction(thing):
+                continue
+            words = set(re.findall(r"\w+", inspect.getdoc(thing)))
+            self.assertLessEqual(set(inspect.signature(thing).parameters), words, name)
+
+    def run_python(self, *arguments, path=FOLDER.parent):
+        environment = {**os.environ, "PYTHONPATH": str(path)}
+        return subprocess.run([sys.executable, *arguments], env=environment, capture_output=True, text=True)
+
+    def test_as_a_program(self):
+        ran = self.run_python("-m", "plumb", "methods")
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        self.assertIn("auto", ran.stdout)
+        ran = self.run_python("-m", "plumb", "solve", "nowhere.json")
+        self.assertEqual((ran.returncode, ran.stderr), (2, "nowhere.json: No such file or directory\n"))
+
+    def test_without_numpy(self):
+        """Isolated from the site's packages: as where numpy is not installed."""
+        told = f"{sys.executable} has no numpy: pip install numpy, or install python3-numpy and call Debian's own /usr/bin/python3\n"
+        ran = self.run_python("-S", "-c", "import plumb")
+        self.assertEqual(ran.returncode, 1)
+        self.assertTrue(ran.stderr.endswith(f"\nImportError: {told}"), ran.stderr)
+        ran = self.run_python("-S", "-m", "plumb", "methods")
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (1, "", told))
 
     @unittest.skipUnless(shutil.which("stubtest"), "needs mypy")
     def test_types(self):

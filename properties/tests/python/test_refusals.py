@@ -60,6 +60,24 @@ class Refusals(unittest.TestCase):
                 self.expect(kind, text, plumb.solve, **{"body1": ball, "body2": ball, **named})
         self.expect(TypeError, "contact: must be a plumb.Contact", plumb.diagnose, ball, ball, ball)
 
+    def test_cases(self):
+        ball = plumb.Body((1, 1, 1), (0, 0, 0))
+        for kind, text, named in (
+            (TypeError, "body1: must be a plumb.Body, not int", {"body1": 3}),
+            (TypeError, "body2: must be a plumb.Body, not NoneType", {"body2": None}),
+            (TypeError, "name: must be a text, not int", {"name": 3}),
+            (TypeError, "motion: must be of real numbers that fit in float64", {"motion": "up"}),
+            (ValueError, "motion: must have shape (3,), not (2,)", {"motion": (1, 2)}),
+            (ValueError, "motion: must be finite", {"motion": (1, 2, np.nan)}),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, plumb.case, **{"body1": ball, "body2": ball, **named})
+        wanted = "of two bodies with shape, position and quaternion"
+        self.expect(ValueError, f"case: has no field bodies, {wanted}", plumb.bodies_of, {})
+        for one in (3, {"bodies": [1, 2]}, {"bodies": []}, {"bodies": 5}):
+            with self.assertRaisesRegex(ValueError, "^case: has not two bodies with shape, position and quaternion: "):
+                plumb.bodies_of(one)
+
     def test_arrays_of_bodies(self):
         rows = np.ones((5, 3))
         number = "must be of real numbers that fit in float64, not of "
@@ -74,7 +92,10 @@ class Refusals(unittest.TestCase):
         ):
             with self.subTest(text):
                 self.expect(kind, text, plumb.Bodies, *arguments)
-        self.assertRaises(IndexError, lambda: plumb.Bodies(rows, rows)[5])
+        self.expect(IndexError, "index: 5 of 5 bodies", lambda: plumb.Bodies(rows, rows)[5])
+        self.expect(TypeError, "index: must be a whole number, not str", lambda: plumb.Bodies(rows, rows)["x"])
+        self.expect(TypeError, "bodies[0]: must be a plumb.Body, not int", plumb.Bodies.of, [1])
+        self.expect(TypeError, "bodies: must be several plumb.Body, not int", plumb.Bodies.of, 1)
 
     def test_batch(self):
         bodies1, bodies2 = pairs(5)
@@ -94,6 +115,8 @@ class Refusals(unittest.TestCase):
         ):
             with self.subTest(text):
                 self.expect(kind, text, plumb.solve_batch, **{"bodies1": bodies1, "bodies2": bodies2, **named})
+        self.expect(ValueError, "size: must be 0 or more", empty, -1)
+        self.expect(TypeError, "size: must be a whole number, not str", empty, "5")
         self.expect(ValueError, "order: must be 'C' or 'F', not 'A'", empty, 5, order="A")
 
     def test_where_answers_go(self):

@@ -146,7 +146,7 @@ TEST_F(PlaybackReport, ADamagedLineIsNamed) {
           "2: contacts[0][1]: must be a whole number from 0 to 2");
   refuses({head(), with(good, "energy", {1.0})}, "2: energy: must be an object");
   refuses({head(), frame(1, 8), frame(0.5, 8)}, "3: time: is before the frame before it");
-  refuses({head(), good, end(), frame(1, 8)}, "4: comes after the end");
+  refuses({head(), good, end(), frame(1, 8)}, "4: end: stands in a line before, which is to be the last");
   Json bad_end = end();
   bad_end["end"]["hash"] = "short";
   refuses({head(), good, bad_end}, "3: end.hash: must be 16 hexadecimal digits");

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <limits>
+
 #include "corpus/case/case.hpp"
 
 namespace plumb::scene {
@@ -44,7 +48,7 @@ TEST(Checkpoints, ComeBackBitForBit) {
 
 TEST(Checkpoints, AnyBytesLessIsDamage) {
   const std::string bytes = format_checkpoint(sample_checkpoint());
-  for (std::size_t size = 16; size < bytes.size(); ++size)
+  for (std::size_t size = 24; size < bytes.size(); ++size)
     ASSERT_EQ(damage_of(bytes.substr(0, size)), "c.bin: is damaged: its checksum does not fit, or its end is missing")
         << size;
   EXPECT_EQ(damage_of(bytes + "x"), "c.bin: is damaged: its checksum does not fit, or its end is missing");
@@ -56,7 +60,7 @@ TEST(Checkpoints, AnyBitTurnedIsDamage) {
     std::string damaged = bytes;
     damaged[place] = static_cast<char>(damaged[place] ^ 4);
     const std::string error = damage_of(damaged);
-    ASSERT_TRUE(error.starts_with("c.bin: is ")) << place << " " << error;
+    ASSERT_TRUE(error.starts_with("c.bin: is ") || error.starts_with("c.bin: version: is ")) << place << " " << error;
   }
 }
 
@@ -65,7 +69,42 @@ TEST(Checkpoints, OtherFilesAndVersionsAreNamed) {
   EXPECT_EQ(damage_of("{}"), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
   std::string other = format_checkpoint(sample_checkpoint());
   other[16] = 2;
-  EXPECT_EQ(damage_of(other), "c.bin: is a checkpoint of version 2, must be 1");
+  EXPECT_EQ(damage_of(other), "c.bin: version: is 2, must be 1");
+}
+
+/// The checksum of what was changed, as whoever changes it may well put there.
+std::string sealed(std::string bytes) {
+  bytes.resize(bytes.size() - 8);
+  const std::uint64_t sum = hash_of_text(bytes);
+  for (int byte = 0; byte < 8; ++byte) bytes += static_cast<char>(sum >> (8 * byte) & 255);
+  return bytes;
+}
+
+std::string changed(Checkpoint checkpoint, const std::function<void(Checkpoint&)>& change) {
+  change(checkpoint);
+  return format_checkpoint(checkpoint);
+}
+
+TEST(Checkpoints, ASpoiltFieldUnderAChecksumThatFitsIsNamed) {
+  const Checkpoint sample = sample_checkpoint();
+  const auto damage = [&](const std::function<void(Checkpoint&)>& change) {
+    return damage_of(changed(sample, change));
+  };
+  EXPECT_EQ(damage([](Checkpoint& c) { c.seconds = {{"sol\xffver", 1}}; }),
+            "c.bin: seconds: holds a name that no run has");
+  EXPECT_EQ(damage([](Checkpoint& c) { c.seconds = {{"solver", std::nan("")}}; }),
+            "c.bin: seconds: must be finite and not below 0");
+  EXPECT_EQ(damage([](Checkpoint& c) { c.lengths = {{"\n", 1}}; }), "c.bin: lengths: holds a name that no run has");
+  EXPECT_EQ(damage([](Checkpoint& c) { c.snapshot.columns = {{"\x80", {}}}; }),
+            "c.bin: snapshot.columns: holds a name that no run has");
+  EXPECT_EQ(damage([](Checkpoint& c) { c.snapshot.step = -1; }),
+            "c.bin: snapshot.step: must be a whole number from 0 to 2^53");
+  EXPECT_EQ(damage([](Checkpoint& c) { c.snapshot.totals.lists = std::numeric_limits<std::int64_t>::max(); }),
+            "c.bin: snapshot.totals: must be a whole number from 0 to 2^53");
+  const std::string bytes = format_checkpoint(sample);
+  EXPECT_EQ(damage_of(sealed(bytes.substr(0, bytes.size() - 9) + std::string(8, ' '))),
+            "c.bin: record: ends too early");
+  EXPECT_EQ(damage_of(sealed(bytes + "x")), "c.bin: record: is longer than it may be");
 }
 
 TEST(Checkpoints, NoneIsNone) {

@@ -52,6 +52,24 @@ TEST_F(SceneRecord, WhatIsKeptSurvivesACheckpoint) {
   EXPECT_NE(first.state().find("\"measure\""), std::string::npos);
 }
 
+/// A checkpoint that another made: its names become those of files.
+TEST_F(SceneRecord, ANameThatLeavesTheFolderIsRefused) {
+  const Scene scene = few_dice();
+  Simulation run(scene, make_plan(scene));
+  Recorder recorder(scene, run, Recorder::Looks::for_hard);
+  const Json kept{{"measure", 1}, {"case", read_json(sample_case())}};
+  for (const char* name : {"../x", "/x", ".x", "x\n"}) {
+    const Json state{{"failures", Json::object()}, {"cases", {{name, kept}}}, {"changes", Json::array()}};
+    try {
+      recorder.restore(write_json(state));
+      ADD_FAILURE() << name;
+    } catch (const FieldError& error) {
+      EXPECT_EQ(error.field, "record.cases." + std::string(name));
+      EXPECT_STREQ(error.what(), "is no name of a file");
+    }
+  }
+}
+
 TEST_F(SceneRecord, OfABucketTheWorstIsKept) {
   const Scene scene = few_dice();
   Simulation run(scene, make_plan(scene));

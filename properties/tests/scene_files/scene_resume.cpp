@@ -184,7 +184,7 @@ TEST_F(SceneResume, ACheckpointWithoutItsRecordIsRefused) {
 
 TEST_F(SceneResume, AnOutputShorterThanItsCheckpointIsRefused) {
   (void)file("whole/contacts.jsonl", "{}\n");
-  expect_refusal("scene s.json --out whole --resume", "whole/contacts.jsonl: is shorter than its checkpoint says");
+  expect_refusal("scene s.json --out whole --resume", "whole/contacts.jsonl: is shorter than checkpoint.bin says");
 }
 
 }  // namespace

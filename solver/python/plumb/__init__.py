@@ -17,7 +17,10 @@ import importlib.util as _util
 import sys as _sys
 
 if _util.find_spec("numpy") is None:
-    raise ImportError(f"{_sys.executable} has no numpy: pip install numpy, or install python3-numpy and call Debian's own /usr/bin/python3")
+    _told = f"{_sys.executable} has no numpy: pip install numpy, or install python3-numpy and call Debian's own /usr/bin/python3"
+    if _sys.argv[0] == "-m":  # python3 -m plumb: one line, as any program's
+        _sys.exit(_told)
+    raise ImportError(_told)
 
 from ._batch import Bodies, Contacts, solve_batch
 from ._case import bodies_of, case

@@ -34,6 +34,12 @@ def _float_array(value: ArrayLike, name: str, columns: int) -> _Floats:
     return np.require(array, np.float64, "A")
 
 
+def _row_of(body: Body, index: int) -> tuple[_Floats, ...]:
+    if not isinstance(body, Body):
+        raise TypeError(f"bodies[{index}]: must be a plumb.Body, not {type(body).__name__}")
+    return body.semi_axes, body.position, body.quaternion, body.exponents
+
+
 def _by_whole_numbers(array: NDArray[Any]) -> bool:
     return all(stride % array.itemsize == 0 for stride in array.strides)
 
@@ -85,19 +91,23 @@ class Bodies:
         return next((len(array) for array in self._arrays() if array.ndim == 2), 1)
 
     def __getitem__(self, index: int) -> Body:
-        """One of them; ValueError if it is not legal."""
+        """One of them, by ``index`` as in a list; ValueError if the body is not legal."""
+        if not isinstance(index, (int, np.integer)):
+            raise TypeError(f"index: must be a whole number, not {type(index).__name__}")
         if not -len(self) <= index < len(self):
-            raise IndexError(f"{index} of {len(self)} bodies")
+            raise IndexError(f"index: {index} of {len(self)} bodies")
         return Body(*(array[index] if array.ndim == 2 else array for array in self._arrays()))
 
     @classmethod
     def of(cls, bodies: Iterable[Body]) -> Bodies:
-        """Of single ones.
+        """Of single ones; TypeError for another thing among ``bodies``.
 
         >>> len(plumb.Bodies.of([plumb.Body((1, 1, 1), (0, 0, 0))] * 3))
         3
         """
-        rows = [(body.semi_axes, body.position, body.quaternion, body.exponents) for body in bodies]
+        if not isinstance(bodies, Iterable):
+            raise TypeError(f"bodies: must be several plumb.Body, not {type(bodies).__name__}")
+        rows = [_row_of(body, index) for index, body in enumerate(bodies)]
         widths = (3, 3, 4, 2)
         return cls(*(np.reshape([row[k] for row in rows], (len(rows), width)) for k, width in enumerate(widths)))
 
@@ -138,12 +148,17 @@ class Contacts:
     ) -> Contacts:
         """Arrays for ``solve_batch(..., out=)``, not filled in.
 
+        size   how many; each array has so many rows
         want   of overlap, normal, points (with contact_point), iterations, evaluations
         order  "F" by columns, which the solver writes in place, or "C" by rows
 
         ValueError names what is not among these.
         """
         names = _array_names(want)
+        if not isinstance(size, (int, np.integer)):
+            raise TypeError(f"size: must be a whole number, not {type(size).__name__}")
+        if size < 0:
+            raise ValueError("size: must be 0 or more")
         if order not in ("C", "F"):
             raise ValueError(f"order: must be 'C' or 'F', not {order!r}")
         arrays: dict[str, Any] = {name: np.empty((size, *_TAILS[name]), _TYPES[name], order) for name in names}

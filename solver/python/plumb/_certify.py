@@ -56,9 +56,10 @@ def certify(
 ) -> Certificate:
     """Proves overlap, verdict, common normal and points of a pair; a hundredth of a second for most.
 
+    body1    lengths in one unit, world frame; body2 as well
     digits   1 to 50, of the decimals
     problem  common_normal, or another that a method answers: deepest_points, midway, first_touch
-    motion   (3,) velocity of body 2 relative to body 1, for first_touch
+    motion   (3,) velocity of body 2 relative to body 1, any unit, for first_touch
     effort   bounds (trusts the machine's pow), proof (19 digits), digits (50); without it as the digits need
     all      also every other common normal: in ``json``, "stationary" and "complete"
 
@@ -70,22 +71,45 @@ def certify(
     proved 0.5000000000 0.5000000000
     """
     pair = case(body1, body2, motion=motion)
-    return _certify([pair], digits=digits, problem=problem, effort=effort, all=all)[0]
+    return _certify([pair], "", digits=digits, problem=problem, effort=effort, all=all)[0]
 
 
 def certify_all(
     pairs: Iterable[tuple[Body, Body]], *, digits: int = 50, problem: str = "common_normal", effort: str | None = None
 ) -> list[Certificate]:
-    """Certificates of many pairs, in their order, by one run of the program; arguments as ``certify`` has them."""
-    cases = [case(body1, body2) for body1, body2 in pairs]
-    return _certify(cases, digits=digits, problem=problem, effort=effort, all=False) if cases else []
+    """Certificates of many pairs, in their order, by one run of the program.
+
+    pairs                    (body1, body2) of each
+    digits, problem, effort  as ``certify`` has them
+
+    ValueError and TypeError name an argument that is not legal.
+    """
+    cases = [_case_of(pair, f"pairs[{index}]") for index, pair in enumerate(_listed(pairs))]
+    return _certify(cases, "pairs", digits=digits, problem=problem, effort=effort, all=False) if cases else []
 
 
-def _certify(cases: list[dict[str, Any]], *, problem: str, **given: Any) -> list[Certificate]:
+def _listed(pairs: Any) -> list[Any]:
+    if not isinstance(pairs, Iterable):
+        raise TypeError(f"pairs: must be (body1, body2) of each, not {type(pairs).__name__}")
+    return list(pairs)
+
+
+def _case_of(pair: Any, name: str) -> dict[str, Any]:
+    try:
+        body1, body2 = pair
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: must be (body1, body2)") from None
+    for body in (body1, body2):
+        if not isinstance(body, Body):
+            raise TypeError(f"{name}: must be two plumb.Body, not {type(body).__name__}")
+    return case(body1, body2)
+
+
+def _certify(cases: list[dict[str, Any]], argument: str, *, problem: str, **given: Any) -> list[Certificate]:
     if problem != "common_normal":
         given["problem"] = problem
-    lines = "".join(to_json(one) + "\n" for one in cases)
-    _, printed = run(["certify", "-", "--json", *options(given)], lines)
+    lines = "".join(to_json(one, argument) + "\n" for one in cases)
+    _, printed = run(["certify", "-", "--json", *options(given)], argument, lines)
     return [_certificate(json.loads(line)) for line in printed.splitlines()]
 
 

@@ -9,11 +9,11 @@ import tempfile
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from ._case import case as case_of
 from ._native import Body, Contact
-from ._program import options, run, to_json
+from ._program import options, path_of, run, to_json
 from ._words import words_of
 
 StrPath = str | os.PathLike[str]
@@ -103,7 +103,8 @@ def scene(
     out       folder for what the scene writes, its checkpoints and run.json
     resume    go on with the run in ``out``
     record    keep hard contacts as cases in ``out``
-    accuracy  instead of the scene's own
+    threads   for the solver; as many as the scene can use
+    accuracy  relative, between 0 and 1; instead of the scene's own
 
     Gives run.json: the plan, what each part cost, and the measures. ValueError for what is not legal. Ctrl-C: ``out`` has what was
     done, and ``resume`` goes on.
@@ -119,6 +120,10 @@ def scene(
 def scene_plan(scene: Mapping[str, Any] | StrPath) -> Json:
     """Which effects of a scene run, why, and what each costs; nothing is simulated.
 
+    scene  a scene as a dict (format plumb/scene-1), or its file
+
+    ValueError and TypeError begin with the name of what is not legal.
+
     >>> plan = plumb.scene_plan(plumb.named_scene("impact"))
     >>> [effect["name"] for effect in plan["effects"] if effect["on"]]
     ['linear']
@@ -127,13 +132,23 @@ def scene_plan(scene: Mapping[str, Any] | StrPath) -> Json:
 
 
 def named_scene(name: str, bodies: int | None = None) -> Json:
-    """One of the scenes that come with plumb (`plumb scenes` lists them), with so many bodies where that may be chosen."""
-    return _loads(run(["scenes", name, *options({"bodies": bodies})])[1])
+    """One of the scenes that come with plumb.
+
+    name    `plumb scenes` lists them
+    bodies  how many, where that may be chosen
+
+    ValueError and TypeError name an argument that is not legal.
+    """
+    if not isinstance(name, str):
+        raise TypeError(f"name: must be a text, not {type(name).__name__}")
+    return _loads(run(["scenes", name, *options({"bodies": bodies})], "name")[1])
 
 
 def check(body1: Body, body2: Body, answer: Contact | Mapping[str, Any], *, motion: Any = None) -> Json:
     """Judges anybody's answer by the certified reference.
 
+    body1, body2  lengths in one unit, world frame
+    motion  (3,) velocity of body 2 relative to body 1, any unit, for first_touch
     answer  a Contact, or the fields of `plumb solve --json`: "overlap", "normal", "points", ...; "method" says which problem
             it answers, by the problem's name ("deepest_points") or by that of a method which solves it; without it the
             common normal
@@ -147,11 +162,11 @@ def check(body1: Body, body2: Body, answer: Contact | Mapping[str, Any], *, moti
     ...                           "points": [[1, 0, 0], [0.6, 0, 0]]})["finding"]
     'off_surface'
     """
-    said = _answer(answer) if isinstance(answer, Contact) else {"name": "python", **answer}
+    said = _answer(answer) if isinstance(answer, Contact) else {"name": "python", **_mapping(answer, "answer")}
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "case.json")
-        file.write_text(to_json(case_of(body1, body2, motion=motion)), encoding="utf-8")
-        return _loads(run(["check", str(file), "--answer", "-"], to_json(said))[1])
+        file.write_text(to_json(case_of(body1, body2, motion=motion), "body1"), encoding="utf-8")
+        return _loads(run(["check", str(file), "--answer", "-"], "answer", to_json(said, "answer"))[1])
 
 
 def shrink(case: Mapping[str, Any], *, method: str | None = None, solver: StrPath | None = None) -> Json:
@@ -159,11 +174,14 @@ def shrink(case: Mapping[str, Any], *, method: str | None = None, solver: StrPat
 
     case    one of ``Campaign.failures``, or ``plumb.case`` of a pair
     method  instead of the one that the case names
+    solver  a shared library behind plumb_solver.h, instead of a method
+
+    ValueError and TypeError begin with the name of what is not legal.
     """
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "case.json")
-        file.write_text(to_json(case), encoding="utf-8")
-        return _loads(run(["shrink", str(file), "--json", *options({"method": method, "solver": solver})])[1])
+        file.write_text(to_json(_mapping(case, "case"), "case"), encoding="utf-8")
+        return _loads(_run_on(file, "shrink", "case", ["--json", *options({"method": method, "solver": solver})]))
 
 
 def replay(
@@ -173,22 +191,47 @@ def replay(
     solver: StrPath | None = None,
     threads: int | None = None,
 ) -> Replay:
-    """Runs case files, and folders of them, against what they expect."""
-    files = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    """Runs case files, and folders of them, against what they expect.
+
+    paths    one or several
+    method   instead of the one that each case names
+    solver   the same, a shared library behind plumb_solver.h
+    threads  default: one for each processor; changes nothing but the time
+
+    ValueError and TypeError begin with the name of what is not legal.
+    """
+    one = isinstance(paths, (str, os.PathLike)) or not isinstance(paths, Iterable)
+    files = [path_of(path, "paths") for path in ([paths] if one else cast("Iterable[StrPath]", paths))]
+    if not files:
+        raise ValueError("paths: must be one at least")
     given = {"method": method, "solver": solver, "threads": threads}
-    return Replay(*run(["replay", *(os.fspath(file) for file in files), *options(given)]))
+    return Replay(*run(["replay", *files, *options(given)], "paths"))
+
+
+def _mapping(value: Any, argument: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{argument}: must be a dict, not {type(value).__name__}")
+    return value
+
+
+def _run_on(file: Path, command: str, argument: str, options: list[str]) -> str:
+    """What the command prints of a file that only the call knows, whose name is no news to the caller."""
+    try:
+        return run([command, str(file), *options], argument)[1]
+    except ValueError as error:
+        raise ValueError(str(error).replace(f"{file}: ", "")) from None
 
 
 def _run_campaign(given: Mapping[str, Any], out: Path) -> Campaign:
-    found, table = run(["campaign", *options({**given, "out": out})])
+    found, table = run(["campaign", *options({**given, "out": out})], "out")
     failures = [_read(path) for path in sorted((out / "failures").glob("*.json"))]
     return Campaign(_read(out / "summary.json"), failures, found, table)
 
 
 def _run_scene(scene: Mapping[str, Any] | StrPath, given: Mapping[str, Any]) -> Json:
     if isinstance(scene, Mapping):
-        return _loads(run(["scene", "-", "--json", *options(given)], to_json(scene))[1])
-    return _loads(run(["scene", os.fspath(scene), "--json", *options(given)])[1])
+        return _loads(run(["scene", "-", "--json", *options(given)], "scene", to_json(scene, "scene"))[1])
+    return _loads(run(["scene", path_of(scene, "scene"), "--json", *options(given)], "scene")[1])
 
 
 def _answer(contact: Contact) -> Json:

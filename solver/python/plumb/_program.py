@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -35,15 +36,26 @@ def find_program() -> Path:
     raise FileNotFoundError(f"no program 'plumb' in {looked} or PATH: install plumb, or its wheel")
 
 
-def to_json(value: Any) -> str:
-    """Of dicts, lists, numbers and numpy's arrays; ValueError for NaN and infinities, which JSON has not."""
+def to_json(value: Any, argument: str) -> str:
+    """Of dicts, lists, numbers and numpy's arrays. TypeError for anything else and ValueError for NaN, infinities and what holds itself,
+    which JSON has not; both name the argument."""
 
     def plain(other: Any) -> Any:
         if isinstance(other, (np.ndarray, np.generic)):
             return other.tolist()
-        raise TypeError(f"no JSON for {type(other).__name__}")
+        raise TypeError(f"{argument}: JSON has no {type(other).__name__}")
 
-    return json.dumps(value, default=plain, allow_nan=False)
+    try:
+        return json.dumps(value, default=plain, allow_nan=False)
+    except (ValueError, RecursionError):
+        raise ValueError(f"{argument}: holds NaN, an infinity or itself, which JSON has not") from None
+
+
+def path_of(value: Any, argument: str) -> str:
+    """A file's or a folder's; TypeError names the argument that is neither."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{argument}: must be a path, not {type(value).__name__}")
+    return os.fspath(value)
 
 
 def options(given: Mapping[str, Any]) -> list[str]:
@@ -58,10 +70,11 @@ def options(given: Mapping[str, Any]) -> list[str]:
     return out
 
 
-def run(arguments: list[str], text: str = "") -> tuple[bool, str]:
+def run(arguments: list[str], argument: str, text: str = "") -> tuple[bool, str]:
     """Whether the program found something (exit code 1), and what it printed; ``text`` is its standard input.
 
-    ValueError with the program's own line for unusable input, RuntimeError where it does not end as it should. Ctrl-C reaches it, once, and
+    ValueError with the program's own line for unusable input, which begins with the name of an option, or of ``argument``, of which the
+    program's input was made; empty: of the field. RuntimeError where it does not end as it should. Ctrl-C reaches it, once, and
     KeyboardInterrupt is raised when it has kept what was done; a second Ctrl-C ends it at once.
     """
     # A session of its own: a terminal's Ctrl-C would reach it a second time, and end it.
@@ -78,7 +91,7 @@ def run(arguments: list[str], text: str = "") -> tuple[bool, str]:
     except BaseException:
         _stop(process)
         raise
-    return _judge(process.returncode, arguments[0], complaint), printed
+    return _judge(process.returncode, arguments, argument, complaint), printed
 
 
 def _stop(process: subprocess.Popen[str]) -> None:
@@ -91,10 +104,23 @@ def _stop(process: subprocess.Popen[str]) -> None:
         raise
 
 
-def _judge(code: int, command: str, complaint: str) -> bool:
+def _in_pythons_words(line: str, arguments: list[str], argument: str) -> str:
+    """ "plumb scene: --threads: REASON (--help tells more)" is about ``threads``, a line about the file of an option about that."""
+    line = line.removeprefix(f"plumb {arguments[0]}: ").removesuffix(" (--help tells more)")
+    if line.startswith("--"):
+        return line.removeprefix("--")
+    for option, value in zip(arguments, arguments[1:]):
+        if option.startswith("--") and line.startswith((f"{value}:", f"{value}/")):
+            return f"{option.removeprefix('--')}: {line}"
+    reason = re.sub(r"^standard input(:\d+)?: ", "", line)
+    return f"{argument}: {reason}" if argument else reason
+
+
+def _judge(code: int, arguments: list[str], argument: str, complaint: str) -> bool:
+    command = arguments[0]
     last = (complaint.strip().splitlines() or ["it said nothing"])[-1]
     if code == 2:
-        raise ValueError(last if last.startswith("plumb ") else f"plumb {command}: {last}")
+        raise ValueError(_in_pythons_words(last, arguments, argument))
     if code == 130:
         raise KeyboardInterrupt
     if code not in (0, 1):

@@ -52,6 +52,7 @@ def solve(
 ) -> Contact:
     """Solves the contact of a pair.
 
+    body1, body2     lengths in one unit, world frame
     method           a name of ``methods()``
     want             of overlap, normal, points, curvature, derivatives, or all of them as "overlap,normal"; none: the
                      verdict alone. Curvature and derivatives are of ``auto`` only.
@@ -75,6 +76,11 @@ def solve(
 
 def diagnose(body1: Body, body2: Body, contact: Contact) -> Diagnosis:
     """How true an answer's pair of points stands: three angles in degrees, and the residues R1 .. R5 of the source.
+
+    body1, body2  those of the answer
+    contact       an answer with points, of ``solve``
+
+    TypeError names an argument of another type.
 
     >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
     >>> other = plumb.Body((1, 2, 3), (1.5, 0, 0))
