@@ -1,9 +1,14 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <optional>
 
+#include "corpus/case/case.hpp"
 #include "corpus/case/shape_class.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/file/text_input.hpp"
+#include "corpus/solvers/host/shell_words.hpp"
 #include "corpus/solvers/solver.hpp"
 #include "fuzz/results/ranking.hpp"
 #include "reports/document/document.hpp"
@@ -99,6 +104,24 @@ std::string regime_in(const RankedBucket& bucket, const std::string& before) {
   return bucket.name.starts_with(before) ? bucket.name.substr(before.size()) : "";
 }
 
+/// As the page's other commands: whoever reads it has another folder of programs.
+std::string replay_of(const std::filesystem::path& file, const RankedBucket& bucket) {
+  return fmt::format("plumb replay {}{}", shell_word(file.string()), bucket.options);
+}
+
+/// The simplest case as `plumb campaign --shrink` left it, in numbers and in a sentence; null where it did not.
+Json shrunk_json(const Run& run, const RankedBucket& bucket, Solvers& solvers) {
+  const auto file = run.folder / "failures" / (bucket.name + std::string(kShrunk));
+  if (!std::filesystem::exists(file)) return nullptr;
+  const Case kept = parse_case(read_text(file), file.string());
+  Json out{{"explanation", kept.provenance.value("explanation", "")},
+           {"file", file.string()},
+           {"replay", replay_of(file, bucket)},
+           {"case", Json::parse(format_case(kept))}};
+  solve_again(out, kept, solvers);
+  return out;
+}
+
 Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& failure, const char* kept) {
   const Case& c = failure.kept;
   const Json& from = c.provenance;
@@ -118,7 +141,7 @@ Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& fai
           {"law", from.value("law", "")},
           {"detail", from.value("detail", "")},
           {"file", file.string()},
-          {"replay", replay_command(file, bucket.options)},
+          {"replay", replay_of(file, bucket)},
           {"case", Json::parse(format_case(c))}};
 }
 
@@ -149,6 +172,7 @@ Json failures_json(const Run& run, const Shown& shown) {
     const KeptBucket& kept = run.results.kept.buckets().at(bucket.name);
     const bool one = is_one_case(kept);
     put(bucket, kept.simplest, one ? "only" : "simplest");
+    if (Json shrunk = shrunk_json(run, bucket, solvers); !shrunk.is_null()) out.back()["shrunk"] = std::move(shrunk);
     if (!one) put(bucket, kept.worst, "worst");
   }
   return out;
