@@ -68,6 +68,10 @@ export const colourOf = (method: string): string => look(method)[theme.value];
 /** The same for a style sheet, which knows the theme itself. */
 export const cssColourOf = (method: string): string => `light-dark(${look(method).light}, ${look(method).dark})`;
 export const symbolOf = (method: string): string => look(method).symbol;
+const FOREIGN = "solver:";
+/** Brought along (--solver); it goes by the name that it gives itself. */
+export const isForeign = (method: string): boolean => method.startsWith(FOREIGN);
+export const plainName = (method: string): string => (isForeign(method) ? method.slice(FOREIGN.length) : method);
 export const isOwn = (method: string): boolean => own.has(method);
 export const inOrder = (methods: string[]): string[] =>
   [...new Set(methods)].sort((a, b) => order.indexOf(a) - order.indexOf(b));

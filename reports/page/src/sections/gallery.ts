@@ -4,9 +4,13 @@ import { inOrder } from "../methods";
 import { count } from "../numbers";
 import { perRun, type State } from "../state";
 import { releaseCards } from "../view3d/cards";
+import { interestOf } from "./answer_words";
 import { failureCard } from "./failure_card";
 
+const FIRST = 6;
 const BATCH = 24;
+/** The finding of an answer that says itself that it is none. */
+const REFUSED = "nonconverged";
 const KEYS = ["finding", "method", "shapes", "regime", "family"] as const;
 type Key = (typeof KEYS)[number];
 
@@ -61,18 +65,36 @@ function controls(failures: Failure[], filter: Filter, changed: () => void): HTM
   );
 }
 
+/**
+ * Plumb's own first, then those that were brought along, then the published: of these each method's most frequent in turn, so that
+ * none fills the gallery. Of each bucket the simplest before the worst.
+ */
+export function byInterest(failures: Failure[]): Failure[] {
+  const turns = new Map<string, number>();
+  const late = (failure: Failure) => Number(failure.kept === "worst");
+  const ranked = [...failures].sort((a, b) => late(a) - late(b) || b.count - a.count);
+  const placed = ranked.map((failure) => {
+    const turn = turns.get(failure.method) ?? 0;
+    turns.set(failure.method, turn + 1);
+    return { failure, interest: interestOf(failure.method, failure.own), turn: failure.own ? 0 : turn };
+  });
+  placed.sort((a, b) => a.interest - b.interest || a.turn - b.turn);
+  return placed.map(({ failure }) => failure);
+}
+
 /** Cards in batches: hundreds at once would only be scrolled past. */
 class Cards {
-  readonly place = h("div", { class: "cards" });
-  readonly more = h("div", { class: "more" });
+  private readonly place = h("div", { class: "cards" });
+  private readonly more = h("div", { class: "more" });
+  readonly element = h("div", {}, this.place, this.more);
   private rest: Failure[] = [];
   constructor(private readonly report: Report) {}
 
   show(failures: Failure[]): void {
-    releaseCards();
+    releaseCards(this.place);
     this.place.replaceChildren();
-    this.rest = failures;
-    this.add(BATCH);
+    this.rest = [...failures];
+    this.add(FIRST);
   }
 
   private add(most: number): void {
@@ -90,19 +112,26 @@ class Cards {
 
 function gallery(run: Run, report: Report): HTMLElement[] {
   if (run.failures.length === 0) return [h("p", { class: "empty" }, "This run kept no failure.")];
-  const all = run.failures;
+  const all = byInterest(run.failures);
   const words = new Map(all.map((failure) => [failure, wordsOf(failure)]));
   const filter: Filter = { finding: "", method: "", shapes: "", regime: "", family: "", ownOnly: false, text: "" };
   const status = h("p", { class: "status", role: "status" });
-  const cards = new Cards(report);
+  const [wrong, refused] = [new Cards(report), new Cards(report)];
+  const summary = h("summary");
+  const refusals = h("details", { class: "refusals" }, summary, refused.element);
   const left = run.kept_failures > all.length ? ` here, of ${count(run.kept_failures)} that the run kept` : "";
   const refill = () => {
     const shown = all.filter((failure) => passes(failure, filter, words.get(failure) ?? ""));
+    const isRefused = ({ finding }: Failure) => finding === REFUSED;
+    const refusing = shown.filter(isRefused);
     status.textContent = `${count(shown.length)} of ${count(all.length)} failures${left}; plumb's own first, then each method's most frequent in turn`;
-    cards.show(shown);
+    summary.textContent = `${count(refusing.length)} of them are refusals: the solver says itself that it has no answer`;
+    refusals.hidden = refusing.length === 0;
+    wrong.show(shown.filter((failure) => !isRefused(failure)));
+    refused.show(refusing);
   };
   refill();
-  return [controls(all, filter, refill), key(), status, cards.place, cards.more];
+  return [controls(all, filter, refill), status, wrong.element, refusals, key()];
 }
 
 /** What stands for what in the 3-D views; the labels there say the same. */
@@ -120,6 +149,10 @@ function key(): HTMLElement {
 }
 
 export function gallerySection(state: State): HTMLElement {
-  const place = perRun(state, h("div"), (run) => gallery(run, state.report));
-  return section("gallery", "Failure gallery", "What does a failure look like, and how is it replayed?", place);
+  const place = h("div");
+  perRun(state, place, (run) => {
+    releaseCards(place);
+    return gallery(run, state.report);
+  });
+  return section("gallery", "Failures", "What does a failure look like, and how is it replayed?", place);
 }

@@ -41,7 +41,7 @@ function end({ end, name }: Playback): HTMLElement[] {
   ];
   const facts = definitions(pairs);
   facts.className = "facts";
-  return [h("p", { class: `verdict ${end.failed > 0 ? "bad" : "good"}` }, failed), facts];
+  return [h("p", { class: `verdict ${end.failed > 0 ? "bad" : end.solves > 0 ? "good" : ""}` }, failed), facts];
 }
 
 function facts(playback: Playback): HTMLElement {

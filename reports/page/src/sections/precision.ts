@@ -238,19 +238,9 @@ function content(precision: Precision, view: View): HTMLElement[] {
 /** They stretch the axis by thirty decades. */
 const HIDDEN_AT_FIRST = ["50 digits"];
 
-export function precisionSection({ report }: State): HTMLElement {
-  const { precision } = report;
+export function precisionSection({ report: { precision } }: State): HTMLElement | null {
   const set = precision?.sets[0];
-  if (!precision || !set) {
-    const how = h(
-      "p",
-      { class: "empty" },
-      "No work-precision data were given. ",
-      h("code", {}, "plumb report-precision --json --out FILE"),
-      " measures them.",
-    );
-    return section("precision", "Work and precision", QUESTION, how);
-  }
+  if (!precision || !set) return null;
   const view: View = {
     set,
     measure: "normal",

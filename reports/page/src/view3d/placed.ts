@@ -32,6 +32,8 @@ export interface Geometry {
   reference: Contact | null;
   /** From body 1 to body 2: the reference's, or the answer's, or the centres'. */
   normal: Vec;
+  /** What the answer says is the normal. */
+  given: Vec | null;
   /** The case's length of 1. */
   size: number;
 }
@@ -62,7 +64,10 @@ function contact(answer: Answer | null, origin: Vec, size: number): Contact | nu
   return { points: [at(p), at(q)], normals: isFinite3(n) && isFinite3(m) ? [unit(n), unit(m)] : null };
 }
 
-function originOf({ answer, reference, case: { bodies } }: Failure): Vec {
+/** What a picture is made of. */
+export type Shown = Pick<Failure, "case" | "answer" | "reference">;
+
+function originOf({ answer, reference, case: { bodies } }: Shown): Vec {
   for (const one of [reference, answer]) {
     const [p, q] = one?.points ?? [null, null];
     if (isFinite3(p) && isFinite3(q)) return middle(p, q);
@@ -70,7 +75,7 @@ function originOf({ answer, reference, case: { bodies } }: Failure): Vec {
   return bodies[0].position;
 }
 
-export function geometryOf(failure: Failure): Geometry {
+export function geometryOf(failure: Shown): Geometry {
   const [first, second] = failure.case.bodies;
   const size = Math.max(...first.shape.superellipsoid.semi_axes, ...second.shape.superellipsoid.semi_axes);
   const origin = originOf(failure);
@@ -82,6 +87,7 @@ export function geometryOf(failure: Failure): Geometry {
     answer: contact(failure.answer, origin, size),
     reference: contact(failure.reference, origin, size),
     normal,
+    given: isFinite3(failure.answer?.normal) ? unit(failure.answer.normal) : null,
     size,
   };
 }

@@ -90,6 +90,7 @@ function methodRow(random, method, cases, worse) {
     left -= part;
   }
   findings.none = share(judged - failures, judged);
+  const refused = findings.nonconverged?.count ?? 0;
   const accuracy = 10 ** (-15 + 13 * Math.min(1, base));
   return {
     method,
@@ -103,7 +104,7 @@ function methodRow(random, method, cases, worse) {
     right: Object.fromEntries(
       ["rounding", "1e-6rad", "0.01deg", "1deg"].map((level, i) => [
         level,
-        share(judged - Math.round(failures / (1 + i)), judged),
+        share(judged - refused - Math.round((failures - refused) / (1 + i)), judged),
       ]),
     ),
     not_asked: method.startsWith("peer") ? Math.floor(cases / 7) : 0,
@@ -128,6 +129,34 @@ function familyOf(random, name, cases, methods, worse) {
       needed: { bounds: Math.floor(cases * 0.97), proof: Math.floor(cases * 0.02), digits: Math.floor(cases * 0.01) },
     },
     methods: methods.map((method) => methodRow(random, method, cases, worse)),
+  };
+}
+
+const added = (rows, of) =>
+  share(
+    rows.reduce((sum, row) => sum + (of(row)?.count ?? 0), 0),
+    rows.reduce((sum, row) => sum + row.judged, 0),
+  );
+
+/** Over all families; percentiles cannot be added, so that these are the last family's. */
+function totalOf(rows) {
+  const sum = (field) => rows.reduce((total, row) => total + row[field], 0);
+  const words = [...new Set(rows.flatMap((row) => Object.keys(row.findings)))];
+  const levels = Object.keys(rows[0].right);
+  return {
+    ...rows.at(-1),
+    answers: sum("answers"),
+    judged: sum("judged"),
+    unjudged: sum("unjudged"),
+    not_asked: sum("not_asked"),
+    converged: share(
+      rows.reduce((total, row) => total + row.converged.count, 0),
+      sum("answers"),
+    ),
+    findings: Object.fromEntries(words.map((word) => [word, added(rows, (row) => row.findings[word])])),
+    failures: added(rows, (row) => row.failures),
+    right: Object.fromEntries(levels.map((level) => [level, added(rows, (row) => row.right[level])])),
+    angle_above: added(rows, (row) => row.angle_above),
   };
 }
 
@@ -180,6 +209,15 @@ const OVERLAPS = {
   "moderate-unequal": 0.03,
 };
 
+const shrunkOf = (method, file, { bodies, answer, reference }, finding) => ({
+  explanation: `${method} is misaligned (expected overlap 0.1; normal 12 degrees off) for a sphere of radius 1 against another; one number changed at a time, it persists at every value tried of body 2's exponent n1 from 2 to 8`,
+  file: file.replace(/--\w+\.json$/, "--shrunk.json"),
+  replay: `plumb replay ${file.replace(/--\w+\.json$/, "--shrunk.json")}`,
+  case: { format: "plumb/case-1", name: "shrunk", bodies, expect: { method, finding } },
+  answer,
+  reference,
+});
+
 function failureOf(random, index, methods) {
   const pick = (list) => list[Math.floor(list.length * random())];
   const own = index < 3;
@@ -221,6 +259,7 @@ function failureOf(random, index, methods) {
     answer: unanswered ? null : pair.answer,
     reference: pair.reference,
     ...(unanswered ? { reason: "the solver threw" } : {}),
+    ...(kept !== "worst" && index % 2 === 0 && !unanswered ? { shrunk: shrunkOf(method, file, pair, finding) } : {}),
   };
 }
 
@@ -228,6 +267,7 @@ export function makeRun(options = {}) {
   const { name = "run", seed = 1, cases = 100000, failures = 500, methods = METHODS, families = FAMILIES } = options;
   const random = stream(seed * 7919);
   const each = Math.floor(cases / families.length);
+  const made = families.map((family) => familyOf(random, family, each, methods, options.worse));
   return {
     name,
     folder: `runs/${name}`,
@@ -245,7 +285,8 @@ export function makeRun(options = {}) {
     },
     harness_errors: options.harnessErrors ?? {},
     timing: { seconds: 412.7, threads: 2, cases_per_second: cases / 412.7 },
-    families: families.map((family) => familyOf(random, family, each, methods, options.worse)),
+    totals: made.length === 0 ? [] : methods.map((_, i) => totalOf(made.map((family) => family.methods[i]))),
+    families: made,
     atlases: families.flatMap((family) =>
       methods.flatMap((method) =>
         ["aspect-overlap", "exponent-tilt"].map((map) => atlasOf(random, family, method, map)),

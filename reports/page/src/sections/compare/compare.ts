@@ -120,14 +120,7 @@ function comparisonBlock(comparison: Comparison): HTMLElement {
   );
 }
 
-export function compareSection({ report }: State): HTMLElement {
-  const none = h(
-    "p",
-    { class: "empty" },
-    "One run only: give ",
-    h("code", {}, "plumb report"),
-    " two folders to compare them.",
-  );
-  const blocks = report.comparisons.map(comparisonBlock);
-  return section("compare", "Comparison", QUESTION, ...(blocks.length > 0 ? blocks : [none]));
+export function compareSection({ report: { comparisons } }: State): HTMLElement | null {
+  if (comparisons.length === 0) return null;
+  return section("compare", "Comparison", QUESTION, ...comparisons.map(comparisonBlock));
 }
