@@ -200,7 +200,7 @@ test("paper is light, with everything open", () =>
     const state = await page.evaluate(() => ({
       closed: document.querySelectorAll("details:not([open]):not([data-print=closed])").length,
       undrawn: document.querySelectorAll(".plot:not([data-drawn])").length,
-      ink: document.querySelector(".plot text").style.fill,
+      ink: document.querySelector("#study .plot text").style.fill,
     }));
     assert.deepEqual(state, { closed: 0, undrawn: 0, ink: "rgb(28, 33, 39)" });
   }));

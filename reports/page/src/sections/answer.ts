@@ -71,7 +71,7 @@ function key(level: string): HTMLElement {
     h(
       "span",
       {},
-      `Right: of the judged answers, ${asked}, with the 95 % interval. Change it with “Required accuracy”.`,
+      `Right: of the judged answers, ${asked}, with the 95 % interval; “Required accuracy” changes it. Off: from the common normal, also where a method solves for another.`,
     ),
   );
 }

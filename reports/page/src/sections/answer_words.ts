@@ -31,14 +31,16 @@ export function outcomeWords({ right, wrong, gaveUp, unjudged, answers }: Outcom
   return parts.filter(Boolean).join(", ");
 }
 
-/** Below 1e-6 it is rounding of what measures it as much as of the answer. */
+/** Of degrees: below it is rounding of what measures as much as of the answer. */
+export const MEASURED = 1e-6;
+
 export const degrees = (x: number | null): string =>
-  x === null ? "unknown" : x < 1e-6 ? "less than 1e-6°" : `${number(x, 2)}°`;
+  x === null ? "unknown" : x < MEASURED ? "less than 1e-6°" : `${number(x, 2)}°`;
 
 /** How badly: of the converged answers. */
 export function offWords({ angle_error_deg: off }: MethodRow): string {
   if (off === null || off.max === null) return "";
-  if (off.max < 1e-6) return "off by less than 1e-6° at worst";
+  if (off.max < MEASURED) return "off by less than 1e-6° at worst";
   return `off by ${degrees(off.p50)} typically, ${degrees(off.max)} at worst`;
 }
 

@@ -4,7 +4,7 @@ import { breakable, type Child, details, h } from "../dom";
 import { count, NONE, number } from "../numbers";
 import { methodName } from "../swatch";
 import { definitions, table } from "../table";
-import { degrees, seenOf, sentenceOf } from "./answer_words";
+import { degrees, MEASURED, seenOf, sentenceOf } from "./answer_words";
 import { view3d } from "../view3d/cards";
 
 const KEPT: Record<Failure["kept"], string> = { simplest: "simplest", worst: "worst", only: "simplest and worst" };
@@ -81,7 +81,7 @@ function facts(failure: Failure): HTMLElement {
 /** "12.3° off", or what else it is that is wrong. */
 function howFar(failure: Failure): HTMLElement | null {
   const angle = seenOf(failure).answer?.angle_error_deg ?? null;
-  if (angle === null || seenOf(failure).answer?.status !== "converged") return null;
+  if (angle === null || angle < MEASURED || seenOf(failure).answer?.status !== "converged") return null;
   return h("p", { class: "how-far" }, h("strong", {}, degrees(angle)), " off the right normal");
 }
 
