@@ -96,8 +96,9 @@ const sizeOf = (failure: Failure): number => JSON.stringify(seenOf(failure).case
 
 /** The one that opens the page: an answer that is said to be right, with a normal that is seen to be wrong. */
 export function simplestOf(run: Run): Failure | null {
-  const shown = run.failures.filter((failure) => canBeSeen(failure) && angleOf(failure) >= VISIBLE_DEG);
+  const shown = run.failures.filter((failure) => canBeSeen(failure) && angleOf(failure) >= MEASURED);
   const before = (a: Failure, b: Failure) =>
+    Number(angleOf(a) < VISIBLE_DEG) - Number(angleOf(b) < VISIBLE_DEG) ||
     interestOf(a.method, a.own) - interestOf(b.method, b.own) ||
     Number(!a.shrunk) - Number(!b.shrunk) ||
     sizeOf(a) - sizeOf(b);
@@ -107,7 +108,7 @@ export function simplestOf(run: Run): Failure | null {
 export const pictureSentence = (failure: Failure | null): string =>
   failure
     ? `For the two bodies here ${plainName(failure.method)} says “converged”, and its normal is ${number(angleOf(failure), 2)}° off.`
-    : "No answer was kept that says “converged” with a normal that is seen to be wrong.";
+    : "No answer was kept that says “converged” with a wrong normal.";
 
 /** A failure's sentence, and what of its numbers matters: they part at the first semicolon outside of brackets. */
 export function sentenceOf(failure: Failure): [string, string] {
