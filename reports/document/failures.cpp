@@ -11,6 +11,7 @@
 #include "corpus/solvers/host/shell_words.hpp"
 #include "corpus/solvers/solver.hpp"
 #include "fuzz/results/ranking.hpp"
+#include "properties/laws/judged_answer.hpp"
 #include "reports/document/document.hpp"
 #include "solver/diagnosis.hpp"
 
@@ -82,9 +83,16 @@ class Solvers {
   std::map<std::string, Solver> found_;
 };
 
-/// Puts in "answer" and "reference", or null and the "reason".
+/// The finest level of accuracy at which the answer breaks no law; null where it breaks one at each.
+Json right_from(const Pair& pair, const Solver& solver) {
+  Judge judge(pair);
+  const std::size_t level = solve_and_judge(judge, pair, solver).judgement.right_from;
+  return level < right_at_no_level ? Json(accuracy_levels[level].name) : Json();
+}
+
+/// Puts in "answer", "reference" and "right_from", or null and the "reason".
 void solve_again(Json& failure, const Case& kept, Solvers& solvers) {
-  failure["answer"] = failure["reference"] = nullptr;
+  failure["answer"] = failure["reference"] = failure["right_from"] = nullptr;
   try {
     const Reference reference = find_reference(kept.pair, Effort::bounds);
     failure["reference"] = reference_json(kept.pair, reference);
@@ -92,8 +100,9 @@ void solve_again(Json& failure, const Case& kept, Solvers& solvers) {
       failure["reason"] = "a finding of the reference itself: there is no answer of a method";
       return;
     }
-    const Contact<double> contact = solvers.find(*kept.expect.method).solve(kept.pair, {}, nullptr);
-    failure["answer"] = answer_json(kept.pair, contact, reference);
+    const Solver& solver = solvers.find(*kept.expect.method);
+    failure["answer"] = answer_json(kept.pair, solver.solve(kept.pair, {}, nullptr), reference);
+    failure["right_from"] = right_from(kept.pair, solver);
   } catch (const std::exception& e) {
     failure["reason"] = e.what();
   }

@@ -234,6 +234,7 @@ Json methods_json() {
   for (const Method& method : methods())
     out.push_back({{"name", method.name},
                    {"published_by", method.published_by},
+                   {"problem", name(method.problem)},
                    {"light", method.look.light},
                    {"dark", method.look.dark},
                    {"symbol", method.look.symbol}});
