@@ -19,6 +19,15 @@ export const levelName = (level: string): string => LEVELS.find(([name]) => name
 const NOTHING: Share = { count: 0, of: 0, share: null, low: 0, high: 1 };
 export const rightAt = (row: MethodRow, level: string): Share => row.right[level] ?? NOTHING;
 
+/** Whether what is right from a level on is right at that one. */
+export function isRightFrom(from: string | null, level: string): boolean {
+  const at = LEVELS.findIndex(([name]) => name === from);
+  return at >= 0 && at <= LEVELS.findIndex(([name]) => name === level);
+}
+
+/** "to 0.01 degree" */
+export const toLevel = (level: string): string => (level === "rounding" ? "up to rounding" : `to ${levelName(level)}`);
+
 export function accuracySelect({ runs }: Report, accuracy: Watched<string>): HTMLElement | null {
   if (runs.length === 0) return null;
   const choice = select("Required accuracy", LEVELS, accuracy.value, (level) => {

@@ -214,6 +214,30 @@ test("plumb's own failures come first, refusals last and folded", () =>
     assert.equal(await page.$eval("#gallery .refusals", (fold) => fold.open), false);
   }));
 
+test("at a coarser accuracy more failures are set apart as right, and the filter stays", () =>
+  withPage(async (page) => {
+    const apart = () =>
+      page.$eval("#gallery .right-enough", (fold) => ({
+        open: fold.open,
+        count: fold.hidden ? 0 : Number.parseInt(fold.querySelector("summary").textContent, 10),
+      }));
+    const counts = [];
+    for (const level of ["rounding", "1e-6rad", "0.01deg", "1deg"]) {
+      await page.select("#accuracy select", level);
+      counts.push((await apart()).count);
+    }
+    assert.equal(counts[0], 0);
+    assert.deepEqual(
+      counts,
+      [...new Set(counts)].sort((a, b) => a - b),
+    );
+    assert.equal((await apart()).open, false);
+    await page.click("#gallery .controls input[type=checkbox]");
+    const cards = () => page.$$eval("#gallery .card", (all) => all.map((card) => card.classList.contains("is-own")));
+    await page.select("#accuracy select", "0.01deg");
+    assert.ok((await cards()).every((own) => own));
+  }));
+
 test("two runs show the planted regression at the top, as worse", () =>
   withPage(async (page) => {
     const top = await page.$eval("#compare tbody tr", (row) => row.textContent);

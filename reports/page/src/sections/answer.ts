@@ -2,7 +2,7 @@
 import { command } from "../commands";
 import type { Failure, MethodRow, Run } from "../data";
 import { h } from "../dom";
-import { levelName, rightAt } from "../accuracy";
+import { rightAt, toLevel } from "../accuracy";
 import { made } from "../made";
 import { interval, percent } from "../numbers";
 import { perLevel, perRun, type State } from "../state";
@@ -63,7 +63,6 @@ function solver(row: MethodRow, level: string, publishedBy: Map<string, string>)
 function key(level: string): HTMLElement {
   const entry = ([kind, text]: [string, string]) =>
     h("li", {}, h("span", { class: "shares", "aria-hidden": "true" }, h("i", { class: kind })), ` ${text}`);
-  const asked = level === "rounding" ? "up to rounding" : `to ${levelName(level)}`;
   return h(
     "div",
     { class: "shares-key" },
@@ -71,7 +70,7 @@ function key(level: string): HTMLElement {
     h(
       "span",
       {},
-      `Right: of the judged answers, ${asked}, with the 95 % interval; “Required accuracy” changes it. Off: from the common normal, also where a method solves for another.`,
+      `Right: of the judged answers, ${toLevel(level)}, with the 95 % interval; “Required accuracy” changes it. Off: from the common normal, also where a method solves for another.`,
     ),
   );
 }

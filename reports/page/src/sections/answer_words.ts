@@ -1,7 +1,7 @@
 /** The answer in words: who fails how often, and the failure that shows it. */
-import { levelName, rightAt } from "../accuracy";
+import { rightAt, toLevel } from "../accuracy";
 import type { Failure, MethodRow, Run } from "../data";
-import { isForeign, isOwn, plainName } from "../methods";
+import { hasOtherProblem, isForeign, isOwn, plainName } from "../methods";
 import { count, number, percent } from "../numbers";
 
 /** Of a method's answers, each once. */
@@ -73,36 +73,44 @@ export function countedSentence(run: Run, level: string): string {
   const own = judged.filter((row) => interestOf(row.method) < 2);
   const worst = worstFirst(judged, level).find((row) => interestOf(row.method) === 2);
   const named = [...own, ...(worst ? [worst] : [])].map((row) => rightWords(row, level));
-  const asked = level === "rounding" ? "up to rounding" : `to ${levelName(level)}`;
   if (named.length === 0) return "None of the answers could be held against a reference.";
-  return `On ${count(run.cases)} pairs, each answer held against a reference with proved bounds, ${asked}: ${named.join("; ")}.`;
+  return `On ${count(run.cases)} pairs, each answer held against a reference with proved bounds, ${toLevel(level)}: ${named.join("; ")}.`;
 }
 
 /** What stands for a failure: its case as simple as it could be made, or as it was found. */
-export type Seen = Pick<Failure, "case" | "answer" | "reference" | "replay" | "file">;
+export type Seen = Pick<Failure, "case" | "answer" | "reference" | "right_from" | "replay" | "file">;
 export const seenOf = (failure: Failure): Seen => failure.shrunk ?? failure;
 
-/** Below this a wrong normal and the right one are one arrow. */
-const VISIBLE_DEG = 5;
+/** Below, a wrong normal and the right one are one arrow; above, it is the same line the other way round. */
+const SEEN_DEG = { least: 5, most: 90 };
 
 const angleOf = (failure: Failure): number => seenOf(failure).answer?.angle_error_deg ?? 0;
 const canBeSeen = (failure: Failure): boolean => {
   const { answer, reference } = seenOf(failure);
-  return answer?.status === "converged" && Boolean(answer.normal && reference?.normal && reference.points);
+  const isThere = answer?.status === "converged" && answer.normal && reference?.normal && reference.points;
+  return Boolean(isThere) && angleOf(failure) >= MEASURED;
 };
+
+/** How little it tells who has not read the paper: 0 where two arrows part, and the method was asked for the right one. */
+function obscurityOf(failure: Failure): number {
+  const angle = angleOf(failure);
+  if (angle < SEEN_DEG.least) return 4;
+  if (angle > SEEN_DEG.most) return 3;
+  if (hasOtherProblem(failure.method)) return 2;
+  return failure.finding === "misaligned" ? 0 : 1;
+}
 
 /** The fewer digits, the simpler. */
 const sizeOf = (failure: Failure): number => JSON.stringify(seenOf(failure).case.bodies).length;
 
 /** The one that opens the page: an answer that is said to be right, with a normal that is seen to be wrong. */
 export function simplestOf(run: Run): Failure | null {
-  const shown = run.failures.filter((failure) => canBeSeen(failure) && angleOf(failure) >= MEASURED);
   const before = (a: Failure, b: Failure) =>
-    Number(angleOf(a) < VISIBLE_DEG) - Number(angleOf(b) < VISIBLE_DEG) ||
+    obscurityOf(a) - obscurityOf(b) ||
     interestOf(a.method, a.own) - interestOf(b.method, b.own) ||
     Number(!a.shrunk) - Number(!b.shrunk) ||
     sizeOf(a) - sizeOf(b);
-  return shown.sort(before)[0] ?? null;
+  return run.failures.filter(canBeSeen).sort(before)[0] ?? null;
 }
 
 export const pictureSentence = (failure: Failure | null): string =>

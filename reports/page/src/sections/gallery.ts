@@ -1,16 +1,16 @@
+import { toLevel } from "../accuracy";
 import type { Failure, Report, Run } from "../data";
 import { button, checkbox, fill, h, section, select, unique } from "../dom";
 import { inOrder } from "../methods";
 import { count } from "../numbers";
 import { perRun, type State } from "../state";
 import { releaseCards } from "../view3d/cards";
-import { interestOf } from "./answer_words";
+import type { Watched } from "../watched";
 import { failureCard } from "./failure_card";
+import { byInterest, grouped } from "./gallery_order";
 
 const FIRST = 6;
 const BATCH = 24;
-/** The finding of an answer that says itself that it is none. */
-const REFUSED = "nonconverged";
 const KEYS = ["finding", "method", "shapes", "regime", "family"] as const;
 type Key = (typeof KEYS)[number];
 
@@ -65,23 +65,6 @@ function controls(failures: Failure[], filter: Filter, changed: () => void): HTM
   );
 }
 
-/**
- * Plumb's own first, then those that were brought along, then the published: of these each method's most frequent in turn, so that
- * none fills the gallery. Of each bucket the simplest before the worst.
- */
-export function byInterest(failures: Failure[]): Failure[] {
-  const turns = new Map<string, number>();
-  const late = (failure: Failure) => Number(failure.kept === "worst");
-  const ranked = [...failures].sort((a, b) => late(a) - late(b) || b.count - a.count);
-  const placed = ranked.map((failure) => {
-    const turn = turns.get(failure.method) ?? 0;
-    turns.set(failure.method, turn + 1);
-    return { failure, interest: interestOf(failure.method, failure.own), turn: failure.own ? 0 : turn };
-  });
-  placed.sort((a, b) => a.interest - b.interest || a.turn - b.turn);
-  return placed.map(({ failure }) => failure);
-}
-
 /** Cards in batches: hundreds at once would only be scrolled past. */
 class Cards {
   private readonly place = h("div", { class: "cards" });
@@ -110,28 +93,48 @@ class Cards {
   }
 }
 
-function gallery(run: Run, report: Report): HTMLElement[] {
-  if (run.failures.length === 0) return [h("p", { class: "empty" }, "This run kept no failure.")];
-  const all = byInterest(run.failures);
+/** Cards behind a line that says how many they are. */
+class Folded {
+  private readonly summary = h("summary");
+  private readonly cards: Cards;
+  readonly element: HTMLElement;
+  constructor(report: Report, kind: string) {
+    this.cards = new Cards(report);
+    this.element = h("details", { class: `folded-cards ${kind}` }, this.summary, this.cards.element);
+  }
+
+  show(failures: Failure[], words: string): void {
+    this.element.hidden = failures.length === 0;
+    this.summary.textContent = `${count(failures.length)} of them ${words}`;
+    this.cards.show(failures);
+  }
+}
+
+interface Gallery {
+  parts: HTMLElement[];
+  /** At another accuracy. */
+  refill: (level: string) => void;
+}
+
+function gallery(run: Run, report: Report, accuracy: Watched<string>): Gallery {
+  const all = run.failures;
   const words = new Map(all.map((failure) => [failure, wordsOf(failure)]));
   const filter: Filter = { finding: "", method: "", shapes: "", regime: "", family: "", ownOnly: false, text: "" };
   const status = h("p", { class: "status", role: "status" });
-  const [wrong, refused] = [new Cards(report), new Cards(report)];
-  const summary = h("summary");
-  const refusals = h("details", { class: "refusals" }, summary, refused.element);
+  const wrong = new Cards(report);
+  const [rightEnough, refused] = [new Folded(report, "right-enough"), new Folded(report, "refusals")];
   const left = run.kept_failures > all.length ? ` here, of ${count(run.kept_failures)} that the run kept` : "";
-  const refill = () => {
+  const refill = (level: string) => {
     const shown = all.filter((failure) => passes(failure, filter, words.get(failure) ?? ""));
-    const isRefused = ({ finding }: Failure) => finding === REFUSED;
-    const refusing = shown.filter(isRefused);
-    status.textContent = `${count(shown.length)} of ${count(all.length)} failures${left}; plumb's own first, then each method's most frequent in turn`;
-    summary.textContent = `${count(refusing.length)} of them are refusals: the solver says itself that it has no answer`;
-    refusals.hidden = refusing.length === 0;
-    wrong.show(shown.filter((failure) => !isRefused(failure)));
-    refused.show(refusing);
+    const groups = grouped(byInterest(shown, run.totals, level), level);
+    status.textContent = `${count(shown.length)} of ${count(all.length)} failures${left}; plumb's own first, then each method's most frequent in turn, who is least often right ${toLevel(level)} first`;
+    wrong.show(groups.wrong);
+    rightEnough.show(groups.right, `are right ${toLevel(level)}, and wrong only where more is asked for`);
+    refused.show(groups.refused, "are refusals: the solver says itself that it has no answer");
   };
-  refill();
-  return [controls(all, filter, refill), status, wrong.element, refusals, key()];
+  refill(accuracy.value);
+  const filters = controls(all, filter, () => refill(accuracy.value));
+  return { parts: [filters, status, wrong.element, rightEnough.element, refused.element, key()], refill };
 }
 
 /** What stands for what in the 3-D views; the labels there say the same. */
@@ -149,10 +152,19 @@ function key(): HTMLElement {
 }
 
 export function gallerySection(state: State): HTMLElement {
+  const { report, accuracy } = state;
   const place = h("div");
+  let refill = (_level: string) => {};
+  accuracy.watch((level) => refill(level));
   perRun(state, place, (run) => {
     releaseCards(place);
-    return gallery(run, state.report);
+    if (run.failures.length === 0) {
+      refill = () => {};
+      return [h("p", { class: "empty" }, "This run kept no failure.")];
+    }
+    const made = gallery(run, report, accuracy);
+    refill = made.refill;
+    return made.parts;
   });
   return section("gallery", "Failures", "What does a failure look like, and how is it replayed?", place);
 }
