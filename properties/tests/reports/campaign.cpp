@@ -120,16 +120,16 @@ TEST_F(Report, AFailureCanBeReplayedAndIsShownAsItIs) {
 }
 
 TEST_F(Report, AFailureSaysAtWhichAccuracyItIsNone) {
-  ASSERT_EQ(plumb("campaign --family all --cases 40 --method new_cn,original_cn --threads 1 --out run 2>/dev/null").code,
-            0);
+  ASSERT_EQ(
+      plumb("campaign --family all --cases 40 --method new_cn,original_cn --threads 1 --out run 2>/dev/null").code, 0);
   ASSERT_EQ(plumb("report run -o page.html").code, 0);
   std::map<std::string, std::size_t> levels;
   for (const Json& failure : json("page.json")["runs"][0]["failures"]) {
-    const Json& level = failure["right_from"];
-    if (failure["finding"] == "nonconverged") EXPECT_TRUE(level.is_null()) << failure["file"];
-    if (failure["finding"] != "slow") EXPECT_NE(level, "rounding") << failure["file"];
-    if (failure["finding"] == "misaligned" && failure["answer"]["angle_error_deg"].get<double>() > 1)
-      EXPECT_TRUE(level.is_null()) << failure["file"];
+    const Json &level = failure["right_from"], &finding = failure["finding"];
+    const Json& angle = failure["answer"]["angle_error_deg"];
+    const bool is_far = finding == "misaligned" && angle.is_number() && angle.get<double>() > 1;
+    EXPECT_TRUE(level.is_null() || (finding != "nonconverged" && !is_far)) << failure["file"];
+    EXPECT_TRUE(level != "rounding" || finding == "slow") << failure["file"];
     ++levels[level.is_null() ? "none" : level.get<std::string>()];
   }
   EXPECT_GT(levels["none"], 0u);

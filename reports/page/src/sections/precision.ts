@@ -17,7 +17,7 @@ import {
   type Quantile,
   type View,
 } from "./precision_words";
-import { describeWorkPrecision, workPrecision } from "./work_precision";
+import { describeWorkPrecision, workHeight, workPrecision } from "./work_precision";
 
 const QUESTION = "Which method, which precision, which tolerance, at what price, and how often does it fail?";
 
@@ -144,7 +144,7 @@ function workFigure(view: View, pins: Pins) {
   return figure({
     caption: "Median time against error (lower left is better), and the share of pairs without an answer",
     describe: () => describeWorkPrecision(view),
-    height: (width) => (width < 600 ? 560 : 680),
+    height: workHeight,
     draw: (width) => workPrecision(view, width),
     table: () =>
       table({ caption: `All points of ${view.set.name}`, columns: COLUMNS, rows: view.set.points, hideCaption: true }),
