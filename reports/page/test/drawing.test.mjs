@@ -3,6 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { bring } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
+import { makeFem } from "./support/fixture-fem.mjs";
+import { makePlayback } from "./support/fixture-playback.mjs";
+import { makeStudy } from "./support/fixture-study.mjs";
 import { withPage as withReport } from "./support/tab.mjs";
 
 const withPage = (use) => withReport(makeReport({ second: true, failures: 60 }), {}, use);
@@ -180,6 +183,34 @@ test("one click from any figure of the campaign to the command that makes it", (
     );
     for (const text of cards) assert.match(text, /^plumb replay /);
   }));
+
+test("one click from the figures of the other sections to theirs", () => {
+  const others = { study: makeStudy(), fem: makeFem(), playbacks: [makePlayback({ bodies: 8, frames: 5 })] };
+  const report = makeReport({ second: true, failures: 8, cases: 1000, ...others });
+  return withReport(report, {}, async (page) => {
+    await page.evaluate(() => {
+      for (const fold of document.querySelectorAll(".fold, .made")) fold.open = true;
+    });
+    const commandsIn = (id) =>
+      page.$$eval(`${id} .made`, (all) => all.map((one) => one.querySelector("code")?.textContent ?? "none"));
+    const made = {
+      "#compare": /^plumb campaign /,
+      "#precision": /^plumb report-precision /,
+      "#playback": /^plumb scene /,
+    };
+    for (const [id, pattern] of Object.entries({
+      ...made,
+      "#study": report.study.command,
+      "#fem": report.fem.command,
+    })) {
+      await page.waitForSelector(`${id} .made code`);
+      const commands = await commandsIn(id);
+      for (const text of commands)
+        typeof pattern === "string" ? assert.equal(text, pattern) : assert.match(text, pattern);
+    }
+    for (const id of ["#study", "#fem"]) assert.ok((await commandsIn(id)).length >= 5, id);
+  });
+});
 
 test("a filter narrows the count and the cards", () =>
   withPage(async (page) => {

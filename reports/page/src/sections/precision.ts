@@ -2,6 +2,7 @@ import { command } from "../commands";
 import type { Precision, PrecisionPoint } from "../data";
 import { button, h, section, select, unique } from "../dom";
 import { inOrder, scalarsInOrder } from "../methods";
+import { made } from "../made";
 import { count, error, number, onMachine, percent, time } from "../numbers";
 import { figure } from "../plot";
 import type { State } from "../state";
@@ -210,6 +211,7 @@ function content(precision: Precision, view: View): HTMLElement[] {
     work.element,
     pairs,
     key,
+    made([precision.command], "all sets"),
     pins.element,
     h("h3", {}, "How the error falls"),
     h(
@@ -226,6 +228,7 @@ function content(precision: Precision, view: View): HTMLElement[] {
         )
       : h("span"),
     paths.element,
+    made([precision.command], "all paths"),
     h(
       "p",
       { class: "note" },
