@@ -124,7 +124,8 @@ TEST_F(Report, AFailureSaysAtWhichAccuracyItIsNone) {
       plumb("campaign --family all --cases 40 --method new_cn,original_cn --threads 1 --out run 2>/dev/null").code, 0);
   ASSERT_EQ(plumb("report run -o page.html").code, 0);
   std::map<std::string, std::size_t> levels;
-  for (const Json& failure : json("page.json")["runs"][0]["failures"]) {
+  const Json report = json("page.json");
+  for (const Json& failure : report["runs"][0]["failures"]) {
     const Json &level = failure["right_from"], &finding = failure["finding"];
     const Json& angle = failure["answer"]["angle_error_deg"];
     const bool is_far = finding == "misaligned" && angle.is_number() && angle.get<double>() > 1;

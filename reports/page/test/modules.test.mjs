@@ -76,6 +76,15 @@ test("a picture is finite whatever the unit, the place and the proportions", asy
         for (const zoom of ["bodies", "points", "overlap"]) {
           const { centre, radius } = focusOf(geometry, zoom);
           assert.ok([...centre, radius].every(Number.isFinite) && radius > 0, `${kind} ${size} ${zoom}`);
+          if (zoom !== "bodies") continue;
+          const { points, normals } = geometry.answer;
+          for (const k of [0, 1]) {
+            const tip = points[k].map((x, i) => x + 0.62 * radius * normals[k][i] - centre[i]);
+            assert.ok(
+              Math.hypot(...tip) < 0.95 * radius,
+              `${kind} ${size}: an arrow of ${Math.hypot(...tip) / radius}`,
+            );
+          }
         }
       }
 });

@@ -126,11 +126,12 @@ function gallery(run: Run, report: Report, accuracy: Watched<string>): Gallery {
   const left = run.kept_failures > all.length ? ` here, of ${count(run.kept_failures)} that the run kept` : "";
   const refill = (level: string) => {
     const shown = all.filter((failure) => passes(failure, filter, words.get(failure) ?? ""));
-    const groups = grouped(byInterest(shown, run.totals, level), level);
+    const groups = grouped(shown, level);
+    const ordered = (group: Failure[]) => byInterest(group, run.totals, level);
     status.textContent = `${count(shown.length)} of ${count(all.length)} failures${left}; plumb's own first, then each method's most frequent in turn, who is least often right ${toLevel(level)} first`;
-    wrong.show(groups.wrong);
-    rightEnough.show(groups.right, `are right ${toLevel(level)}, and wrong only where more is asked for`);
-    refused.show(groups.refused, "are refusals: the solver says itself that it has no answer");
+    wrong.show(ordered(groups.wrong));
+    rightEnough.show(ordered(groups.right), `are right ${toLevel(level)}, and wrong only where more is asked for`);
+    refused.show(ordered(groups.refused), "are refusals: the solver says itself that it has no answer");
   };
   refill(accuracy.value);
   const filters = controls(all, filter, () => refill(accuracy.value));

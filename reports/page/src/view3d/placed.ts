@@ -101,15 +101,54 @@ function aroundPoints(points: Vec[]): Focus {
   return { centre, radius: Math.max(LEAST, 2.5 * radius) };
 }
 
-function aroundBodies(bodies: Placed[]): Focus {
-  const low = [0, 1, 2].map((i) => Math.min(...bodies.map((body) => (body.centre[i] as number) - reach(body, i))));
-  const high = [0, 1, 2].map((i) => Math.max(...bodies.map((body) => (body.centre[i] as number) + reach(body, i))));
-  const centre = middle(low as Vec, high as Vec);
-  return {
-    centre,
-    radius:
-      0.62 * length(subtract(high as Vec, centre)) + 0.2 * Math.max(...high.map((h, i) => h - (low[i] as number))),
-  };
+/** Of an arrow, in radii of what is seen; and with its name. */
+export const ARROW = 0.62;
+const NAMED_ARROW = 0.7;
+/** Further from the middle, in radii, nothing is surely seen. */
+const SEEN = 0.88;
+/** A body's box reaches further than the body. */
+const BALL = 0.75;
+/** Arrows grow with the radius that makes room for them: by then it hardly changes. */
+const ROUNDS = 10;
+
+/** Where arrows begin, and their directions. */
+function arrowsOf({ answer, reference, normal, given }: Geometry, plain: boolean): [Vec, Vec][] {
+  const right = reference ? [normal, ...(plain && given ? [given] : [])] : [];
+  const arrows = right.map((direction): [Vec, Vec] => [reference?.points[0] ?? [0, 0, 0], direction]);
+  const { points, normals } = answer ?? {};
+  if (plain || !points || !normals) return arrows;
+  return [...arrows, [points[0], normals[0]], [points[1], normals[1]]];
+}
+
+/** The bodies' box with those points, and all of it seen. */
+function around(bodies: Placed[], tips: Vec[]): Focus {
+  const ends = (sign: 1 | -1) =>
+    [0, 1, 2].map((i) => [
+      ...bodies.map((body) => (body.centre[i] as number) + sign * reach(body, i)),
+      ...tips.map((tip) => tip[i] as number),
+    ]);
+  const low = ends(-1).map((all) => Math.min(...all)) as Vec;
+  const high = ends(1).map((all) => Math.max(...all)) as Vec;
+  const centre = middle(low, high);
+  const corners = bodies.map((body) => [0, 1, 2].map((i) => reach(body, i)) as Vec);
+  const furthest = [
+    ...bodies.map((body, k) => length(subtract(body.centre, centre)) + BALL * length(corners[k] as Vec)),
+    ...tips.map((tip) => length(subtract(tip, centre))),
+  ];
+  return { centre, radius: Math.max(...furthest) / SEEN };
+}
+
+function aroundBodies(geometry: Geometry, plain: boolean): Focus {
+  const arrows = arrowsOf(geometry, plain);
+  let focus = around(geometry.bodies, []);
+  for (let round = 0; round < ROUNDS && arrows.length > 0; ++round) {
+    const size = NAMED_ARROW * focus.radius;
+    focus = around(
+      geometry.bodies,
+      arrows.map(([from, direction]) => add(from, scale(direction, size))),
+    );
+  }
+  return focus;
 }
 
 /** Half the extent of the body's box along a world axis. */
@@ -119,8 +158,9 @@ function reach(body: Placed, axis: number): number {
 }
 
 /** Null where there is nothing to zoom to. */
-export function focusOf({ bodies, answer, reference }: Geometry, zoom: Zoom): Focus | null {
-  if (zoom === "bodies") return aroundBodies(bodies);
+export function focusOf(geometry: Geometry, zoom: Zoom, plain = false): Focus | null {
+  if (zoom === "bodies") return aroundBodies(geometry, plain);
+  const { answer, reference } = geometry;
   const both = [...(answer?.points ?? []), ...(reference?.points ?? [])];
   const narrow = reference?.points ?? answer?.points ?? [];
   const points = zoom === "points" ? both : [...narrow];

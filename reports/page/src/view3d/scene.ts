@@ -29,7 +29,7 @@ import type { Vec } from "../data";
 import { number } from "../numbers";
 import type { Theme } from "../theme";
 import { type Mapping, patchMesh, type Mesh as Surface, wholeMesh } from "./mesh";
-import { anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
+import { ARROW, anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
 import { across, add, cross, divide, dot, length, scale, subtract, type Turn, turned, unit } from "./vector";
 
 export interface Label {
@@ -60,7 +60,6 @@ export const COLOURS: Record<Theme, Colours> = {
   dark: { first: "#63b8f7", second: "#ff9a5c", reference: "#3ed3a4", link: "#f2f4f6", wrong: "#ff7cc4" },
 };
 
-const ARROW = 0.62;
 /** Shorter than this, a link is drawn by its direction only. */
 const VISIBLE = 0.07;
 /** Views below this part of a body's least axis show a patch of it. */
@@ -230,7 +229,7 @@ class Drawing {
 
 /** `plain`: for who has not read what p1, n1 and d are: the two normals alone. */
 export function picture(geometry: Geometry, zoom: Zoom, theme: Theme, plain = false): Pictured | null {
-  const focus = focusOf(geometry, zoom);
+  const focus = focusOf(geometry, zoom, plain);
   if (!focus || !(focus.radius > 0) || !Number.isFinite(focus.radius)) return null;
   const mapping = mappingOf(geometry, focus, plain);
   const drawing = new Drawing(mapping, COLOURS[theme]);
