@@ -103,11 +103,11 @@ function aroundPoints(points: Vec[]): Focus {
 
 /** Of an arrow, in radii of what is seen; and with its name. */
 export const ARROW = 0.62;
-const NAMED_ARROW = 0.7;
+const NAMED_ARROW = 0.66;
 /** Further from the middle, in radii, nothing is surely seen. */
-const SEEN = 0.88;
+const SEEN = 0.95;
 /** A body's box reaches further than the body. */
-const BALL = 0.75;
+const BALL = 0.65;
 /** Arrows grow with the radius that makes room for them: by then it hardly changes. */
 const ROUNDS = 10;
 
