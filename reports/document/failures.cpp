@@ -1,11 +1,17 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <optional>
 
+#include "corpus/case/case.hpp"
 #include "corpus/case/shape_class.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/file/text_input.hpp"
+#include "corpus/solvers/host/shell_words.hpp"
 #include "corpus/solvers/solver.hpp"
 #include "fuzz/results/ranking.hpp"
+#include "properties/laws/judged_answer.hpp"
 #include "reports/document/document.hpp"
 #include "solver/diagnosis.hpp"
 
@@ -77,9 +83,16 @@ class Solvers {
   std::map<std::string, Solver> found_;
 };
 
-/// Puts in "answer" and "reference", or null and the "reason".
+/// The finest level of accuracy at which the answer breaks no law; null where it breaks one at each.
+Json right_from(const Pair& pair, const Solver& solver) {
+  Judge judge(pair);
+  const std::size_t level = solve_and_judge(judge, pair, solver).judgement.right_from;
+  return level < right_at_no_level ? Json(accuracy_levels[level].name) : Json();
+}
+
+/// Puts in "answer", "reference" and "right_from", or null and the "reason".
 void solve_again(Json& failure, const Case& kept, Solvers& solvers) {
-  failure["answer"] = failure["reference"] = nullptr;
+  failure["answer"] = failure["reference"] = failure["right_from"] = nullptr;
   try {
     const Reference reference = find_reference(kept.pair, Effort::bounds);
     failure["reference"] = reference_json(kept.pair, reference);
@@ -87,8 +100,9 @@ void solve_again(Json& failure, const Case& kept, Solvers& solvers) {
       failure["reason"] = "a finding of the reference itself: there is no answer of a method";
       return;
     }
-    const Contact<double> contact = solvers.find(*kept.expect.method).solve(kept.pair, {}, nullptr);
-    failure["answer"] = answer_json(kept.pair, contact, reference);
+    const Solver& solver = solvers.find(*kept.expect.method);
+    failure["answer"] = answer_json(kept.pair, solver.solve(kept.pair, {}, nullptr), reference);
+    failure["right_from"] = right_from(kept.pair, solver);
   } catch (const std::exception& e) {
     failure["reason"] = e.what();
   }
@@ -97,6 +111,24 @@ void solve_again(Json& failure, const Case& kept, Solvers& solvers) {
 /// What stands between finding, method and shapes of a bucket's name and its end.
 std::string regime_in(const RankedBucket& bucket, const std::string& before) {
   return bucket.name.starts_with(before) ? bucket.name.substr(before.size()) : "";
+}
+
+/// As the page's other commands: whoever reads it has another folder of programs.
+std::string replay_of(const std::filesystem::path& file, const RankedBucket& bucket) {
+  return fmt::format("plumb replay {}{}", shell_word(file.string()), bucket.options);
+}
+
+/// The simplest case as `plumb campaign --shrink` left it, in numbers and in a sentence; null where it did not.
+Json shrunk_json(const Run& run, const RankedBucket& bucket, Solvers& solvers) {
+  const auto file = run.folder / "failures" / (bucket.name + std::string(kShrunk));
+  if (!std::filesystem::exists(file)) return nullptr;
+  const Case kept = parse_case(read_text(file), file.string());
+  Json out{{"explanation", kept.provenance.value("explanation", "")},
+           {"file", file.string()},
+           {"replay", replay_of(file, bucket)},
+           {"case", Json::parse(format_case(kept))}};
+  solve_again(out, kept, solvers);
+  return out;
 }
 
 Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& failure, const char* kept) {
@@ -118,7 +150,7 @@ Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& fai
           {"law", from.value("law", "")},
           {"detail", from.value("detail", "")},
           {"file", file.string()},
-          {"replay", replay_command(file, bucket.options)},
+          {"replay", replay_of(file, bucket)},
           {"case", Json::parse(format_case(c))}};
 }
 
@@ -149,6 +181,7 @@ Json failures_json(const Run& run, const Shown& shown) {
     const KeptBucket& kept = run.results.kept.buckets().at(bucket.name);
     const bool one = is_one_case(kept);
     put(bucket, kept.simplest, one ? "only" : "simplest");
+    if (Json shrunk = shrunk_json(run, bucket, solvers); !shrunk.is_null()) out.back()["shrunk"] = std::move(shrunk);
     if (!one) put(bucket, kept.worst, "worst");
   }
   return out;

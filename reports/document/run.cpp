@@ -106,6 +106,14 @@ Json family_json(const Results& results, const std::string& family_name) {
           {"methods", methods}};
 }
 
+/// Over all families: counts add up, and so do the bins of the percentiles.
+Json totals_json(const Results& results) {
+  const Tallies methods = results.methods();
+  Json out = Json::array();
+  for (const std::string& method : method_order(methods)) out.push_back(method_json(method, methods.at(method)));
+  return out;
+}
+
 Json axis_json(Property property) {
   const Scale scale = scale_of(property);
   Json labels = Json::array();
@@ -204,6 +212,7 @@ Json run_json(const Run& run, const Shown& shown) {
            {{"seconds", seconds},
             {"threads", results.threads},
             {"cases_per_second", seconds > 0 ? static_cast<double>(results.cases()) / seconds : 0.0}}},
+          {"totals", totals_json(results)},
           {"families", families},
           {"atlases", atlases_json(results)},
           {"ladders", ladders_json(results)},
@@ -225,6 +234,7 @@ Json methods_json() {
   for (const Method& method : methods())
     out.push_back({{"name", method.name},
                    {"published_by", method.published_by},
+                   {"problem", name(method.problem)},
                    {"light", method.look.light},
                    {"dark", method.look.dark},
                    {"symbol", method.look.symbol}});

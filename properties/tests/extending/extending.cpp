@@ -61,6 +61,7 @@ TEST(Extending, AMethodIsInTheReports) {
   const Json row = row_of(reports::methods_json(), "dummy");
   EXPECT_EQ(row, (Json{{"name", "dummy"},
                        {"published_by", "Nobody 2000"},
+                       {"problem", "common_normal"},
                        {"light", "#010203"},
                        {"dark", "#040506"},
                        {"symbol", "diamond-tall"}}));

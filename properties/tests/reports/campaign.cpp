@@ -1,6 +1,7 @@
 // plumb report: the statistics of its comparison, and what it writes beside the page.
 #include <cmath>
 #include <fstream>
+#include <map>
 
 #include "properties/tests/corpus/programs.hpp"
 #include "reports/document/compare.hpp"
@@ -115,6 +116,52 @@ TEST_F(Report, AFailureCanBeReplayedAndIsShownAsItIs) {
   EXPECT_EQ(first["answer"]["normal"], answer["normal"]);
   EXPECT_EQ(first["answer"]["points"], answer["points"]);
   EXPECT_TRUE(first["reference"]["normal"].is_array());
+  EXPECT_EQ(first["replay"], "plumb replay " + first["file"].get<std::string>());
+}
+
+TEST_F(Report, AFailureSaysAtWhichAccuracyItIsNone) {
+  ASSERT_EQ(
+      plumb("campaign --family all --cases 40 --method new_cn,original_cn --threads 1 --out run 2>/dev/null").code, 0);
+  ASSERT_EQ(plumb("report run -o page.html").code, 0);
+  std::map<std::string, std::size_t> levels;
+  const Json report = json("page.json");
+  for (const Json& failure : report["runs"][0]["failures"]) {
+    const Json &level = failure["right_from"], &finding = failure["finding"];
+    const Json& angle = failure["answer"]["angle_error_deg"];
+    const bool is_far = finding == "misaligned" && angle.is_number() && angle.get<double>() > 1;
+    EXPECT_TRUE(level.is_null() || (finding != "nonconverged" && !is_far)) << failure["file"];
+    EXPECT_TRUE(level != "rounding" || finding == "slow") << failure["file"];
+    ++levels[level.is_null() ? "none" : level.get<std::string>()];
+  }
+  EXPECT_GT(levels["none"], 0u);
+  EXPECT_GT(levels["1e-6rad"], 0u);
+}
+
+TEST_F(Report, TotalsAreTheFamiliesTogetherAndShrunkCasesHaveTheirSentence) {
+  ASSERT_EQ(
+      plumb("campaign --family all --cases 5 --method original_cn --shrink --threads 1 --out run 2>/dev/null").code, 0);
+  ASSERT_EQ(plumb("report run -o page.html").code, 0);
+  const Json report = json("page.json");
+  const Json& run = report["runs"][0];
+  const Json& total = run["totals"][0];
+  std::map<std::string, std::uint64_t> right;
+  std::uint64_t judged = 0;
+  for (const Json& family : run["families"]) {
+    judged += family["methods"][0]["judged"].get<std::uint64_t>();
+    for (const auto& [level, share] : family["methods"][0]["right"].items())
+      right[level] += share["count"].get<std::uint64_t>();
+  }
+  EXPECT_EQ(total["judged"], judged);
+  for (const auto& [level, count] : right) EXPECT_EQ(total["right"][level]["count"], count) << level;
+  std::size_t shrunk = 0;
+  for (const Json& failure : run["failures"]) {
+    EXPECT_EQ(failure.contains("shrunk"), failure["kept"] != "worst") << failure["file"];
+    if (!failure.contains("shrunk")) continue;
+    EXPECT_TRUE(failure["shrunk"]["explanation"].get<std::string>().starts_with("original_cn "));
+    EXPECT_TRUE(failure["shrunk"]["reference"].is_object());
+    ++shrunk;
+  }
+  EXPECT_GT(shrunk, 0u);
 }
 
 TEST_F(Report, FilesForOtherProgramsAgreeWithTheSummary) {

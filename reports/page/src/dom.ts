@@ -45,6 +45,19 @@ export function section(id: string, title: string, question: string, ...children
   );
 }
 
+/** Of a section only the heading and the question are seen until it is opened. */
+export function fold(element: HTMLElement): void {
+  const [heading, question, ...rest] = [...element.children];
+  const asked = h("span", { class: "question" }, question?.textContent ?? "");
+  element.replaceChildren(h("details", { class: "fold" }, h("summary", {}, heading ?? null, asked), ...rest));
+}
+
+/** Opens what a link leads to. */
+export function unfold(element: Element | null): void {
+  const closed = element?.querySelector<HTMLDetailsElement>(":scope > details.fold");
+  if (closed) closed.open = true;
+}
+
 /** A labelled select; `values` as [value, text]. */
 export function select(
   label: string,

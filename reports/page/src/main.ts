@@ -1,5 +1,6 @@
 import type { Report } from "./data";
-import { h } from "./dom";
+import { USUAL_LEVEL } from "./accuracy";
+import { h, unfold } from "./dom";
 import { meetMethods } from "./methods";
 import { preparePaper } from "./paper";
 import { loadPlotly } from "./plot";
@@ -20,7 +21,7 @@ function readReport(): Report | null {
 function show(report: Report, page: HTMLElement): void {
   meetMethods(report);
   const newest = report.runs.at(-1);
-  const state: State = { report, run: newest ? new Watched(newest) : null };
+  const state: State = { report, run: newest ? new Watched(newest) : null, accuracy: new Watched(USUAL_LEVEL) };
   const parts = partsOf(state);
   if (parts.every(({ isAbout }) => isAbout)) {
     page.append(h("p", { class: "notice" }, "The report holds no run, no scene, no study and no finite elements."));
@@ -28,7 +29,15 @@ function show(report: Report, page: HTMLElement): void {
   }
   const skip = h("a", { class: "skip", href: "#main" }, "Skip to the report");
   const main = h("main", { id: "main", tabindex: -1 }, ...parts.map(({ element }) => element));
-  page.append(skip, header(report), nav(state, parts), main, footer(report));
+  page.append(skip, header(state), nav(state, parts), main, footer(report));
+  if (location.hash) openTarget();
+}
+
+/** A link may lead into a section that is folded. */
+function openTarget(): void {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  unfold(target);
+  target?.scrollIntoView();
 }
 
 /** The page can be read, and the figures in view are drawn. What is further down gets its libraries when nothing else is to do. */

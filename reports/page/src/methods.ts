@@ -22,6 +22,7 @@ const OTHERS: Look[] = [
 const looks = new Map<string, Look>();
 const order: string[] = [];
 const own = new Set<string>();
+const ofOtherProblems = new Set<string>();
 let others = 0;
 
 function add(method: string, look: Look): void {
@@ -40,9 +41,10 @@ function studyMethods(study: Study): string[] {
 }
 
 export function meetMethods(report: Report): void {
-  for (const { name, published_by, light, dark, symbol } of report.methods) {
+  for (const { name, published_by, problem, light, dark, symbol } of report.methods) {
     add(name, { light, dark, symbol });
     if (!published_by) own.add(name);
+    if (problem !== "common_normal") ofOtherProblems.add(name);
   }
   for (const [peer, look] of PEERS) add(peer, look);
   for (const run of report.runs)
@@ -68,7 +70,13 @@ export const colourOf = (method: string): string => look(method)[theme.value];
 /** The same for a style sheet, which knows the theme itself. */
 export const cssColourOf = (method: string): string => `light-dark(${look(method).light}, ${look(method).dark})`;
 export const symbolOf = (method: string): string => look(method).symbol;
+const FOREIGN = "solver:";
+/** Brought along (--solver); it goes by the name that it gives itself. */
+export const isForeign = (method: string): boolean => method.startsWith(FOREIGN);
+export const plainName = (method: string): string => (isForeign(method) ? method.slice(FOREIGN.length) : method);
 export const isOwn = (method: string): boolean => own.has(method);
+/** It is asked for another normal than the common one, so that far from that is not wrong yet. */
+export const hasOtherProblem = (method: string): boolean => ofOtherProblems.has(method);
 export const inOrder = (methods: string[]): string[] =>
   [...new Set(methods)].sort((a, b) => order.indexOf(a) - order.indexOf(b));
 

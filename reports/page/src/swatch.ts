@@ -1,6 +1,6 @@
 /** Plotly's symbols beside words: legends are lists that wrap, are read aloud, and hide no point. */
 import { breakable, checkbox, h } from "./dom";
-import { cssColourOf, DASHES, isOwn, symbolOf } from "./methods";
+import { cssColourOf, DASHES, isForeign, isOwn, plainName, symbolOf } from "./methods";
 
 const PATHS: Record<string, string> = {
   circle: "M13 8A5 5 0 1 1 3 8A5 5 0 1 1 13 8Z",
@@ -33,12 +33,8 @@ export function methodSwatch(method: string): SVGElement {
   return picture;
 }
 
-const FOREIGN = "solver:";
-
-/** A foreign solver goes by the name that it gives itself. */
 export function methodName(method: string): HTMLElement {
-  const isForeign = method.startsWith(FOREIGN);
-  const mark = isForeign
+  const mark = isForeign(method)
     ? h(
         "span",
         { class: "own", title: "A solver that was brought along (--solver): its findings are its defects" },
@@ -47,13 +43,7 @@ export function methodName(method: string): HTMLElement {
     : isOwn(method)
       ? h("span", { class: "own", title: "Plumb's own: its findings are defects" }, "own")
       : null;
-  return h(
-    "span",
-    { class: "method" },
-    methodSwatch(method),
-    breakable(method.slice(isForeign ? FOREIGN.length : 0)),
-    mark,
-  );
+  return h("span", { class: "method" }, methodSwatch(method), breakable(plainName(method)), mark);
 }
 
 const DASH_ARRAYS: Record<string, string> = { solid: "", dash: "6 3", dot: "2 3", dashdot: "6 3 2 3" };

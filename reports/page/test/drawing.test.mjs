@@ -3,6 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { bring } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
+import { makeFem } from "./support/fixture-fem.mjs";
+import { makePlayback } from "./support/fixture-playback.mjs";
+import { makeStudy } from "./support/fixture-study.mjs";
 import { withPage as withReport } from "./support/tab.mjs";
 
 const withPage = (use) => withReport(makeReport({ second: true, failures: 60 }), {}, use);
@@ -26,8 +29,8 @@ async function repainted(page, canvas, before) {
 
 test("asks for nothing and complains of nothing, from top to bottom", () =>
   withPage(async (page, noticed) => {
-    for (const id of ["summary", "precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
-    await bring(page, "#gallery canvas");
+    for (const id of ["precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
+    for (const id of ["answer", "gallery"]) await bring(page, `#${id} canvas`);
     assert.deepEqual(noticed, { console: [], requests: [] });
   }));
 
@@ -101,20 +104,113 @@ test("the gallery turns a body by drag and by arrow keys, and zooms to the overl
     await repainted(page, canvas, turned);
   }));
 
-test("every method of the summary's figure has its name and its marker", () =>
+test("every solver has its bar, its share and its words at the required accuracy, and nothing unjudged is green", () => {
+  const report = makeReport({ failures: 8 });
+  const [run] = report.runs;
+  Object.assign(run.totals[3], { answers: 7, judged: 0, unjudged: 7, findings: {}, right: {} });
+  return withReport(report, {}, async (page) => {
+    const shown = () =>
+      page.$$eval("#answer .solvers li", (all) =>
+        all.map((one) => ({
+          name: one.querySelector(".method").textContent.replaceAll("\u200b", ""),
+          words: one.querySelector(".words").textContent.replace(/\s/g, ""),
+          share: one.querySelector(".much").textContent,
+          green: one.querySelector(".shares .right")?.style.flexGrow ?? "0",
+        })),
+      );
+    for (const level of ["0.01deg", "rounding", "1e-6rad", "1deg"]) {
+      await page.select("#accuracy select", level);
+      const rows = await shown();
+      assert.equal(rows.length, run.totals.length);
+      for (const total of run.totals) {
+        const row = rows.find(({ name }) => name.startsWith(total.method) && name.length < total.method.length + 8);
+        const right = total.right[level]?.count ?? 0;
+        assert.equal(row.green, String(right));
+        if (total.judged > 0) assert.ok(row.words.startsWith(`rightin${right}of${total.judged}`), row.words);
+        else assert.match(`${row.share} ${row.words}`, /^not judged noneof7answersjudged/);
+      }
+    }
+  });
+});
+
+test("the opening figure turns until it is stopped, and stands still for who asked for that", async () => {
+  const moving = async (page) => {
+    const canvas = await bring(page, "#answer canvas");
+    const before = await pixels(canvas);
+    return [canvas, before];
+  };
+  await withReport(makeReport({ failures: 60 }), { moves: true }, async (page, noticed) => {
+    const [canvas, before] = await moving(page);
+    await repainted(page, canvas, before);
+    await page.$eval("#answer .view-bar button", (button) => button.click());
+    const stopped = await pixels(canvas);
+    await new Promise((done) => setTimeout(done, 600));
+    assert.equal(await pixels(canvas), stopped);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+  await withReport(makeReport({ failures: 60 }), {}, async (page) => {
+    const [canvas, before] = await moving(page);
+    await new Promise((done) => setTimeout(done, 600));
+    assert.equal(await pixels(canvas), before);
+    assert.equal(await page.$eval("#answer .view-bar button", (button) => button.textContent), "Turn");
+  });
+});
+
+test("a link of the navigation opens the section that it leads to", () =>
   withPage(async (page) => {
-    await bring(page, "#summary .plot");
-    const [first] = makeReport({ second: true, failures: 60 }).runs.at(-1).families;
-    const labels = await page.$$eval("#summary .yaxislayer-above .ytick text", (all) =>
-      all.map((one) => one.textContent),
-    );
-    assert.deepEqual([...labels].sort(), first.methods.map(({ method }) => method).sort());
-    const markers = await page.$$eval("#summary .plot .trace", (traces) =>
-      traces.map((trace) => trace.querySelectorAll(".point").length),
-    );
-    const judged = first.methods.filter(({ failures }) => failures.share !== null).length;
-    assert.equal(markers[0], judged);
+    const links = await page.$$eval("nav a", (all) => all.map((link) => link.hash));
+    for (const hash of links) {
+      await page.$eval(`nav a[href="${hash}"]`, (link) => link.click());
+      assert.equal(
+        await page.$eval(hash, (part) => part.querySelector(":scope > details:not([open])") !== null),
+        false,
+      );
+    }
   }));
+
+test("one click from any figure of the campaign to the command that makes it", () =>
+  withPage(async (page) => {
+    await page.evaluate(() => {
+      for (const fold of document.querySelectorAll(".fold")) fold.open = true;
+    });
+    for (const part of ["#answer", "#families .family", "#atlas", "#ladders"]) {
+      await page.$eval(`${part} .made summary`, (summary) => summary.click());
+      const code = await page.waitForSelector(`${part} .made code`);
+      assert.match(await code.evaluate((text) => text.textContent), /^plumb campaign --family/);
+    }
+    const cards = await page.$$eval("#gallery .card", (all) =>
+      all.map((card) => card.querySelector(".command code").textContent),
+    );
+    for (const text of cards) assert.match(text, /^plumb replay /);
+  }));
+
+test("one click from the figures of the other sections to theirs", () => {
+  const others = { study: makeStudy(), fem: makeFem(), playbacks: [makePlayback({ bodies: 8, frames: 5 })] };
+  const report = makeReport({ second: true, failures: 8, cases: 1000, ...others });
+  return withReport(report, {}, async (page) => {
+    await page.evaluate(() => {
+      for (const fold of document.querySelectorAll(".fold, .made")) fold.open = true;
+    });
+    const commandsIn = (id) =>
+      page.$$eval(`${id} .made`, (all) => all.map((one) => one.querySelector("code")?.textContent ?? "none"));
+    const made = {
+      "#compare": /^plumb campaign /,
+      "#precision": /^plumb report-precision /,
+      "#playback": /^plumb scene /,
+    };
+    for (const [id, pattern] of Object.entries({
+      ...made,
+      "#study": report.study.command,
+      "#fem": report.fem.command,
+    })) {
+      await page.waitForSelector(`${id} .made code`);
+      const commands = await commandsIn(id);
+      for (const text of commands)
+        typeof pattern === "string" ? assert.equal(text, pattern) : assert.match(text, pattern);
+    }
+    for (const id of ["#study", "#fem"]) assert.ok((await commandsIn(id)).length >= 5, id);
+  });
+});
 
 test("a filter narrows the count and the cards", () =>
   withPage(async (page) => {
@@ -136,14 +232,41 @@ test("a filter narrows the count and the cards", () =>
     assert.equal((await state()).cards, 0);
   }));
 
-test("plumb's own failures come first", () =>
+test("plumb's own failures come first, refusals last and folded", () =>
   withPage(async (page) => {
     const own = await page.$$eval("#gallery .card", (cards) => cards.map((card) => card.classList.contains("is-own")));
     assert.ok(own[0]);
+    const first = own.indexOf(false);
+    assert.ok(first > 0);
+    const found = (part) =>
+      page.$$eval(`${part} .finding`, (all) => all.map((finding) => finding.textContent === "nonconverged"));
+    assert.ok((await found("#gallery .refusals")).every((refused) => refused));
+    assert.ok((await found("#gallery > div > div")).every((refused) => !refused));
+    assert.equal(await page.$eval("#gallery .refusals", (fold) => fold.open), false);
+  }));
+
+test("at a coarser accuracy more failures are set apart as right, and the filter stays", () =>
+  withPage(async (page) => {
+    const apart = () =>
+      page.$eval("#gallery .right-enough", (fold) => ({
+        open: fold.open,
+        count: fold.hidden ? 0 : Number.parseInt(fold.querySelector("summary").textContent, 10),
+      }));
+    const counts = [];
+    for (const level of ["rounding", "1e-6rad", "0.01deg", "1deg"]) {
+      await page.select("#accuracy select", level);
+      counts.push((await apart()).count);
+    }
+    assert.equal(counts[0], 0);
     assert.deepEqual(
-      own,
-      [...own].sort((a, b) => Number(b) - Number(a)),
+      counts,
+      [...new Set(counts)].sort((a, b) => a - b),
     );
+    assert.equal((await apart()).open, false);
+    await page.click("#gallery .controls input[type=checkbox]");
+    const cards = () => page.$$eval("#gallery .card", (all) => all.map((card) => card.classList.contains("is-own")));
+    await page.select("#accuracy select", "0.01deg");
+    assert.ok((await cards()).every((own) => own));
   }));
 
 test("two runs show the planted regression at the top, as worse", () =>
@@ -153,8 +276,9 @@ test("two runs show the planted regression at the top, as worse", () =>
     assert.match(top, /auto/);
     assert.match(top, /misaligned/);
     await page.select("#run-choice select", "1");
-    const verdict = await page.$eval("#summary .verdict", (line) => line.textContent);
-    assert.match(verdict, /3\.\d+ %/);
+    const [auto] = makeReport({ second: true, failures: 60 }).runs[1].totals;
+    const words = await page.$eval("#answer .is-own .words", (line) => line.textContent.replace(/\s/g, ""));
+    assert.ok(words.startsWith(`rightin${auto.right["0.01deg"].count}of${auto.judged}`), words);
   }));
 
 test("the theme's button changes the colours, in the plots as well", () =>
@@ -162,9 +286,9 @@ test("the theme's button changes the colours, in the plots as well", () =>
     const colours = () =>
       page.evaluate(() => [
         getComputedStyle(document.body).backgroundColor,
-        document.querySelector("#summary .plot text").style.fill,
+        document.querySelector("#atlas .plot text").style.fill,
       ]);
-    await page.waitForSelector("#summary .plot text");
+    await bring(page, "#atlas .plot");
     const light = await colours();
     await page.click("#theme");
     const dark = await colours();

@@ -76,6 +76,15 @@ test("a picture is finite whatever the unit, the place and the proportions", asy
         for (const zoom of ["bodies", "points", "overlap"]) {
           const { centre, radius } = focusOf(geometry, zoom);
           assert.ok([...centre, radius].every(Number.isFinite) && radius > 0, `${kind} ${size} ${zoom}`);
+          if (zoom !== "bodies") continue;
+          const { points, normals } = geometry.answer;
+          for (const k of [0, 1]) {
+            const tip = points[k].map((x, i) => x + 0.62 * radius * normals[k][i] - centre[i]);
+            assert.ok(
+              Math.hypot(...tip) < 0.95 * radius,
+              `${kind} ${size}: an arrow of ${Math.hypot(...tip) / radius}`,
+            );
+          }
         }
       }
 });
@@ -103,6 +112,22 @@ test("an axis has a floor for 0 and a gutter for no value, and neither without n
   assert.ok(Math.log10(scale.place(null)) < scale.range[1] && Math.log10(scale.place(0)) > scale.range[0]);
   const plain = logScale([1e-12, 1e-3]);
   assert.deepEqual([plain.floor, plain.gutter], [null, null]);
+});
+
+test("names of certificates do not overprint, the first come is named, and none leaves the panel", async () => {
+  const { placedNames } = await load("sections/certificate_labels.ts");
+  const named = (text, ...pixel) => ({ text, pixel, colour: "#000000", at: [0, 0] });
+  const crowd = Array.from({ length: 30 }, (_, i) => named("+ residual", 200 + 3 * i, -100 - 2 * i));
+  const all = [named("+ bounds", 395, -50), ...crowd];
+  const names = placedNames(all, 400);
+  assert.equal(names[0].named, all[0]);
+  assert.ok(names.length > 3 && names.length < all.length);
+  const boxes = names.map(({ box }) => box);
+  for (const [i, a] of boxes.entries()) {
+    assert.ok(a.left >= 0 && a.right <= 400);
+    for (const b of boxes.slice(i + 1))
+      assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top);
+  }
 });
 
 const LADDER = { name: "tie", knob: "broken_by", steps: [1e-2, 1e-8, 0] };

@@ -172,7 +172,7 @@ test("beside campaigns it is one section more", () =>
     async (page, noticed) => {
       await bring(page, "#playback canvas");
       const sections = await page.$$eval("main > section", (all) => all.map(({ id }) => id));
-      assert.ok(sections.includes("summary") && sections.includes("playback") && sections.includes("compare"));
+      assert.ok(sections.includes("answer") && sections.includes("playback") && sections.includes("compare"));
       assert.deepEqual(noticed, { console: [], requests: [] });
     },
   ));

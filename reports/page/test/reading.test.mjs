@@ -31,6 +31,7 @@ for (const dark of [false, true])
       await bring(page, "#precision .plot");
       await bring(page, "#study .plot");
       await bring(page, "#fem .plot");
+      await bring(page, "#answer canvas");
       await bring(page, "#gallery canvas");
       await bring(page, "#playback canvas");
       await page.evaluate(axe);
@@ -57,6 +58,34 @@ for (const width of [400, 1400])
       }));
       assert.ok(scroll <= client, `${scroll} > ${client}`);
     }));
+
+/** A screen of a desk. */
+const SCREEN = 900;
+
+for (const width of [400, 1400])
+  for (const dark of [false, true])
+    test(`a page of ${width} pixels opens short and whole, ${dark ? "dark" : "light"}`, () =>
+      withPage(makeReport({ second: true, ...whole() }), { width, dark }, async (page, noticed) => {
+        await bring(page, "#answer canvas");
+        const seen = await page.evaluate(() => ({
+          height: document.documentElement.scrollHeight,
+          open: [...document.querySelectorAll(".fold")].filter((fold) => fold.open).length,
+          h1: document.querySelector("h1").textContent,
+          sentences: document.querySelectorAll("#answer .sentences p").length,
+          out: [...document.querySelectorAll("nav a, .bar select, .bar button, #answer *, #gallery .card *")]
+            .filter((part) => part.checkVisibility() && !part.closest("pre, .scroll, .unseen"))
+            .filter((part) => part.getBoundingClientRect().right > innerWidth + 1)
+            .map((part) => part.outerHTML.slice(0, 80)),
+          cut: [...document.querySelectorAll("#answer :is(p, span), #gallery .card :is(p, dd, h3)")]
+            .filter((part) => part.checkVisibility() && part.clientWidth > 0 && part.scrollWidth > part.clientWidth + 1)
+            .map((part) => part.outerHTML.slice(0, 80)),
+        }));
+        assert.deepEqual({ open: seen.open, out: seen.out, cut: seen.cut }, { open: 0, out: [], cut: [] });
+        assert.match(seen.h1, /^\d+ of \d+ solvers give wrong answers/);
+        assert.equal(seen.sentences, 3);
+        if (width === 1400) assert.ok(seen.height <= 6 * SCREEN, `${seen.height} pixels`);
+        assert.deepEqual(noticed, { console: [], requests: [] });
+      }));
 
 const HOSTILE = '</script><script>window.hurt=1</script><img src=x onerror="window.hurt=2"><!--<script>';
 
@@ -110,8 +139,9 @@ test("an incomplete run and errors of the harness are announced", () =>
 
 test("a run without failures, precision or a second run says so", () =>
   withPage(small({ failures: 0, precision: false }), {}, async (page, noticed) => {
-    const texts = await page.$$eval(".empty", (notes) => notes.map((note) => note.textContent));
-    assert.equal(texts.length, 3);
+    assert.match(await page.$eval("#gallery .empty", (note) => note.textContent), /kept no failure/);
+    for (const id of ["precision", "compare"]) assert.equal(await page.$(`#${id}`), null);
+    assert.equal(await page.$("#answer canvas"), null);
     assert.deepEqual(noticed, { console: [], requests: [] });
   }));
 
@@ -153,10 +183,11 @@ test("answers that could not be solved anew are shown without them", () => {
       reference: null,
       reason: "the peer is not installed",
       severity: "infinite",
+      shrunk: undefined,
     });
   return withPage(report, {}, async (page, noticed) => {
     await bring(page, "#gallery canvas");
-    await page.click("#gallery .card details summary");
+    await page.$eval("#gallery .card details summary", (summary) => summary.click());
     const note = await page.waitForSelector("#gallery .card details .note");
     assert.match(await note.evaluate((line) => line.textContent), /the peer is not installed/);
     assert.deepEqual(noticed, { console: [], requests: [] });
@@ -169,7 +200,7 @@ test("paper is light, with everything open", () =>
     const state = await page.evaluate(() => ({
       closed: document.querySelectorAll("details:not([open]):not([data-print=closed])").length,
       undrawn: document.querySelectorAll(".plot:not([data-drawn])").length,
-      ink: document.querySelector(".plot text").style.fill,
+      ink: document.querySelector("#study .plot text").style.fill,
     }));
     assert.deepEqual(state, { closed: 0, undrawn: 0, ink: "rgb(28, 33, 39)" });
   }));

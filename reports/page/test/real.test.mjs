@@ -63,8 +63,8 @@ test("a report of plumb's own is shown whole, without a complaint or a request",
   withFolder(async (folder) => {
     const url = makePage(folder);
     await withUrl(url, {}, async (page, noticed) => {
-      for (const id of ["summary", "precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
-      await bring(page, "#gallery canvas");
+      for (const id of ["precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
+      for (const id of ["answer", "gallery"]) await bring(page, `#${id} canvas`);
       assert.deepEqual(noticed, { console: [], requests: [] });
       const figures = await page.$$eval("td, dd, svg text", (all) => all.map((one) => one.textContent));
       assert.ok(figures.length > 100);

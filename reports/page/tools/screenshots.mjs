@@ -1,4 +1,5 @@
-// npm run screenshots -- PAGE.html OUTDIR: each section, light and dark, on a phone and on a desk, and the page on paper.
+// npm run screenshots -- PAGE.html OUTDIR: the page as it opens and each section opened, light and dark, on a phone and on a desk, and
+// the page on paper.
 import { mkdir } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -27,14 +28,24 @@ async function settled(page, id) {
 async function shoot(browser, width, dark) {
   const { page } = await open(browser, url, { width, height: 1000, dark });
   const look = `${width}-${dark ? "dark" : "light"}`;
-  await settled(page, "summary");
+  await page.evaluate(() => scrollTo(0, 0));
+  await pause(3000);
   await page.screenshot({ path: join(folder, `top-${look}.png`) });
+  const height = await page.evaluate(() => document.documentElement.scrollHeight);
+  console.log(`${look}: ${height} pixels high as it opens`);
+  await page.setViewport({ width, height: Math.min(LONGEST, height) });
+  await pause(3000);
+  await page.screenshot({ path: join(folder, `whole-${look}.png`) });
   await page.addStyleTag({
     content: ".bar { position: static !important; } html { scroll-behavior: auto !important; }",
   });
   for (const id of await page.$$eval("main > section", (sections) => sections.map((section) => section.id))) {
     await page.setViewport({ width, height: ["study", "fem"].includes(id) ? LONGEST : 4000 });
-    await page.evaluate((target) => document.getElementById(target).scrollIntoView(), id);
+    await page.evaluate((target) => {
+      const section = document.getElementById(target);
+      for (const fold of section.querySelectorAll(":scope > details")) fold.open = true;
+      section.scrollIntoView();
+    }, id);
     if (id !== "gallery") await settled(page, id);
     else await pause(4000);
     const clip = await page.$eval(`#${id}`, (part) => {
@@ -42,6 +53,9 @@ async function shoot(browser, width, dark) {
       return { x: 0, y: top + scrollY, height: Math.min(height, innerHeight) };
     });
     await page.screenshot({ path: join(folder, `${id}-${look}.png`), clip: { ...clip, width } });
+    await page.$eval(`#${id}`, (section) => {
+      for (const fold of section.querySelectorAll(":scope > details")) fold.open = false;
+    });
   }
   await page.close();
 }

@@ -1,5 +1,6 @@
 import type { Atlas, Cell, Run } from "../data";
 import { fill, h, section, select } from "../dom";
+import { made } from "../made";
 import { inOrder } from "../methods";
 import { count, number, percent } from "../numbers";
 import { type Figure, figure } from "../plot";
@@ -64,12 +65,19 @@ function maps(run: Run, view: AtlasView): HTMLElement[] {
   );
 }
 
+/** A map of zeros says little: it opens on the method with most to see. */
+function mostFailing(run: Run, family: string): string {
+  const failures = (atlas: Atlas) => atlas.cells.reduce((sum, cell) => sum + cell.failures, 0);
+  const here = run.atlases.filter((atlas) => atlas.family === family);
+  return here.reduce((most, atlas) => (failures(atlas) > failures(most) ? atlas : most)).method;
+}
+
 function content(run: Run, view: AtlasView): HTMLElement[] {
   if (run.atlases.length === 0) return [h("p", { class: "empty" }, "This run holds no maps.")];
   const families = [...new Set(run.atlases.map((atlas) => atlas.family))];
   const methods = inOrder(run.atlases.map((atlas) => atlas.method));
   if (!families.includes(view.family)) view.family = families[0] as string;
-  if (!methods.includes(view.method)) view.method = methods[0] as string;
+  if (!methods.includes(view.method)) view.method = mostFailing(run, view.family);
   const place = h("div", { class: "maps" });
   const redraw = () => fill(place, ...maps(run, view));
   const choice = (label: string, key: keyof AtlasView, values: [string, string][]) =>
@@ -88,6 +96,10 @@ function content(run: Run, view: AtlasView): HTMLElement[] {
       choice("Colour", "measure", Object.entries(MEASURE_NAMES)),
     ),
     place,
+    made(
+      run.families.map(({ command }) => command),
+      "a command for each family of pairs",
+    ),
     h(
       "p",
       { class: "note" },

@@ -4,6 +4,7 @@ import { breakable, type Child, details, h } from "../dom";
 import { count, NONE, number } from "../numbers";
 import { methodName } from "../swatch";
 import { definitions, table } from "../table";
+import { degrees, MEASURED, seenOf, sentenceOf } from "./answer_words";
 import { view3d } from "../view3d/cards";
 
 const KEPT: Record<Failure["kept"], string> = { simplest: "simplest", worst: "worst", only: "simplest and worst" };
@@ -28,7 +29,8 @@ const LINES: Line[] = [
   { name: "p2", of: (answer) => vector(answer.points?.[1]) },
 ];
 
-function comparison({ answer, reference, reason, bucket }: Failure): Child {
+function comparison(failure: Failure): Child {
+  const { answer, reference, reason } = failure.shrunk ?? failure;
   const missing = reason && h("p", { class: "note" }, `Not solved anew: ${reason}`);
   const of = (one: Answer | null) => (line: Line) => (one ? line.of(one) : NONE);
   const columns = [
@@ -40,14 +42,15 @@ function comparison({ answer, reference, reason, bucket }: Failure): Child {
     "div",
     {},
     missing,
-    table({ caption: `${bucket}: answer and reference`, columns, rows: LINES, hideCaption: true }),
+    table({ caption: `${failure.bucket}: answer and reference`, columns, rows: LINES, hideCaption: true }),
   );
 }
 
 function caseText(failure: Failure): HTMLElement {
-  const text = JSON.stringify(failure.case);
-  const code = h("code", {}, JSON.stringify(failure.case, null, 1));
-  const file = failure.file.split("/").pop() || `${failure.bucket}.json`;
+  const shown = seenOf(failure);
+  const text = JSON.stringify(shown.case);
+  const code = h("code", {}, JSON.stringify(shown.case, null, 1));
+  const file = shown.file.split("/").pop() || `${failure.bucket}.json`;
   return h(
     "div",
     { class: "case" },
@@ -75,8 +78,29 @@ function facts(failure: Failure): HTMLElement {
   return list;
 }
 
+/** "12.3° off", or what else it is that is wrong. */
+function howFar(failure: Failure): HTMLElement | null {
+  const angle = seenOf(failure).answer?.angle_error_deg ?? null;
+  if (angle === null || angle < MEASURED || seenOf(failure).answer?.status !== "converged") return null;
+  return h("p", { class: "how-far" }, h("strong", {}, degrees(angle)), " off the right normal");
+}
+
+function behind(failure: Failure, report: Report, matters: string): HTMLElement {
+  return h(
+    "div",
+    { class: "behind" },
+    matters ? h("p", {}, matters) : null,
+    comparison(failure),
+    law(failure, report),
+    failure.shrunk ? h("p", { class: "detail" }, failure.detail) : null,
+    facts(failure),
+  );
+}
+
 export function failureCard(failure: Failure, report: Report): HTMLElement {
   const name = `${failure.finding} of ${failure.method}, ${failure.shapes}, ${failure.regime}`;
+  const [sentence, matters] = sentenceOf(failure);
+  const shown = seenOf(failure);
   const title = h(
     "h3",
     {},
@@ -86,16 +110,15 @@ export function failureCard(failure: Failure, report: Report): HTMLElement {
   return h(
     "article",
     { class: failure.own ? "card is-own" : "card", "aria-label": name },
-    view3d(failure, name),
+    view3d(shown, name),
     h(
       "div",
       { class: "card-text" },
       title,
-      facts(failure),
-      law(failure, report),
-      h("p", { class: "detail" }, failure.detail),
-      command(failure.replay, `the command that replays ${failure.bucket}`),
-      details("Answer and reference", () => comparison(failure)),
+      howFar(failure),
+      h("p", { class: "sentence" }, sentence),
+      command(shown.replay, `the command that replays ${failure.bucket}`),
+      details("Answer, reference and law", () => behind(failure, report, matters)),
       details("The case as JSON", () => caseText(failure), { "data-print": "closed" }),
     ),
   );

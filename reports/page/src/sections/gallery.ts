@@ -1,11 +1,15 @@
+import { toLevel } from "../accuracy";
 import type { Failure, Report, Run } from "../data";
 import { button, checkbox, fill, h, section, select, unique } from "../dom";
 import { inOrder } from "../methods";
 import { count } from "../numbers";
 import { perRun, type State } from "../state";
 import { releaseCards } from "../view3d/cards";
+import type { Watched } from "../watched";
 import { failureCard } from "./failure_card";
+import { byInterest, grouped } from "./gallery_order";
 
+const FIRST = 6;
 const BATCH = 24;
 const KEYS = ["finding", "method", "shapes", "regime", "family"] as const;
 type Key = (typeof KEYS)[number];
@@ -63,16 +67,17 @@ function controls(failures: Failure[], filter: Filter, changed: () => void): HTM
 
 /** Cards in batches: hundreds at once would only be scrolled past. */
 class Cards {
-  readonly place = h("div", { class: "cards" });
-  readonly more = h("div", { class: "more" });
+  private readonly place = h("div", { class: "cards" });
+  private readonly more = h("div", { class: "more" });
+  readonly element = h("div", {}, this.place, this.more);
   private rest: Failure[] = [];
   constructor(private readonly report: Report) {}
 
   show(failures: Failure[]): void {
-    releaseCards();
+    releaseCards(this.place);
     this.place.replaceChildren();
-    this.rest = failures;
-    this.add(BATCH);
+    this.rest = [...failures];
+    this.add(FIRST);
   }
 
   private add(most: number): void {
@@ -88,21 +93,49 @@ class Cards {
   }
 }
 
-function gallery(run: Run, report: Report): HTMLElement[] {
-  if (run.failures.length === 0) return [h("p", { class: "empty" }, "This run kept no failure.")];
+/** Cards behind a line that says how many they are. */
+class Folded {
+  private readonly summary = h("summary");
+  private readonly cards: Cards;
+  readonly element: HTMLElement;
+  constructor(report: Report, kind: string) {
+    this.cards = new Cards(report);
+    this.element = h("details", { class: `folded-cards ${kind}` }, this.summary, this.cards.element);
+  }
+
+  show(failures: Failure[], words: string): void {
+    this.element.hidden = failures.length === 0;
+    this.summary.textContent = `${count(failures.length)} of them ${words}`;
+    this.cards.show(failures);
+  }
+}
+
+interface Gallery {
+  parts: HTMLElement[];
+  /** At another accuracy. */
+  refill: (level: string) => void;
+}
+
+function gallery(run: Run, report: Report, accuracy: Watched<string>): Gallery {
   const all = run.failures;
   const words = new Map(all.map((failure) => [failure, wordsOf(failure)]));
   const filter: Filter = { finding: "", method: "", shapes: "", regime: "", family: "", ownOnly: false, text: "" };
   const status = h("p", { class: "status", role: "status" });
-  const cards = new Cards(report);
+  const wrong = new Cards(report);
+  const [rightEnough, refused] = [new Folded(report, "right-enough"), new Folded(report, "refusals")];
   const left = run.kept_failures > all.length ? ` here, of ${count(run.kept_failures)} that the run kept` : "";
-  const refill = () => {
+  const refill = (level: string) => {
     const shown = all.filter((failure) => passes(failure, filter, words.get(failure) ?? ""));
-    status.textContent = `${count(shown.length)} of ${count(all.length)} failures${left}; plumb's own first, then each method's most frequent in turn`;
-    cards.show(shown);
+    const groups = grouped(shown, level);
+    const ordered = (group: Failure[]) => byInterest(group, run.totals, level);
+    status.textContent = `${count(shown.length)} of ${count(all.length)} failures${left}; plumb's own first, then each method's most frequent in turn, who is least often right ${toLevel(level)} first`;
+    wrong.show(ordered(groups.wrong));
+    rightEnough.show(ordered(groups.right), `are right ${toLevel(level)}, and wrong only where more is asked for`);
+    refused.show(ordered(groups.refused), "are refusals: the solver says itself that it has no answer");
   };
-  refill();
-  return [controls(all, filter, refill), key(), status, cards.place, cards.more];
+  refill(accuracy.value);
+  const filters = controls(all, filter, () => refill(accuracy.value));
+  return { parts: [filters, status, wrong.element, rightEnough.element, refused.element, key()], refill };
 }
 
 /** What stands for what in the 3-D views; the labels there say the same. */
@@ -120,6 +153,19 @@ function key(): HTMLElement {
 }
 
 export function gallerySection(state: State): HTMLElement {
-  const place = perRun(state, h("div"), (run) => gallery(run, state.report));
-  return section("gallery", "Failure gallery", "What does a failure look like, and how is it replayed?", place);
+  const { report, accuracy } = state;
+  const place = h("div");
+  let refill = (_level: string) => {};
+  accuracy.watch((level) => refill(level));
+  perRun(state, place, (run) => {
+    releaseCards(place);
+    if (run.failures.length === 0) {
+      refill = () => {};
+      return [h("p", { class: "empty" }, "This run kept no failure.")];
+    }
+    const made = gallery(run, report, accuracy);
+    refill = made.refill;
+    return made.parts;
+  });
+  return section("gallery", "Failures", "What does a failure look like, and how is it replayed?", place);
 }

@@ -1,6 +1,8 @@
-import type { Playback, Report, Run } from "../data";
+import type { Playback, Run } from "../data";
 import { h } from "../dom";
 import { count } from "../numbers";
+import { perLevel, type State } from "../state";
+import { headline } from "./answer_words";
 import { SECTIONS } from "./sections";
 
 function alarm(run: Run): HTMLElement | null {
@@ -28,7 +30,8 @@ function partCutShort(name: string): HTMLElement {
   return h("div", { class: "alarm", role: "alert" }, words, "It was interrupted: it shows only what was done.");
 }
 
-export function header(report: Report): HTMLElement {
+export function header(state: State): HTMLElement {
+  const { report } = state;
   const runs = report.runs.map(
     (run) => `${run.name}: ${count(run.cases)} cases, seed ${run.seed}, commit ${run.commit}`,
   );
@@ -38,7 +41,7 @@ export function header(report: Report): HTMLElement {
     "header",
     { class: "top" },
     h("p", { class: "brand" }, "plumb report"),
-    h("h1", {}, "Does the contact normal stand true?"),
+    perLevel(state, h("h1", {}, "What was measured"), (run, level) => [headline(run, level)]),
     h("ul", { class: "runs" }, ...lines.map((text) => h("li", {}, text))),
     ...report.runs.map(alarm),
     ...report.playbacks.map(cutShort),

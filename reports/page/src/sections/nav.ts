@@ -1,4 +1,5 @@
-import { h, select } from "../dom";
+import { accuracySelect } from "../accuracy";
+import { h, select, unfold } from "../dom";
 import type { State } from "../state";
 import { themeButton } from "../theme";
 import type { Part } from "./sections";
@@ -36,13 +37,15 @@ function runSelect(state: State): HTMLElement | null {
 }
 
 export function nav(state: State, parts: Part[]): HTMLElement {
-  const links = new Map(parts.map(({ name, element }) => [element, h("a", { href: `#${element.id}` }, name)]));
+  const links = new Map(
+    parts.map(({ name, element }) => [element, h("a", { href: `#${element.id}`, click: () => unfold(element) }, name)]),
+  );
   markCurrent(links);
   const list = h("ul", {}, ...[...links.values()].map((link) => h("li", {}, link)));
   return h(
     "div",
     { class: "bar" },
     h("nav", { "aria-label": "Sections" }, list),
-    h("div", { class: "bar-end" }, runSelect(state), themeButton()),
+    h("div", { class: "bar-end" }, accuracySelect(state.report, state.accuracy), runSelect(state), themeButton()),
   );
 }

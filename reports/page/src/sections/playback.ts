@@ -1,5 +1,6 @@
 import type { Playback, Report } from "../data";
 import { type Child, h, section } from "../dom";
+import { made } from "../made";
 import { count, number, percent } from "../numbers";
 import { PlaybackBlock } from "../playback/block";
 import { definitions, table } from "../table";
@@ -9,6 +10,13 @@ const HOW =
   "Speeds are the difference of the frames around. Arrows go from the body of lower number along the normal, as long as the force, up to what 98 in 100 contacts stay below. Walls are cut to the scene's extent; z is up. Drag or arrow keys turn, plus and minus zoom, 0 resets; space plays, comma and full stop step. A click on the energy goes to its time.";
 
 const blocks: PlaybackBlock[] = [];
+
+/** For a shell, as one word. */
+const word = (text: string): string => (/^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+
+/** A run keeps its scene as it was run. */
+const commandOf = ({ folder }: Playback): string =>
+  `plumb scene ${word(`${folder}/scene.json`)} --out ${word(`${folder}-again`)}`;
 
 /** On paper a scene is its last frame. */
 export function stillsForPaper(on: boolean): void {
@@ -41,7 +49,7 @@ function end({ end, name }: Playback): HTMLElement[] {
   ];
   const facts = definitions(pairs);
   facts.className = "facts";
-  return [h("p", { class: `verdict ${end.failed > 0 ? "bad" : "good"}` }, failed), facts];
+  return [h("p", { class: `verdict ${end.failed > 0 ? "bad" : end.solves > 0 ? "good" : ""}` }, failed), facts];
 }
 
 function facts(playback: Playback): HTMLElement {
@@ -67,6 +75,7 @@ function scene(playback: Playback): HTMLElement {
     title,
     facts(playback),
     h("div", { class: "stage" }, block.element, beside),
+    made([commandOf(playback)], `the scene ${playback.name}`),
     h("h4", {}, "Effects"),
     effects(playback),
   );

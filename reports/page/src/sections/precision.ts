@@ -2,6 +2,7 @@ import { command } from "../commands";
 import type { Precision, PrecisionPoint } from "../data";
 import { button, h, section, select, unique } from "../dom";
 import { inOrder, scalarsInOrder } from "../methods";
+import { made } from "../made";
 import { count, error, number, onMachine, percent, time } from "../numbers";
 import { figure } from "../plot";
 import type { State } from "../state";
@@ -17,7 +18,7 @@ import {
   type Quantile,
   type View,
 } from "./precision_words";
-import { describeWorkPrecision, workPrecision } from "./work_precision";
+import { describeWorkPrecision, workHeight, workPrecision } from "./work_precision";
 
 const QUESTION = "Which method, which precision, which tolerance, at what price, and how often does it fail?";
 
@@ -144,7 +145,7 @@ function workFigure(view: View, pins: Pins) {
   return figure({
     caption: "Median time against error (lower left is better), and the share of pairs without an answer",
     describe: () => describeWorkPrecision(view),
-    height: (width) => (width < 600 ? 560 : 680),
+    height: workHeight,
     draw: (width) => workPrecision(view, width),
     table: () =>
       table({ caption: `All points of ${view.set.name}`, columns: COLUMNS, rows: view.set.points, hideCaption: true }),
@@ -210,6 +211,7 @@ function content(precision: Precision, view: View): HTMLElement[] {
     work.element,
     pairs,
     key,
+    made([precision.command], "all sets"),
     pins.element,
     h("h3", {}, "How the error falls"),
     h(
@@ -226,6 +228,7 @@ function content(precision: Precision, view: View): HTMLElement[] {
         )
       : h("span"),
     paths.element,
+    made([precision.command], "all paths"),
     h(
       "p",
       { class: "note" },
@@ -238,19 +241,9 @@ function content(precision: Precision, view: View): HTMLElement[] {
 /** They stretch the axis by thirty decades. */
 const HIDDEN_AT_FIRST = ["50 digits"];
 
-export function precisionSection({ report }: State): HTMLElement {
-  const { precision } = report;
+export function precisionSection({ report: { precision } }: State): HTMLElement | null {
   const set = precision?.sets[0];
-  if (!precision || !set) {
-    const how = h(
-      "p",
-      { class: "empty" },
-      "No work-precision data were given. ",
-      h("code", {}, "plumb report-precision --json --out FILE"),
-      " measures them.",
-    );
-    return section("precision", "Work and precision", QUESTION, how);
-  }
+  if (!precision || !set) return null;
   const view: View = {
     set,
     measure: "normal",

@@ -1,8 +1,11 @@
 /** The sections in their order: all that the page, its navigation and its head know of each. */
 import type { Report } from "../data";
+import { fold } from "../dom";
 import type { State } from "../state";
+import { answerSection } from "./answer";
 import { atlasSection } from "./atlas";
 import { compareSection } from "./compare/compare";
+import { familiesSection } from "./families";
 import { femSection } from "./fem/fem";
 import { femLine } from "./fem/fem_words";
 import { gallerySection } from "./gallery";
@@ -12,7 +15,6 @@ import { playbackLines, playbackSection } from "./playback";
 import { precisionSection } from "./precision";
 import { studySection } from "./study/study";
 import { studyLine } from "./study/study_words";
-import { summarySection } from "./summary";
 
 interface Section {
   /** In the navigation. */
@@ -20,6 +22,8 @@ interface Section {
   /** Without it there is always something to show. */
   shows?: (report: Report) => unknown;
   make: (state: State) => HTMLElement | null;
+  /** Open from the start; of a campaign's page the others are folded. */
+  isOpen?: boolean;
   /** It says where the others come from, and is nothing by itself. */
   isAbout?: boolean;
   /** What the head says of its data. */
@@ -31,10 +35,13 @@ interface Section {
 const isCampaign = ({ runs }: Report): boolean => runs.length > 0;
 
 export const SECTIONS: Section[] = [
-  { name: "Summary", shows: isCampaign, make: summarySection },
-  { name: "Precision", shows: (report) => isCampaign(report) || report.precision, make: precisionSection },
-  { name: "Atlas", shows: isCampaign, make: atlasSection },
+  { name: "Answer", shows: isCampaign, make: answerSection, isOpen: true },
+  { name: "Failures", shows: isCampaign, make: gallerySection, isOpen: true },
+  { name: "Compare", make: compareSection },
+  { name: "Families", shows: isCampaign, make: familiesSection },
   { name: "Ladders", make: laddersSection },
+  { name: "Atlas", shows: isCampaign, make: atlasSection },
+  { name: "Precision", make: precisionSection },
   {
     name: "Study",
     make: ({ report }) => studySection(report),
@@ -47,9 +54,7 @@ export const SECTIONS: Section[] = [
     lines: ({ fem }) => (fem ? [femLine(fem)] : []),
     cutShort: ({ fem }) => fem?.interrupted && "finite element study",
   },
-  { name: "Gallery", shows: isCampaign, make: gallerySection },
   { name: "Playback", make: ({ report }) => playbackSection(report), lines: playbackLines },
-  { name: "Compare", shows: isCampaign, make: compareSection },
   { name: "Machine", make: machineSection, isAbout: true },
 ];
 
@@ -61,7 +66,9 @@ export interface Part {
 
 /** Those that have something to show. */
 export const partsOf = (state: State): Part[] =>
-  SECTIONS.flatMap(({ name, shows, make, isAbout = false }) => {
+  SECTIONS.flatMap(({ name, shows, make, isOpen = false, isAbout = false }) => {
     const element = !shows || shows(state.report) ? make(state) : null;
-    return element ? [{ name, element, isAbout }] : [];
+    if (!element) return [];
+    if (isCampaign(state.report) && !isOpen) fold(element);
+    return [{ name, element, isAbout }];
   });

@@ -33,11 +33,12 @@ function mistakes(row: StabilityRow): Child[] {
 function methodCell(ladder: Rungs, row: StabilityRow | undefined): Child[] {
   if (!row) return [NONE];
   const { overlap, normal, points } = row.digits;
-  const where = row.lets_go === null ? "holds" : `at ${stepName(ladder, row.lets_go)}`;
+  const none = sum(row.cases) === 0;
+  const where = none ? "no case" : row.lets_go === null ? "holds" : `at ${stepName(ladder, row.lets_go)}`;
   return [
     h("span", {}, `${count(sum(row.right))} of ${count(sum(row.cases))}`),
     h("small", {}, `${digits(overlap)} / ${digits(normal)} / ${digits(points)}`),
-    h("small", { class: row.lets_go === null ? "holds" : "" }, where),
+    h("small", { class: row.lets_go === null && !none ? "holds" : "" }, where),
   ];
 }
 
@@ -88,8 +89,9 @@ function summary({ totals }: Stability): HTMLElement | null {
     ({ arithmetic, right, cases }, index) =>
       `in ${arithmetic} ${count(right)} of ${count(cases)}${index === 0 ? " cases" : ""}`,
   );
-  const usual = own.every(({ arithmetic, right, cases }) => arithmetic !== USUAL || right === cases);
-  return h("p", { class: `verdict ${usual ? "" : "bad"}` }, `auto is right ${parts.join(", ")}.`);
+  const usual = own.find(({ arithmetic }) => arithmetic === USUAL);
+  const kind = !usual || usual.cases === 0 ? "" : usual.right === usual.cases ? "good" : "bad";
+  return h("p", { class: `verdict ${kind}` }, `auto is right ${parts.join(", ")}.`);
 }
 
 export function stabilityBlock(stability: Stability): (HTMLElement | null)[] {

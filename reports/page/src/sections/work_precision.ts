@@ -5,9 +5,15 @@ import { type LogScale, logAxis, logScale, marginLabels, marginShapes } from "..
 import { colourOf, dashOf, isOwn, symbolIn } from "../methods";
 import { type Drawing, short, wrapped } from "../plot";
 import { ink } from "../theme";
+import { type Named, nameAnnotations } from "./certificate_labels";
 import { axisTitle, isShown, pointFigures, pointName, type View } from "./precision_words";
 
 const NARROW = 600;
+const MARGIN = { l: 68, r: 22, t: 10, b: 52 };
+/** The panel of times begins there, from below. */
+const UPPER_FROM = 0.32;
+
+export const workHeight = (width: number): number => (width < NARROW ? 560 : 680);
 
 const shownEnvelopes = (view: View): PrecisionSet["envelopes"] =>
   view.set.envelopes.filter(({ scalar }) => !view.hiddenScalars.has(scalar));
@@ -68,20 +74,35 @@ function trace(group: PrecisionPoint[], panel: Panel, below: boolean): Data {
   const { view, scale, width } = panel;
   return {
     type: "scatter",
-    mode: certified ? (below ? "markers" : "text+markers") : "lines+markers",
+    mode: certified ? "markers" : "lines+markers",
     yaxis: below ? "y2" : "y",
     x: group.map((point) => scale.place(errorOf(view, point))),
     y: group.map((point) => (below ? 100 * point.failed : point.median_ns)),
     line: { color: colourOf(first.method), width: isOwn(first.method) ? 2.4 : 1.4, dash: dashOf(first.scalar) },
     marker: marker(first, certified),
-    text: certified ? group.map((point) => short(` + ${point.certificate}`)) : undefined,
-    textposition: group.map(({ certificate }) => (certificate === "bounds" ? "bottom right" : "middle right")),
-    textfont: { size: 12 },
     cliponaxis: false,
     customdata: group.map((point) => view.set.points.indexOf(point)),
     hovertext: group.map((point) => hoverText(point, width)),
     hovertemplate: "%{hovertext}<extra></extra>",
   } as object;
+}
+
+/** plumb's own first: they get the best places. */
+function certificateNames(
+  { view, scale, width }: Panel,
+  points: PrecisionPoint[],
+  times: LogScale,
+): Partial<Annotations>[] {
+  const [across, up] = [width - MARGIN.l - MARGIN.r, workHeight(width) - MARGIN.t - MARGIN.b];
+  const part = (power: number, { range: [low, high] }: LogScale) => (power - low) / (high - low);
+  const certified = points.filter(({ certificate }) => certificate !== "");
+  certified.sort((a, b) => Number(isOwn(b.method)) - Number(isOwn(a.method)));
+  const named = certified.map((point): Named => {
+    const at: [number, number] = [Math.log10(scale.place(errorOf(view, point))), Math.log10(point.median_ns)];
+    const pixel: [number, number] = [part(at[0], scale) * across, -part(at[1], times) * up * (1 - UPPER_FROM)];
+    return { text: short(`+ ${point.certificate}`), colour: colourOf(point.method), at, pixel };
+  });
+  return nameAnnotations(named, across);
 }
 
 function frontTrace({ view, scale }: Panel, points: PrecisionPoint[]): Data {
@@ -143,9 +164,8 @@ function envelopes({ view, scale, width }: Panel): { shapes: Partial<Shape>[]; a
   return { shapes: shapes as Partial<Shape>[], annotations: annotations as Partial<Annotations>[] };
 }
 
-function axesOf({ view, scale, width }: Panel, points: PrecisionPoint[]): Partial<Layout> {
+function axesOf({ view, scale, width }: Panel, times: LogScale): Partial<Layout> {
   const { grid } = ink();
-  const times = logScale(points.map((point) => point.median_ns));
   const ticks = {
     tickvals: [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9],
     ticktext: ["0.1 µs", "1 µs", "10 µs", "0.1 ms", "1 ms", "10 ms", "0.1 s", "1 s"],
@@ -155,7 +175,7 @@ function axesOf({ view, scale, width }: Panel, points: PrecisionPoint[]): Partia
     yaxis: {
       type: "log",
       range: [...times.range],
-      domain: [0.32, 1],
+      domain: [UPPER_FROM, 1],
       title: { text: "median time" },
       gridcolor: grid,
       ...ticks,
@@ -177,14 +197,15 @@ export function workPrecision(view: View, width: number): Drawing {
     .map((envelope) => envelope[view.measure][view.quantile])
     .filter((x) => x !== null);
   const scale = logScale([...points.map((point) => errorOf(view, point)), ...allowed]);
+  const times = logScale(points.map((point) => point.median_ns));
   const panel: Panel = { view, scale, width };
   const { shapes, annotations } = envelopes(panel);
   const data = groups(points).flatMap((group) => [trace(group, panel, false), trace(group, panel, true)]);
   const layout: Partial<Layout> = {
-    ...axesOf(panel, points),
-    margin: { l: 68, r: 22, t: 10, b: 52 },
+    ...axesOf(panel, times),
+    margin: MARGIN,
     shapes: [...marginShapes(scale, "x"), ...shapes],
-    annotations: [...marginLabels(scale, "x", "no answer"), ...annotations],
+    annotations: [...marginLabels(scale, "x", "no answer"), ...annotations, ...certificateNames(panel, points, times)],
     uirevision: `${view.set.name} ${view.measure} ${view.quantile}`,
   };
   return { data: [frontTrace(panel, points), ...data], layout };

@@ -1,8 +1,7 @@
 /** The 3-D view of a card: three is loaded and the picture drawn when the card comes into view. */
-import type { Failure } from "../data";
 import { h } from "../dom";
 import { theme } from "../theme";
-import { focusOf, type Geometry, geometryOf, type Zoom } from "./placed";
+import { focusOf, type Geometry, geometryOf, type Shown, type Zoom } from "./placed";
 import type { View3d } from "./view";
 
 type Engine = typeof import("./engine");
@@ -43,36 +42,50 @@ export function drawCardsForPaper(): void {
   if (engine) drawAll(cards.keys());
 }
 
-/** The cards are about to be thrown away. */
-export function releaseCards(): void {
+/** The cards in that place are about to be thrown away. */
+export function releaseCards(place: Element): void {
   for (const [canvas, card] of cards) {
+    if (!place.contains(canvas)) continue;
     watcher.unobserve(canvas);
     card.view?.release();
+    cards.delete(canvas);
   }
-  cards.clear();
 }
+
+const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 class Card {
   view: View3d | null = null;
   readonly element: HTMLElement;
   private readonly canvas: HTMLCanvasElement;
   private readonly size = h("span", { class: "view-size" });
+  private readonly turns: HTMLButtonElement;
   private readonly geometry: Geometry;
   private zoom: Zoom = "bodies";
+  private turning = false;
 
-  constructor(failure: Failure, name: string) {
+  /** `plain`: the two normals alone, turning. */
+  constructor(
+    shown: Shown,
+    name: string,
+    private readonly plain: boolean,
+  ) {
     const label = `3-D view of ${name}. Arrow keys turn it, plus and minus zoom, 0 resets.`;
-    this.geometry = geometryOf(failure);
+    this.geometry = geometryOf(shown);
     this.canvas = h("canvas", { tabindex: 0, role: "application", "aria-label": label });
-    const reset = h(
-      "button",
-      { type: "button", class: "quiet", title: "Turn back", click: () => this.view?.reset() },
-      "Reset",
-    );
-    const bar = h("div", { class: "view-bar" }, this.zoomChoice(), reset, this.size);
-    this.element = h("div", { class: "view3d" }, this.canvas, bar);
+    const quiet = { type: "button", class: "quiet" };
+    const reset = h("button", { ...quiet, title: "Turn back", click: () => this.view?.reset() }, "Reset");
+    this.turns = h("button", { ...quiet, click: () => this.turn(!this.turning) }, "Turn");
+    const controls = plain ? [this.turns, reset] : [this.zoomChoice(), reset, this.size];
+    this.element = h("div", { class: "view3d" }, this.canvas, h("div", { class: "view-bar" }, ...controls));
     cards.set(this.canvas, this);
     watcher.observe(this.canvas);
+  }
+
+  private turn(on: boolean): void {
+    this.turning = on;
+    this.turns.textContent = on ? "Stop turning" : "Turn";
+    this.view?.spin(on, () => this.turn(false));
   }
 
   draw(): void {
@@ -82,8 +95,10 @@ class Card {
       );
       return;
     }
-    this.view ??= new engine.View3d(this.canvas, this.geometry, this.size);
+    if (this.view) return this.view.show(this.zoom);
+    this.view = new engine.View3d(this.canvas, this.geometry, this.size, this.plain);
     this.view.show(this.zoom);
+    if (this.plain && !still.matches) this.turn(true);
   }
 
   private zoomChoice(): HTMLElement {
@@ -102,4 +117,5 @@ class Card {
   }
 }
 
-export const view3d = (failure: Failure, name: string): HTMLElement => new Card(failure, name).element;
+export const view3d = (shown: Shown, name: string): HTMLElement => new Card(shown, name, false).element;
+export const plainView3d = (shown: Shown, name: string): HTMLElement => new Card(shown, name, true).element;

@@ -4,10 +4,14 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Vec } from "../data";
 
 const STEP = Math.PI / 18;
+/** Of a view that turns by itself: a turn in half a minute, in few enough pictures for a machine without a graphics card. */
+const SPIN = { speed: 2, pause: 60 };
 
 export class Orbit {
   readonly camera = new PerspectiveCamera(28, 1, 0.05, 500);
   private readonly controls: OrbitControls;
+  private stopped = () => {};
+  private released = false;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -18,6 +22,7 @@ export class Orbit {
     this.hold(document.activeElement === canvas);
     this.home();
     this.controls.addEventListener("change", () => this.paint());
+    this.controls.addEventListener("start", () => this.halt());
     canvas.addEventListener("keydown", (event) => this.key(event));
     canvas.addEventListener("focus", () => this.hold(true));
     canvas.addEventListener("blur", () => this.hold(false));
@@ -41,7 +46,30 @@ export class Orbit {
     this.paint();
   }
 
+  spin(on: boolean, stopped: () => void): void {
+    this.stopped = stopped;
+    const starts = on && !this.controls.autoRotate;
+    this.controls.autoRotate = on;
+    this.controls.autoRotateSpeed = SPIN.speed;
+    if (starts) this.step(performance.now());
+  }
+
+  private halt(): void {
+    if (!this.controls.autoRotate) return;
+    this.controls.autoRotate = false;
+    this.stopped();
+  }
+
+  private step(before: number): void {
+    if (!this.controls.autoRotate || this.released) return;
+    const { top, bottom } = this.canvas.getBoundingClientRect();
+    const now = performance.now();
+    if (bottom > 0 && top < innerHeight) this.controls.update((now - before) / 1000);
+    setTimeout(() => requestAnimationFrame(() => this.step(now)), SPIN.pause);
+  }
+
   release(): void {
+    this.released = true;
     this.controls.dispose();
   }
 
@@ -64,6 +92,7 @@ export class Orbit {
     const turn = turns[event.key];
     if (!turn || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
+    this.halt();
     turn();
   }
 }

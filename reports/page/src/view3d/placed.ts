@@ -32,6 +32,8 @@ export interface Geometry {
   reference: Contact | null;
   /** From body 1 to body 2: the reference's, or the answer's, or the centres'. */
   normal: Vec;
+  /** What the answer says is the normal. */
+  given: Vec | null;
   /** The case's length of 1. */
   size: number;
 }
@@ -62,7 +64,10 @@ function contact(answer: Answer | null, origin: Vec, size: number): Contact | nu
   return { points: [at(p), at(q)], normals: isFinite3(n) && isFinite3(m) ? [unit(n), unit(m)] : null };
 }
 
-function originOf({ answer, reference, case: { bodies } }: Failure): Vec {
+/** What a picture is made of. */
+export type Shown = Pick<Failure, "case" | "answer" | "reference">;
+
+function originOf({ answer, reference, case: { bodies } }: Shown): Vec {
   for (const one of [reference, answer]) {
     const [p, q] = one?.points ?? [null, null];
     if (isFinite3(p) && isFinite3(q)) return middle(p, q);
@@ -70,7 +75,7 @@ function originOf({ answer, reference, case: { bodies } }: Failure): Vec {
   return bodies[0].position;
 }
 
-export function geometryOf(failure: Failure): Geometry {
+export function geometryOf(failure: Shown): Geometry {
   const [first, second] = failure.case.bodies;
   const size = Math.max(...first.shape.superellipsoid.semi_axes, ...second.shape.superellipsoid.semi_axes);
   const origin = originOf(failure);
@@ -82,6 +87,7 @@ export function geometryOf(failure: Failure): Geometry {
     answer: contact(failure.answer, origin, size),
     reference: contact(failure.reference, origin, size),
     normal,
+    given: isFinite3(failure.answer?.normal) ? unit(failure.answer.normal) : null,
     size,
   };
 }
@@ -95,15 +101,54 @@ function aroundPoints(points: Vec[]): Focus {
   return { centre, radius: Math.max(LEAST, 2.5 * radius) };
 }
 
-function aroundBodies(bodies: Placed[]): Focus {
-  const low = [0, 1, 2].map((i) => Math.min(...bodies.map((body) => (body.centre[i] as number) - reach(body, i))));
-  const high = [0, 1, 2].map((i) => Math.max(...bodies.map((body) => (body.centre[i] as number) + reach(body, i))));
-  const centre = middle(low as Vec, high as Vec);
-  return {
-    centre,
-    radius:
-      0.62 * length(subtract(high as Vec, centre)) + 0.2 * Math.max(...high.map((h, i) => h - (low[i] as number))),
-  };
+/** Of an arrow, in radii of what is seen; and with its name. */
+export const ARROW = 0.62;
+const NAMED_ARROW = 0.66;
+/** Further from the middle, in radii, nothing is surely seen. */
+const SEEN = 0.95;
+/** A body's box reaches further than the body. */
+const BALL = 0.65;
+/** Arrows grow with the radius that makes room for them: by then it hardly changes. */
+const ROUNDS = 10;
+
+/** Where arrows begin, and their directions. */
+function arrowsOf({ answer, reference, normal, given }: Geometry, plain: boolean): [Vec, Vec][] {
+  const right = reference ? [normal, ...(plain && given ? [given] : [])] : [];
+  const arrows = right.map((direction): [Vec, Vec] => [reference?.points[0] ?? [0, 0, 0], direction]);
+  const { points, normals } = answer ?? {};
+  if (plain || !points || !normals) return arrows;
+  return [...arrows, [points[0], normals[0]], [points[1], normals[1]]];
+}
+
+/** The bodies' box with those points, and all of it seen. */
+function around(bodies: Placed[], tips: Vec[]): Focus {
+  const ends = (sign: 1 | -1) =>
+    [0, 1, 2].map((i) => [
+      ...bodies.map((body) => (body.centre[i] as number) + sign * reach(body, i)),
+      ...tips.map((tip) => tip[i] as number),
+    ]);
+  const low = ends(-1).map((all) => Math.min(...all)) as Vec;
+  const high = ends(1).map((all) => Math.max(...all)) as Vec;
+  const centre = middle(low, high);
+  const corners = bodies.map((body) => [0, 1, 2].map((i) => reach(body, i)) as Vec);
+  const furthest = [
+    ...bodies.map((body, k) => length(subtract(body.centre, centre)) + BALL * length(corners[k] as Vec)),
+    ...tips.map((tip) => length(subtract(tip, centre))),
+  ];
+  return { centre, radius: Math.max(...furthest) / SEEN };
+}
+
+function aroundBodies(geometry: Geometry, plain: boolean): Focus {
+  const arrows = arrowsOf(geometry, plain);
+  let focus = around(geometry.bodies, []);
+  for (let round = 0; round < ROUNDS && arrows.length > 0; ++round) {
+    const size = NAMED_ARROW * focus.radius;
+    focus = around(
+      geometry.bodies,
+      arrows.map(([from, direction]) => add(from, scale(direction, size))),
+    );
+  }
+  return focus;
 }
 
 /** Half the extent of the body's box along a world axis. */
@@ -113,8 +158,9 @@ function reach(body: Placed, axis: number): number {
 }
 
 /** Null where there is nothing to zoom to. */
-export function focusOf({ bodies, answer, reference }: Geometry, zoom: Zoom): Focus | null {
-  if (zoom === "bodies") return aroundBodies(bodies);
+export function focusOf(geometry: Geometry, zoom: Zoom, plain = false): Focus | null {
+  if (zoom === "bodies") return aroundBodies(geometry, plain);
+  const { answer, reference } = geometry;
   const both = [...(answer?.points ?? []), ...(reference?.points ?? [])];
   const narrow = reference?.points ?? answer?.points ?? [];
   const points = zoom === "points" ? both : [...narrow];

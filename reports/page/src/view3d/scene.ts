@@ -26,9 +26,10 @@ import {
   Vector3,
 } from "three";
 import type { Vec } from "../data";
+import { number } from "../numbers";
 import type { Theme } from "../theme";
 import { type Mapping, patchMesh, type Mesh as Surface, wholeMesh } from "./mesh";
-import { anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
+import { ARROW, anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
 import { across, add, cross, divide, dot, length, scale, subtract, type Turn, turned, unit } from "./vector";
 
 export interface Label {
@@ -51,29 +52,29 @@ export interface Colours {
   second: string;
   reference: string;
   link: string;
+  wrong: string;
 }
 
 export const COLOURS: Record<Theme, Colours> = {
-  light: { first: "#0067a5", second: "#b84300", reference: "#00734f", link: "#1c2127" },
-  dark: { first: "#63b8f7", second: "#ff9a5c", reference: "#3ed3a4", link: "#f2f4f6" },
+  light: { first: "#0067a5", second: "#b84300", reference: "#00734f", link: "#1c2127", wrong: "#b8006e" },
+  dark: { first: "#63b8f7", second: "#ff9a5c", reference: "#3ed3a4", link: "#f2f4f6", wrong: "#ff7cc4" },
 };
 
-const ARROW = 0.62;
 /** Shorter than this, a link is drawn by its direction only. */
 const VISIBLE = 0.07;
 /** Views below this part of a body's least axis show a patch of it. */
 const CLOSE = 0.5;
 
 /** The reference's normal goes up, and what the answer's normals miss it by lies in the picture. */
-function viewTurn({ normal, answer }: Geometry): Turn {
-  const missed = answer?.normals?.[0];
+function viewTurn({ normal, answer, given }: Geometry, plain: boolean): Turn {
+  const missed = plain ? given : answer?.normals?.[0];
   const aside = missed ? subtract(missed, scale(normal, dot(missed, normal))) : null;
   const side = aside && length(aside) > 1e-9 ? unit(aside) : across(normal);
   return [side, normal, cross(side, normal)];
 }
 
-function mappingOf(geometry: Geometry, focus: Focus): Mapping {
-  const turn = viewTurn(geometry);
+function mappingOf(geometry: Geometry, focus: Focus, plain: boolean): Mapping {
+  const turn = viewTurn(geometry, plain);
   return {
     point: (x) => turned(turn, divide(subtract(x, focus.centre), focus.radius)),
     direction: (x) => turned(turn, x),
@@ -141,6 +142,8 @@ function arrow(from: Vec, direction: Vec, size: number, colour: string, thicknes
   return group;
 }
 
+const degreesBetween = (a: Vec, b: Vec): number => (Math.atan2(length(cross(a, b)), dot(a, b)) * 180) / Math.PI;
+
 const marker = (geometry: BufferGeometry, at: Vec, colour: string): Mesh => {
   const mesh = solid(geometry, colour);
   mesh.position.set(...at);
@@ -177,9 +180,9 @@ class Drawing {
     if (length(at) < 1.2) this.note(index === 0 ? "body 1" : "body 2", at, index === 0 ? first : second);
   }
 
-  private direction(name: string, from: Vec, towards: Vec, colour: string): void {
+  private direction(name: string, from: Vec, towards: Vec, colour: string, thickness?: number): void {
     const direction = this.mapping.direction(towards);
-    this.scene.add(arrow(from, direction, ARROW, colour));
+    this.scene.add(arrow(from, direction, ARROW, colour, thickness));
     this.note(name, add(from, scale(direction, ARROW + 0.05)), colour);
   }
 
@@ -213,12 +216,22 @@ class Drawing {
     for (const at of [r1, r2]) this.scene.add(marker(new OctahedronGeometry(0.036), at, reference));
     this.direction("reference", r1, normal, reference);
   }
+
+  /** The right normal and the one that was given, both from the right contact so that the angle between them is seen. */
+  normals({ points }: Contact, right: Vec, given: Vec, angle: string): void {
+    const { reference, wrong } = this.colours;
+    const from = this.mapping.point(points[0]);
+    this.scene.add(marker(new SphereGeometry(0.03, 16, 12), from, this.colours.link));
+    this.direction("right normal", from, right, reference, 0.02);
+    this.direction(`given: ${angle} off`, from, given, wrong, 0.02);
+  }
 }
 
-export function picture(geometry: Geometry, zoom: Zoom, theme: Theme): Pictured | null {
-  const focus = focusOf(geometry, zoom);
+/** `plain`: for who has not read what p1, n1 and d are: the two normals alone. */
+export function picture(geometry: Geometry, zoom: Zoom, theme: Theme, plain = false): Pictured | null {
+  const focus = focusOf(geometry, zoom, plain);
   if (!focus || !(focus.radius > 0) || !Number.isFinite(focus.radius)) return null;
-  const mapping = mappingOf(geometry, focus);
+  const mapping = mappingOf(geometry, focus, plain);
   const drawing = new Drawing(mapping, COLOURS[theme]);
   const bodyNotes: (() => void)[] = [];
   for (const index of [0, 1] as const) {
@@ -226,6 +239,11 @@ export function picture(geometry: Geometry, zoom: Zoom, theme: Theme): Pictured 
     const shape = surface(geometry, body, index, focus, mapping);
     drawing.body(shape, index);
     bodyNotes.push(() => drawing.bodyLabel(body, index, shape));
+  }
+  if (plain) {
+    const { reference, normal, given } = geometry;
+    if (reference && given) drawing.normals(reference, normal, given, `${number(degreesBetween(normal, given), 2)}°`);
+    return { scene: drawing.scene, labels: drawing.labels, radius: focus.radius * geometry.size };
   }
   if (geometry.reference) drawing.reference(geometry.reference, geometry.normal);
   if (geometry.answer) drawing.answer(geometry.answer);

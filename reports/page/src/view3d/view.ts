@@ -15,8 +15,9 @@ export class View3d {
     private readonly canvas: HTMLCanvasElement,
     private readonly geometry: Geometry,
     private readonly size: HTMLElement,
+    private readonly plain = false,
   ) {
-    this.orbit = new Orbit(canvas, [1.2, 0.9, 4.4], () => this.paint());
+    this.orbit = new Orbit(canvas, plain ? [1, 0.75, 3.7] : [1.2, 0.9, 4.4], () => this.paint());
   }
 
   show(zoom: Zoom): void {
@@ -26,7 +27,7 @@ export class View3d {
 
   recolour(): void {
     this.forget();
-    this.pictured = picture(this.geometry, this.zoom, theme.value);
+    this.pictured = picture(this.geometry, this.zoom, theme.value, this.plain);
     this.canvas.dataset.drawn = "true";
     this.size.textContent = this.pictured ? `radius ${number(this.pictured.radius, 2)}` : "nothing to show";
     this.paint();
@@ -34,6 +35,11 @@ export class View3d {
 
   reset(): void {
     this.orbit.reset();
+  }
+
+  /** Until the reader takes hold of it, who is then told. */
+  spin(on: boolean, stopped: () => void): void {
+    this.orbit.spin(on, stopped);
   }
 
   private paint(): void {

@@ -26,11 +26,14 @@ function watch(page, url) {
   return { noticed, forget };
 }
 
-/** Goes there in a tab and waits until the page is ready; what it does until forget() is noticed. */
-export async function show(page, url, { width = 1400, height = 900, dark = false } = {}) {
+/** Goes there in a tab and waits until the page is ready; what it does until forget() is noticed. Nothing moves unless `moves`. */
+export async function show(page, url, { width = 1400, height = 900, dark = false, moves = false } = {}) {
   const { noticed, forget } = watch(page, url);
   await page.setViewport({ width, height });
-  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
+  await page.emulateMediaFeatures([
+    { name: "prefers-color-scheme", value: dark ? "dark" : "light" },
+    { name: "prefers-reduced-motion", value: moves ? "no-preference" : "reduce" },
+  ]);
   await page.goto(url, { waitUntil: "load" });
   await page.waitForSelector('html[data-ready="true"]', { timeout: 30000 });
   return { page, noticed, forget };
@@ -39,9 +42,12 @@ export async function show(page, url, { width = 1400, height = 900, dark = false
 /** The same in a tab of its own. */
 export const open = async (browser, url, options) => show(await browser.newPage(), url, options);
 
-/** Scrolls there until it is drawn: what is drawn above it may push it out of view again. */
+/** Opens what it is folded in and scrolls there until it is drawn: what is drawn above it may push it out of view again. */
 export async function bring(page, selector) {
   const element = await page.waitForSelector(selector);
+  await element.evaluate((found) => {
+    for (let at = found.closest("details"); at; at = at.parentElement.closest("details")) at.open = true;
+  });
   const scroll = (found) => {
     if (!found.dataset.drawn) found.scrollIntoView({ behavior: "instant", block: "center" });
     return found.dataset.drawn === "true";

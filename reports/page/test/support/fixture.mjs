@@ -1,6 +1,8 @@
 // A report as plumb would write it, from a seed: sizes and shapes of a real campaign, contents made up.
 import { contactPair } from "./fixture-geometry.mjs";
 import { makeLadders, makeStability } from "./fixture-ladders.mjs";
+import { LOOKS, METHODS, weakness } from "./fixture-methods.mjs";
+import { makePrecision } from "./fixture-precision.mjs";
 
 export function stream(seed) {
   let state = seed >>> 0;
@@ -13,21 +15,6 @@ export function stream(seed) {
 }
 
 export const FAMILIES = ["spheroid", "ellipsoid", "superquadric", "hard", "real"];
-export const METHODS = [
-  "auto",
-  "new_cn",
-  "corrected_cn",
-  "original_cn",
-  "geometric_potential",
-  "geometric_potential_midway",
-  "peer_libccd_epa",
-  "peer_libccd_mpr",
-  "peer_fcl",
-  "newton_gauss",
-  "trust_region",
-  "alternating",
-  "support_descent",
-];
 export const FINDINGS = [
   ["crash", "the solver threw a C++ exception"],
   ["not_finite", "holds a NaN or an infinity where it claims an answer"],
@@ -52,17 +39,6 @@ const LAWS = FINDINGS.slice(0, -1).map(({ word, meaning }, index) => ({
   line: 40 + 17 * index,
 }));
 
-const LOOKS = [
-  ["auto", "", "#0072b2", "#56b4f5", "circle"],
-  ["new_cn", "Kildashti, Dong & Samali 2018", "#00795a", "#27c39a", "square"],
-  ["corrected_cn", "Kildashti, Dong & Samali 2018", "#a86d00", "#f0b030", "diamond"],
-  ["original_cn", "Lin & Ng 1995", "#c44e00", "#ff8a45", "triangle-up"],
-  ["geometric_potential", "Houlsby 2009", "#b0508a", "#e79bc8", "triangle-down"],
-  ["geometric_potential_midway", "Podlozhnyuk, Pirker & Kloss 2017", "#6a51a3", "#b7a1ef", "pentagon"],
-  ["minimum_distance", "Wellmann, Lillie & Wriggers 2008", "#5f6b14", "#c3cf5a", "hexagon"],
-  ["first_touch", "Cleary, Stokes & Hurley 1997", "#9b1d3f", "#ff7d93", "star-diamond"],
-].map(([name, published_by, light, dark, symbol]) => ({ name, published_by, light, dark, symbol }));
-
 export function share(count, of) {
   if (of === 0) return { count, of, share: null, low: 0, high: 1 };
   const p = count / of;
@@ -72,9 +48,6 @@ export function share(count, of) {
 
 const spread = (p50, factor) => ({ p50, p99: p50 * factor, max: p50 * factor * 7.3 });
 const command = (family, cases) => `plumb campaign --family ${family} --cases ${cases} --seed 1 --out runs/${family}`;
-
-/** How often a method fails, by its place in the list: auto hardly ever. */
-const weakness = (method) => [1e-4, 0.02, 0.55, 0.75, 0.06, 0.01, 0.9, 0.97, 0.88][METHODS.indexOf(method)] ?? 0.2;
 
 function methodRow(random, method, cases, worse) {
   const unjudged = Math.floor(cases * 0.004 * random());
@@ -90,6 +63,7 @@ function methodRow(random, method, cases, worse) {
     left -= part;
   }
   findings.none = share(judged - failures, judged);
+  const refused = findings.nonconverged?.count ?? 0;
   const accuracy = 10 ** (-15 + 13 * Math.min(1, base));
   return {
     method,
@@ -103,7 +77,7 @@ function methodRow(random, method, cases, worse) {
     right: Object.fromEntries(
       ["rounding", "1e-6rad", "0.01deg", "1deg"].map((level, i) => [
         level,
-        share(judged - Math.round(failures / (1 + i)), judged),
+        share(judged - refused - Math.round((failures - refused) / (1 + i)), judged),
       ]),
     ),
     not_asked: method.startsWith("peer") ? Math.floor(cases / 7) : 0,
@@ -128,6 +102,34 @@ function familyOf(random, name, cases, methods, worse) {
       needed: { bounds: Math.floor(cases * 0.97), proof: Math.floor(cases * 0.02), digits: Math.floor(cases * 0.01) },
     },
     methods: methods.map((method) => methodRow(random, method, cases, worse)),
+  };
+}
+
+const added = (rows, of) =>
+  share(
+    rows.reduce((sum, row) => sum + (of(row)?.count ?? 0), 0),
+    rows.reduce((sum, row) => sum + row.judged, 0),
+  );
+
+/** Over all families; percentiles cannot be added, so that these are the last family's. */
+function totalOf(rows) {
+  const sum = (field) => rows.reduce((total, row) => total + row[field], 0);
+  const words = [...new Set(rows.flatMap((row) => Object.keys(row.findings)))];
+  const levels = Object.keys(rows[0].right);
+  return {
+    ...rows.at(-1),
+    answers: sum("answers"),
+    judged: sum("judged"),
+    unjudged: sum("unjudged"),
+    not_asked: sum("not_asked"),
+    converged: share(
+      rows.reduce((total, row) => total + row.converged.count, 0),
+      sum("answers"),
+    ),
+    findings: Object.fromEntries(words.map((word) => [word, added(rows, (row) => row.findings[word])])),
+    failures: added(rows, (row) => row.failures),
+    right: Object.fromEntries(levels.map((level) => [level, added(rows, (row) => row.right[level])])),
+    angle_above: added(rows, (row) => row.angle_above),
   };
 }
 
@@ -180,6 +182,20 @@ const OVERLAPS = {
   "moderate-unequal": 0.03,
 };
 
+/** Of a finding in turn; who gives no answer is right at none. */
+const RIGHT_FROM = [null, "1e-6rad", null, "0.01deg", null, "1deg"];
+const rightFrom = (index, finding) => (finding === "nonconverged" ? null : RIGHT_FROM[index % RIGHT_FROM.length]);
+
+const shrunkOf = (method, file, { bodies, answer, reference }, finding, right_from) => ({
+  explanation: `${method} is misaligned (expected overlap 0.1; normal 12 degrees off) for a sphere of radius 1 against another; one number changed at a time, it persists at every value tried of body 2's exponent n1 from 2 to 8`,
+  file: file.replace(/--\w+\.json$/, "--shrunk.json"),
+  replay: `plumb replay ${file.replace(/--\w+\.json$/, "--shrunk.json")}`,
+  case: { format: "plumb/case-1", name: "shrunk", bodies, expect: { method, finding } },
+  answer,
+  reference,
+  right_from,
+});
+
 function failureOf(random, index, methods) {
   const pick = (list) => list[Math.floor(list.length * random())];
   const own = index < 3;
@@ -201,6 +217,7 @@ function failureOf(random, index, methods) {
     tilt: pick([1e-6, 0.05, 0.6]),
   });
   const unanswered = random() < 0.06;
+  const right_from = unanswered ? null : rightFrom(index, finding);
   const file = `runs/hard/failures/${bucket}--${kept}.json`;
   return {
     bucket,
@@ -220,7 +237,11 @@ function failureOf(random, index, methods) {
     case: { format: "plumb/case-1", name: `pair ${index}`, bodies: pair.bodies, expect: { method, finding } },
     answer: unanswered ? null : pair.answer,
     reference: pair.reference,
+    right_from,
     ...(unanswered ? { reason: "the solver threw" } : {}),
+    ...(kept !== "worst" && index % 2 === 0 && !unanswered
+      ? { shrunk: shrunkOf(method, file, pair, finding, right_from) }
+      : {}),
   };
 }
 
@@ -228,6 +249,7 @@ export function makeRun(options = {}) {
   const { name = "run", seed = 1, cases = 100000, failures = 500, methods = METHODS, families = FAMILIES } = options;
   const random = stream(seed * 7919);
   const each = Math.floor(cases / families.length);
+  const made = families.map((family) => familyOf(random, family, each, methods, options.worse));
   return {
     name,
     folder: `runs/${name}`,
@@ -245,7 +267,8 @@ export function makeRun(options = {}) {
     },
     harness_errors: options.harnessErrors ?? {},
     timing: { seconds: 412.7, threads: 2, cases_per_second: cases / 412.7 },
-    families: families.map((family) => familyOf(random, family, each, methods, options.worse)),
+    totals: made.length === 0 ? [] : methods.map((_, i) => totalOf(made.map((family) => family.methods[i]))),
+    families: made,
     atlases: families.flatMap((family) =>
       methods.flatMap((method) =>
         ["aspect-overlap", "exponent-tilt"].map((map) => atlasOf(random, family, method, map)),
@@ -315,103 +338,5 @@ export function makeReport(options = {}) {
     findings: FINDINGS,
     laws: LAWS,
     methods: LOOKS,
-  };
-}
-
-const SETS = [
-  ["spheroid", "spheroids, aspect 1/3..3"],
-  ["ellipsoid", "triaxial ellipsoids, aspect to 20"],
-  ["exponents-8", "exponents 2..8, aspect to 5"],
-  ["exponents-40", "exponents 2..40, one at least above 8"],
-];
-const SCALARS = [
-  ["float", 6e-8, 0.7],
-  ["double", 1.1e-16, 1],
-  ["long double", 5.4e-20, 4],
-  ["50 digits", 1e-50, 900],
-];
-const TOLERANCES = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 0];
-const quantiles = (median) => ({ median, p99: median * 12, max: median * 60 });
-
-function precisionPoint(random, set, method, [scalar, epsilon, cost], tolerance, certificate) {
-  const place = METHODS.indexOf(method);
-  const wrong = method === "original_cn" || method.startsWith("peer");
-  const least = epsilon * (1 + 5 * random()) * 3;
-  const reached = wrong ? 2e-3 * (1 + random()) : Math.max(least, tolerance ** 1.5 * 0.05);
-  const steps = Math.max(1, -Math.log10(Math.max(reached, 1e-60)));
-  const price = { "": 0, residual: 400, bounds: 9e4, proof: 1.3e5, digits: 7e5 }[certificate];
-  const ns = (method === "auto" ? 180 : 2500 + 900 * place) * cost * (1 + 0.35 * Math.log2(steps + 1)) + price;
-  const nothing = method === "peer_fcl" && set !== "spheroid" && set !== "ellipsoid";
-  const exact = method === "auto" && scalar === "50 digits" && tolerance === 0;
-  const of = (factor) => (nothing ? { median: null, p99: null, max: null } : quantiles(exact ? 0 : reached * factor));
-  return {
-    method,
-    scalar,
-    tolerance,
-    certificate,
-    problem: method.startsWith("geometric") ? "geometric_potential" : "common_normal",
-    command: `plumb report-precision --set ${set} --method ${method} --cases 40 --seed 1 --repeat 3`,
-    median_ns: ns,
-    p99_ns: ns * 3.1,
-    iterations: { median: Math.round(1 + Math.log2(steps + 1)), max: 12 },
-    failed: nothing ? 1 : method === "auto" ? 0 : weakness(method) * 0.3 * random(),
-    off: wrong ? 0.6 : tolerance > 1e-3 ? 0.3 : 0,
-    judged: 40,
-    overlap: of(0.02),
-    normal: of(1),
-    points: of(0.7),
-    pareto: method === "auto",
-  };
-}
-
-function precisionSet(random, [name, of]) {
-  const points = [];
-  const swept = ["auto", "new_cn", "corrected_cn", "original_cn", "geometric_potential", "geometric_potential_midway"];
-  for (const method of swept)
-    for (const scalar of method === "auto" ? SCALARS : SCALARS.slice(1, 3))
-      for (const tolerance of TOLERANCES) points.push(precisionPoint(random, name, method, scalar, tolerance, ""));
-  for (const certificate of ["residual", "bounds", "proof", "digits"])
-    points.push(precisionPoint(random, name, "auto", SCALARS[1], 0, certificate));
-  for (const peer of METHODS.slice(6, 9)) points.push(precisionPoint(random, name, peer, SCALARS[1], 0, ""));
-  const path = (method, rate) => ({
-    method,
-    scalar: "double",
-    command: `plumb report-precision --set ${name} --method ${method} --path`,
-    steps: Array.from({ length: 9 }, (_, k) => {
-      const reached = Math.max(2e-16, rate === 2 ? 0.3 ** (1.7 ** k) : 0.2 ** (k + 1));
-      return {
-        iterations: k,
-        normal: quantiles(k === 8 && rate === 2 ? 0 : reached),
-        overlap: quantiles(reached * reached + 1e-17),
-      };
-    }),
-  });
-  return {
-    name,
-    of,
-    pairs: 40,
-    envelopes: SCALARS.slice(0, 3).map(([scalar, epsilon]) => ({
-      scalar,
-      normal: quantiles(epsilon * 4),
-      overlap: quantiles(epsilon),
-      points: quantiles(epsilon * 2),
-    })),
-    points,
-    paths: [path("auto", 2), path("new_cn", 2), path("corrected_cn", 2), path("original_cn", 1)],
-    auto_on_front: name !== "exponents-40",
-    front_note:
-      name === "exponents-40"
-        ? "auto is not on the front at 1e-6: new_cn takes 0.9 of its time."
-        : "auto is on the front: no other common-normal solver beats it in both time and error.",
-  };
-}
-
-function makePrecision(random) {
-  return {
-    commit: "d8be58a",
-    command: "plumb report-precision --cases 40 --repeat 3 --json --out precision.json",
-    without: [],
-    host: { system: "Linux", machine: "x86_64", compiler: "g++ 12.2.0", flags: "-O2" },
-    sets: SETS.map((set) => precisionSet(random, set)),
   };
 }

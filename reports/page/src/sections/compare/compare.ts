@@ -1,5 +1,6 @@
-import type { Comparison, ComparisonRow } from "../../data";
+import type { Comparison, ComparisonRow, Run } from "../../data";
 import { button, fill, h, section, select, unique } from "../../dom";
+import { made } from "../../made";
 import { inOrder } from "../../methods";
 import { count, DASH, number } from "../../numbers";
 import type { State } from "../../state";
@@ -90,9 +91,11 @@ function rowsTable(comparison: Comparison, rows: ComparisonRow[]): HTMLElement {
   return place;
 }
 
-function comparisonBlock(comparison: Comparison): HTMLElement {
+function comparisonBlock(comparison: Comparison, runs: Run[]): HTMLElement {
   const title = h("h3", {}, `${comparison.before} → ${comparison.after}`);
   if (comparison.rows.length === 0) return h("div", {}, title, h("p", { class: "empty" }, NOTHING_IN_COMMON));
+  const compared = runs.filter(({ name }) => name === comparison.before || name === comparison.after);
+  const commands = compared.flatMap((run) => run.commands);
   const sorted = [...comparison.rows].sort(worstFirst);
   const changed = sorted.some((row) => row.verdict === "worse" || row.verdict === "better");
   const filter: Filter = { verdict: changed ? "changed" : "", family: "", method: "" };
@@ -117,17 +120,11 @@ function comparisonBlock(comparison: Comparison): HTMLElement {
     status,
     place,
     plot.element,
+    made(commands, "both runs"),
   );
 }
 
-export function compareSection({ report }: State): HTMLElement {
-  const none = h(
-    "p",
-    { class: "empty" },
-    "One run only: give ",
-    h("code", {}, "plumb report"),
-    " two folders to compare them.",
-  );
-  const blocks = report.comparisons.map(comparisonBlock);
-  return section("compare", "Comparison", QUESTION, ...(blocks.length > 0 ? blocks : [none]));
+export function compareSection({ report: { comparisons, runs } }: State): HTMLElement | null {
+  if (comparisons.length === 0) return null;
+  return section("compare", "Comparison", QUESTION, ...comparisons.map((one) => comparisonBlock(one, runs)));
 }

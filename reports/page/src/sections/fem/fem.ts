@@ -2,6 +2,7 @@
 import { command } from "../../commands";
 import type { Fem, Report } from "../../data";
 import { type Child, h, section } from "../../dom";
+import { madeBy } from "../../made";
 import { count, number } from "../../numbers";
 import { figure } from "../../plot";
 import { legend, methodName } from "../../swatch";
@@ -103,12 +104,14 @@ export function femSection({ fem }: Report): HTMLElement | null {
     QUESTION,
     h("p", { class: "what" }, WHAT),
     h("p", { class: "note" }, METHODS),
-    ...answersBlock(fem),
-    ...behind(fem),
-    ...unansweredBlock(fem),
-    ...checksBlock(checks),
-    ...convergenceBlock(convergence),
-    ...halfSpaceBlock(half_space),
+    ...madeBy(text, [
+      ["the answers", answersBlock(fem)],
+      ["what is behind them", behind(fem)],
+      ["what has no answer", unansweredBlock(fem)],
+      ["the checks", checksBlock(checks)],
+      ["the convergence", convergenceBlock(convergence)],
+      ["the half-spaces", halfSpaceBlock(half_space)],
+    ]),
     h("h3", {}, "How it was made"),
     setting(fem),
     h("p", { class: "note" }, `At commit ${commit}${interrupted ? " (interrupted)" : ""}:`),

@@ -1,5 +1,6 @@
 import type { Ladder, LadderRow, Run } from "../../data";
 import { breakable, type Child, fill, h, section, select } from "../../dom";
+import { made } from "../../made";
 import { inOrder } from "../../methods";
 import { NONE, number } from "../../numbers";
 import { perRun, type State } from "../../state";
@@ -23,10 +24,17 @@ const methodsOf = (run: Run): string[] =>
 const rowOf = (ladder: Ladder, method: string): LadderRow | undefined =>
   ladder.methods.find((row) => row.method === method);
 
+/** Green only where every step is judged. */
+function holds(row: LadderRow): Child[] {
+  const judged = row.judged.filter((n) => n > 0).length;
+  const word = judged === 0 ? "not judged" : "holds";
+  return [h("span", { class: judged === row.judged.length ? "holds" : "" }, word), " ", h("small", {}, holdsOn(row))];
+}
+
 /** "1e-8", and below it which step that is. */
 function letsGo(ladder: Ladder, row: LadderRow | undefined): Child[] {
   if (!row) return [NONE];
-  if (row.lets_go === null) return [h("span", { class: "holds" }, "holds"), " ", h("small", {}, holdsOn(row))];
+  if (row.lets_go === null) return holds(row);
   const step = h("small", {}, `step ${row.lets_go} of ${ladder.steps.length}`);
   return [h("strong", {}, number(ladder.steps[row.lets_go - 1])), " ", step];
 }
@@ -132,6 +140,10 @@ function content(run: Run, view: LaddersView): HTMLElement[] {
     ),
     legend("Methods", methods, methodName, view.hidden, redraw),
     table,
+    made(
+      run.families.filter(({ name }) => name === "hard").map((family) => family.command),
+      "the ladders",
+    ),
     h("h3", {}, "Step by step"),
     key(),
     all,

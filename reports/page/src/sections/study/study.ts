@@ -2,6 +2,7 @@
 import { command } from "../../commands";
 import type { Report, Study } from "../../data";
 import { type Child, h, section } from "../../dom";
+import { madeBy } from "../../made";
 import { onMachine } from "../../numbers";
 import { anglesBlock, groupsBlock } from "./study_groups";
 import { limitsBlock, ordersBlock } from "./study_limits";
@@ -25,14 +26,16 @@ export function studySection({ study }: Report): HTMLElement | null {
   if (!study) return null;
   const parts = [
     h("p", { class: "what" }, WHAT),
-    ...groupsBlock(study.groups),
-    ...anglesBlock(study.groups),
-    ...mapsBlock(study.maps),
-    ...sharesBlock(study.shares),
-    ...limitsBlock(study.limits),
-    ...ordersBlock(study.orders),
-    ...rootsBlock(study.roots),
-    ...costsBlock(study.costs),
+    ...madeBy(study.command, [
+      ["the groups", groupsBlock(study.groups)],
+      ["the angles", anglesBlock(study.groups)],
+      ["the maps", mapsBlock(study.maps)],
+      ["the shares", sharesBlock(study.shares)],
+      ["the limits", limitsBlock(study.limits)],
+      ["the orders", ordersBlock(study.orders)],
+      ["the roots", rootsBlock(study.roots)],
+      ["the costs", costsBlock(study.costs)],
+    ]),
     ...origin(study),
   ];
   return section("study", "The source's study", QUESTION, ...parts);

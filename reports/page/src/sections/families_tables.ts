@@ -1,4 +1,5 @@
 /** Two tables a family: how a method does, and what is wrong where it is not right. */
+import { levelName, rightAt } from "../accuracy";
 import type { Family, MethodRow, Report, Share } from "../data";
 import { breakable, type Child, h } from "../dom";
 import { count, interval, NONE, number, percent, spread, time } from "../numbers";
@@ -16,23 +17,9 @@ function answersCell(row: MethodRow): Child[] {
   return [count(row.answers), unjudged, passed];
 }
 
-/** The shares at the levels coarser than rounding: a solver with a tolerance of its own is right at one of them. */
-const LEVELS: [string, string][] = [
-  ["1e-6rad", "to 1e-6 rad, %"],
-  ["0.01deg", "to 0.01°, %"],
-  ["1deg", "to 1°, %"],
-];
-
-const levels: Column<MethodRow>[] = LEVELS.map(([level, title]) => ({
-  title,
-  hint: `Of the judged answers, those that are right ${title.replace(", %", "")}`,
-  figure: true,
-  cell: (row) => percent(row.right[level]?.share),
-}));
-
 const method: Column<MethodRow> = { title: "Method", head: true, cell: (row) => methodName(row.method) };
 
-const COLUMNS: Column<MethodRow>[] = [
+const columnsAt = (level: string): Column<MethodRow>[] => [
   method,
   { title: "Answers", figure: true, cell: answersCell },
   {
@@ -42,12 +29,11 @@ const COLUMNS: Column<MethodRow>[] = [
     cell: (row) => shareCell(row.converged),
   },
   {
-    title: "Right, %",
-    hint: "Of the judged answers, those that break no law at the accuracy that was asked for, with the exact 95 % interval",
+    title: `Right to ${levelName(level)}, %`,
+    hint: "Of the judged answers, those that break no law at the required accuracy, with the exact 95 % interval",
     figure: true,
-    cell: (row) => shareCell(row.findings.none),
+    cell: (row) => shareCell(rightAt(row, level)),
   },
-  ...levels,
   {
     title: "> 0.01°, %",
     hint: "Of the converged answers, those more than 0.01 degrees from the common normal",
@@ -76,9 +62,9 @@ const COLUMNS: Column<MethodRow>[] = [
 
 const rowClass = (row: MethodRow) => (row.published ? "" : "is-own");
 
-export function methodTable(family: Family): HTMLElement {
+export function methodTable(family: Family, level: string): HTMLElement {
   const caption = `${family.name}: methods, with 95 % intervals; angle p50 / p99 / max, iterations and time p50 / p99`;
-  return table({ caption, columns: COLUMNS, rows: family.methods, rowClass });
+  return table({ caption, columns: columnsAt(level), rows: family.methods, rowClass });
 }
 
 /** Columns in the contract's order, of the findings that occur. */
