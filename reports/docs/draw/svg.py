@@ -2,8 +2,15 @@
 import html
 import math
 
-INK, SOFT, BODY1, BODY2, RIGHT, WRONG = "#1c2127", "#58626e", "#4c78a8", "#e08a2e", "#15803d", "#c62828"
+PAPER, INK, SOFT, BODY1, BODY2, RIGHT, WRONG = "#ffffff", "#1c2127", "#58626e", "#4c78a8", "#e08a2e", "#15803d", "#c62828"
+# The same in a dark window.
+DARK = dict(zip((PAPER, INK, SOFT, BODY1, BODY2, RIGHT, WRONG), ("#1d232a", "#dfe4ea", "#9aa5b1", "#7aa7d8", "#f0a860", "#4cc27a", "#ff8a80")))
 FONT = "system-ui, 'DejaVu Sans', sans-serif"
+
+
+def dark_style():
+    rules = "".join(f'[fill="{light}"]{{fill:{dark}}}[stroke="{light}"]{{stroke:{dark}}}' for light, dark in DARK.items())
+    return f"<style>@media (prefers-color-scheme: dark) {{{rules}}}</style>"
 
 
 class Picture:
@@ -14,7 +21,8 @@ class Picture:
         self.parts = [
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img">',
             f"<title>{html.escape(title)}</title>",
-            f'<rect width="{width}" height="{height}" rx="8" fill="#ffffff"/>',
+            dark_style(),
+            f'<rect width="{width}" height="{height}" rx="8" fill="{PAPER}"/>',
         ]
 
     def at(self, point, origin=None, scale=None):
@@ -57,5 +65,30 @@ class Picture:
         self.parts.append(f'<text x="{pixel[0]:.1f}" y="{pixel[1]:.1f}" font-family="{FONT}" font-size="{size}" '
                           f'font-weight="{weight}" text-anchor="{anchor}" fill="{colour}">{html.escape(words)}</text>')
 
+    def box(self, corner, size, lines, colour=INK, fill="none"):
+        """A rectangle and its lines of words, the first one heavier; corner and size in pixels."""
+        (x, y), (width, height) = corner, size
+        shade = f'fill="{fill}" fill-opacity="0.16"' if fill != "none" else 'fill="none"'
+        self.parts.append(f'<rect x="{x}" y="{y}" width="{width}" height="{height}" rx="5" stroke="{colour}" stroke-width="1.4" {shade}/>')
+        top = y + height / 2 + 5 - 9 * (len(lines) - 1)
+        for row, words in enumerate(lines):
+            self.label((x + width / 2, top + 18 * row), words, INK if row == 0 else SOFT, 14 if row == 0 else 13, "middle", "600" if row == 0 else "normal")
+
     def written(self):
         return "\n".join([*self.parts, "</svg>", ""])
+
+
+class Plan(Picture):
+    """Boxes and arrows, in pixels from the upper left corner."""
+
+    def __init__(self, width, height, title):
+        super().__init__(width, height, 1, (0, 0), title)
+
+    def pixel(self, point):
+        return point
+
+    def line_to(self, *points, colour=SOFT):
+        """An arrow through these points."""
+        if len(points) > 2:
+            self.path(points[:-1], colour, 1.8)
+        self.arrow(points[-2], points[-1], colour, 1.8, 8)

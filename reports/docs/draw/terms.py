@@ -1,7 +1,7 @@
 """The pictures of the glossary's terms: each is drawn from the closed forms, none by hand."""
 import math
 
-from shapes import Superellipse, direction, dot, minus, overlap, plus, times, unit
+from shapes import Superellipse, direction, dot, least, minus, overlap, plus, times, unit, witness_of
 from svg import BODY1, BODY2, INK, RIGHT, SOFT, WRONG, Picture
 
 
@@ -61,11 +61,6 @@ def fold():
     return picture
 
 
-def least(body1, body2, low, high, steps=4000):
-    """The direction of lowest overlap, in degrees."""
-    return min((low + (high - low) * k / steps for k in range(steps + 1)), key=lambda angle: overlap(body1, body2, direction(angle)))
-
-
 def circle_of_minima():
     lower, upper = Superellipse(0.5, 1, 2), Superellipse(0.5, 1, 2, (0, 0.5))
     picture = Picture(420, 290, 88, (150, 180), "A circle of minima: two needles on one axis")
@@ -98,12 +93,6 @@ def tie():
     o = overlap(first, second, normal)
     picture.text((1.15, -0.4), f"both normals: overlap {o:.3f}", RIGHT, 13)
     return picture
-
-
-def witness_of(body1, body2, degrees):
-    """The two support points of one direction, as one vector q1 - q2."""
-    n = direction(degrees)
-    return minus(body1.support_point(n), body2.support_point(times(-1, n)))
 
 
 def witness():

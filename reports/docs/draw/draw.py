@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""draw.py [--check] [--plumb PROGRAM]: the pictures of README.md and of the glossary, as SVG beside this file.
+"""draw.py [--check] [--plumb PROGRAM]: the pictures of README.md and of the pages, as SVG in reports/docs/pictures.
 
 The first one solves misaligned.json, so that it shows what plumb says. --check writes nothing: exit 1 where a picture is not what
 this program draws.
@@ -11,12 +11,16 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-import terms  # noqa: E402
+import contacts  # noqa: E402
+import measured
+import plans
+import search
+import terms
 from shapes import degrees_between, dot, minus, plus, silhouette, times, unit
 from svg import BODY1, BODY2, RIGHT, WRONG, Picture
 
-HERE = Path(__file__).resolve().parent
-CASE = HERE / "misaligned.json"
+PICTURES = Path(__file__).resolve().parents[1] / "pictures"
+CASE = PICTURES / "misaligned.json"
 
 
 def said(plumb, *arguments):
@@ -82,21 +86,21 @@ def misaligned(plumb):
 
 
 def drawn(plumb):
-    return {"misaligned.svg": misaligned(plumb), **terms.pictures()}
+    return {"misaligned.svg": misaligned(plumb), **terms.pictures(), **contacts.pictures(), **search.pictures(), **plans.pictures(), **measured.pictures(plumb, CASE)}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--check", action="store_true")
-    parser.add_argument("--plumb", default=HERE.parents[2] / "build/release/bin/plumb")
+    parser.add_argument("--plumb", default=PICTURES.parents[2] / "build/release/bin/plumb")
     arguments = parser.parse_args()
     wrong = []
     for name, picture in drawn(arguments.plumb).items():
-        path, text = HERE / name, picture.written()
+        path, text = PICTURES / name, picture.written()
         if not arguments.check:
             path.write_text(text)
         elif not path.exists() or path.read_text() != text:
-            wrong.append(f"{name}: is not what reports/docs/pictures/draw.py draws")
+            wrong.append(f"{name}: is not what reports/docs/draw/draw.py draws")
     print(*wrong or [f"{len(drawn(arguments.plumb))} pictures"], sep="\n")
     sys.exit(1 if wrong else 0)
 

@@ -83,6 +83,29 @@ def direction(degrees):
     return turned((1, 0), degrees)
 
 
+def least(body1, body2, low, high, steps=4000):
+    """The direction of lowest overlap, in degrees."""
+    return min((low + (high - low) * k / steps for k in range(steps + 1)), key=lambda angle: overlap(body1, body2, direction(angle)))
+
+
+def witness_of(body1, body2, degrees):
+    """The two support points of one direction, as one vector q1 - q2."""
+    n = direction(degrees)
+    return minus(body1.support_point(n), body2.support_point(times(-1, n)))
+
+
+def minima(body1, body2, steps=3600):
+    """The directions of all minima of the overlap, in degrees."""
+    values = [overlap(body1, body2, direction(360 * k / steps)) for k in range(steps)]
+    return [360 * k / steps for k in range(steps) if values[k] < values[k - 1] and values[k] <= values[(k + 1) % steps]]
+
+
+def gauge(body, point):
+    """1 on the surface, less inside; of degree 1."""
+    inside = turned(minus(point, body.centre), -body.degrees)
+    return sum(abs(x / axis) ** body.n for x, axis in zip(inside, body.axes)) ** (1 / body.n)
+
+
 def silhouette(semi_axes, centre, e1, e2, steps=180):
     """Of an ellipsoid that is not turned, seen along e1 x e2: its support points in the plane's directions, in the plane's axes."""
     points = []
