@@ -95,7 +95,7 @@ function aroundPoints(points: Vec[]): Focus {
   return { centre, radius: Math.max(LEAST, 2.5 * radius) };
 }
 
-function aroundBodies(bodies: Placed[]): Focus {
+export function aroundBodies(bodies: Placed[]): Focus {
   const low = [0, 1, 2].map((i) => Math.min(...bodies.map((body) => (body.centre[i] as number) - reach(body, i))));
   const high = [0, 1, 2].map((i) => Math.max(...bodies.map((body) => (body.centre[i] as number) + reach(body, i))));
   const centre = middle(low as Vec, high as Vec);
