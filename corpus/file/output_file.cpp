@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <optional>
+#include <regex>
 #include <string>
 
 #include "corpus/case/case.hpp"
@@ -30,6 +32,7 @@ fs::path beside(const fs::path& target) {
   static std::atomic<unsigned> calls{0};
   std::array<char, 256> host{};
   if (::gethostname(host.data(), host.size() - 1) != 0) host = {};
+  std::replace(host.begin(), host.end(), '.', '-');  // so that finished_name() sees where NAME ends
   const std::string call = std::to_string(::getpid()) + "." + std::to_string(++calls);
   return target.string() + "." + host.data() + "." + call + ".tmp";
 }
@@ -107,6 +110,13 @@ void OutputFile::move_to(const fs::path& target) {
 
 void OutputFile::fail(int error) const {
   fail_with(path_.string(), error);
+}
+
+std::string finished_name(const fs::path& file) {
+  static const std::regex unfinished(R"((.+)\.[^.]*\.\d+\.\d+\.tmp)");
+  const std::string name = file.filename().string();
+  std::smatch match;
+  return std::regex_match(name, match, unfinished) ? match[1].str() : name;
 }
 
 void write_file(const fs::path& path, const std::string& text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace plumb {
@@ -31,5 +32,8 @@ class OutputFile {
   std::filesystem::path path_, target_, temporary_;  ///< temporary_: empty where it is written to directly
   int file_ = -1;
 };
+
+/// NAME of a file NAME.HOST.PID.N.tmp, which an OutputFile leaves where its process is killed; of any other file its name.
+[[nodiscard]] std::string finished_name(const std::filesystem::path& file);
 
 }  // namespace plumb

@@ -1,6 +1,7 @@
 #include "corpus/scene/run_folder.hpp"
 
 #include "corpus/case/case.hpp"
+#include "corpus/file/output_file.hpp"
 #include "corpus/file/text_input.hpp"
 #include "corpus/json/fields.hpp"
 #include "corpus/scene/scene_file.hpp"
@@ -34,13 +35,13 @@ std::string key_in(const fs::path& path) {
   }
 }
 
-/// The temporaries of a write that was cut off: NAME.HOST.PID.N.tmp.
+/// Of writes that were cut off.
 void remove_temporaries(const fs::path& folder) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename().string();
-    for (const char* ours : {run_file, scene_file, checkpoint_file})
-      if (name.starts_with(std::string(ours) + ".") && name.ends_with(".tmp")) fs::remove(entry.path(), none);
+    const std::string name = finished_name(entry);
+    if (name == entry.path().filename()) continue;
+    if (name == run_file || name == scene_file || name == checkpoint_file) fs::remove(entry.path(), none);
   }
 }
 

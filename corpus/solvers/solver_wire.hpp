@@ -21,7 +21,7 @@ struct Text {
   /// As much of it as there is room for.
   void set(std::string_view text) {
     bytes.fill(0);
-    std::memcpy(bytes.data(), text.data(), std::min(text.size(), N - 1));
+    std::copy_n(text.begin(), std::min(text.size(), N - 1), bytes.begin());
   }
   [[nodiscard]] std::string text() const { return {bytes.data(), strnlen(bytes.data(), N)}; }
 };

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "corpus/case/case.hpp"
+#include "corpus/file/output_file.hpp"
 #include "fuzz/campaign/merge.hpp"
 
 namespace plumb {
@@ -17,25 +18,31 @@ namespace fs = std::filesystem;
 
 constexpr const char* kToken = "campaign-mpi.run";
 
-std::vector<fs::path> files_named(const fs::path& folder, const std::regex& name) {
+bool is_part(const std::string& name) {
+  static const std::regex part(R"(\d+-of-\d+\.part)");
+  return std::regex_match(name, part);
+}
+
+template <class Is>
+std::vector<fs::path> files_in(const fs::path& folder, const Is& is) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && std::regex_match(entry.path().filename().string(), name))
-      files.push_back(entry.path());
+    if (entry.is_regular_file() && is(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }
 
 std::vector<fs::path> part_files(const fs::path& folder) {
-  static const std::regex name(R"(\d+-of-\d+\.part)");
-  return files_named(folder, name);
+  return files_in(folder, [](const fs::path& file) { return is_part(file.filename().string()); });
 }
 
 /// All that campaigns write there, and what write_file() leaves of it where it is killed.
 std::vector<fs::path> own_files(const fs::path& folder) {
-  static const std::regex name(R"((\d+-of-\d+\.part|campaign-mpi\.run)(\..+\.\d+\.tmp)?)");
-  return files_named(folder, name);
+  return files_in(folder, [](const fs::path& file) {
+    const std::string name = finished_name(file);
+    return name == kToken || is_part(name);
+  });
 }
 
 }  // namespace

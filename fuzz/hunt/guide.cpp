@@ -7,6 +7,7 @@
 
 #include "properties/laws/laws_answer.hpp"
 #include "properties/laws/screen.hpp"
+#include "solver/method/methods.hpp"
 
 namespace plumb::hunting {
 namespace {
@@ -16,8 +17,8 @@ constexpr double kRoundingOfNormal = 1e-9, kRoundingOfOverlap = 1e-13;
 
 Solver second_to(Problem problem) {
   if (problem != Problem::common_normal)
-    for (Solver& own : all_solvers())
-      if (own.abilities.problem == problem && !own.pool) return own;
+    for (const Method& own : methods())
+      if (own.problem == problem) return find_solvers(std::string(own.name)).front();
   return find_solvers("auto").front();
 }
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "corpus/command/interrupt.hpp"
+#include "corpus/file/output_file.hpp"
 #include "corpus/file/text_input.hpp"
 #include "corpus/json/number_text.hpp"
 #include "corpus/solvers/solver.hpp"
@@ -161,10 +162,13 @@ Results read_bins(const Field& root) {
 
 /// Only what write_results() names, so that a folder with other files in it loses none.
 void remove_old_results(const fs::path& folder) {
-  for (const char* file : {"summary.json", "campaign.bins"}) fs::remove(folder / file);
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = finished_name(entry);
+    if (name == "summary.json" || name == "campaign.bins") fs::remove(entry);
+  }
   for (const auto& entry : fs::directory_iterator(folder / "failures")) {
-    const std::string file = entry.path().filename().string();
-    if (file.ends_with(kSimplest) || file.ends_with(kWorst) || file.ends_with(kShrunk)) fs::remove(entry.path());
+    const std::string name = finished_name(entry);
+    if (name.ends_with(kSimplest) || name.ends_with(kWorst) || name.ends_with(kShrunk)) fs::remove(entry);
   }
 }
 

@@ -25,6 +25,7 @@ void declare(CommandLine& app, Arguments& args) {
 
 int shrink_files(const Arguments& args) {
   const std::optional<Solver> asked = solver_instead(args.foreign, args.method, "shrink");
+  const std::optional<Accuracy> asked_accuracy = accuracy_instead(args.accuracy);
   bool found = false;
   std::string kept;
   each_case(args.file, [&](const Case& c, int line) {
@@ -32,7 +33,8 @@ int shrink_files(const Arguments& args) {
       throw InputFailure(args.file, line, "x_answer",
                          "is a recorded answer: --method or --solver names who answers simpler cases");
     const Solver solver = asked ? *asked : solver_of_case(c, args.file, line);
-    const Explained explained = shrink_and_explain(c.pair, solver, accuracy_for(c, args.file, line, args.accuracy));
+    const Accuracy accuracy = asked_accuracy ? *asked_accuracy : accuracy_of_case(c, args.file, line);
+    const Explained explained = shrink_and_explain(c.pair, solver, accuracy);
     const bool failed = explained.shrunk.from.judgement.finding.kind != FindingKind::none;
     found = found || failed;
     if (failed) kept += format_case(kept_shrunk(c, explained, solver.name)) + "\n";

@@ -45,7 +45,7 @@ void declare(CommandLine& app, Options& options) {
 struct By {
   std::optional<Solver> instead;
   ReferenceSource source;
-  std::string accuracy;  ///< empty: that of each case
+  std::optional<Accuracy> accuracy;  ///< none: that of each case
 };
 
 struct Kept {
@@ -93,7 +93,8 @@ class InOrder {
     const auto& [c, file, line] = cases_[i];
     Ended ended;
     try {
-      ended.done = replay_case(c, file, line, by_.instead, by_.source, accuracy_for(c, file, line, by_.accuracy));
+      const Accuracy accuracy = by_.accuracy ? *by_.accuracy : accuracy_of_case(c, file, line);
+      ended.done = replay_case(c, file, line, by_.instead, by_.source, accuracy);
     } catch (...) {
       ended.failure = std::current_exception();
     }
@@ -139,7 +140,8 @@ void write_reports(const Options& options, const std::vector<Replayed>& done) {
 
 int replay(const Options& options) {
   const auto store = open_store(options.cache);
-  const By by{solver_instead(options.foreign, options.method, "replay"), references_of(store), options.accuracy};
+  const By by{solver_instead(options.foreign, options.method, "replay"), references_of(store),
+              accuracy_instead(options.accuracy)};
   const Reading reading = read_all(options.paths);
   InOrder in_order(reading.cases, by, options.quiet);
   const std::vector<Replayed> done = in_order.run(options.threads);

@@ -64,8 +64,12 @@ Accuracy parse_accuracy(const std::string& text) try { return read_accuracy(text
   throw InputFailure("--accuracy", 0, e.field, e.what());
 }
 
-Accuracy accuracy_for(const Case& c, const std::string& file, int line, const std::string& text) {
-  if (!text.empty()) return parse_accuracy(text);
+std::optional<Accuracy> accuracy_instead(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return parse_accuracy(text);
+}
+
+Accuracy accuracy_of_case(const Case& c, const std::string& file, int line) {
   if (!c.extra.contains("x_accuracy")) return {};
   const Field kept = Field(c.extra).member("x_accuracy");
   try {

@@ -45,8 +45,11 @@ inline constexpr std::size_t right_at_no_level = accuracy_levels.size();
 /// InputFailure, which names --accuracy.
 [[nodiscard]] Accuracy parse_accuracy(const std::string& text);
 
-/// Of a kept finding: `text` as parse_accuracy() reads it; empty: the case's "x_accuracy", or else rounding. Throws InputFailure.
-[[nodiscard]] Accuracy accuracy_for(const Case& c, const std::string& file, int line, const std::string& text);
+/// The same, where it takes the place of a case's own; none where the text is empty.
+[[nodiscard]] std::optional<Accuracy> accuracy_instead(const std::string& text);
+
+/// At which a kept finding is one: the case's "x_accuracy", or else rounding. Throws InputFailure.
+[[nodiscard]] Accuracy accuracy_of_case(const Case& c, const std::string& file, int line);
 
 /// The same in words that are read back; a level by its name.
 [[nodiscard]] std::string accuracy_text(const Accuracy& accuracy);

@@ -17,7 +17,7 @@ inline void declare_accuracy(CommandLine& app, std::string& text) {
   app.add_option("--accuracy", text, kAccuracyHelp)->capture_default_str();
 }
 
-/// The same of kept cases; empty: what accuracy_for() takes.
+/// The same of kept cases, read by accuracy_instead().
 inline void declare_accuracy_of_cases(CommandLine& app, std::string& text) {
   app.add_option("--accuracy", text, std::string(kAccuracyHelp) + " (default: that of the case, or rounding)");
 }

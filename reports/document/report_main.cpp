@@ -180,10 +180,10 @@ int write_issue(const Arguments& args) {
   const auto solver =
       solver_instead(args.foreign, args.foreign.empty() ? c->expect.method.value_or("auto") : "", "--issue");
   if (!solver) throw InputFailure(args.issue, 0, "expect.method", "names no method");
-  const Accuracy accuracy = accuracy_for(*c, args.issue, 0, args.accuracy);
-  const std::string asked = accuracy_option(accuracy_text(accuracy));
-  const Issue found =
-      issue(*c, *solver, accuracy, "plumb report --issue " + shell_word(args.issue) + solver->option + asked);
+  const std::optional<Accuracy> asked = accuracy_instead(args.accuracy);
+  const Accuracy accuracy = asked ? *asked : accuracy_of_case(*c, args.issue, 0);
+  const std::string options = solver->option + accuracy_option(accuracy_text(accuracy));
+  const Issue found = issue(*c, *solver, accuracy, "plumb report --issue " + shell_word(args.issue) + options);
   if (!found.has_finding) {
     print_line(solver->name + " has no finding on this case: there is nothing to report");
     return exit_done;

@@ -52,12 +52,6 @@ double overlap_along_centres(const Pair& pair) {
          support<double>(placed.body2.shape, placed.body2.to_body_direction(-n)) - n.dot(placed.body2.centre);
 }
 
-TEST(Families, AreTheContractsFour) {
-  std::vector<std::string_view> names;
-  for (const Family& family : families()) names.push_back(family.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{"spheroid", "ellipsoid", "superquadric", "hard"}));
-}
-
 TEST(Families, AreLegalNamedAndRecorded) {
   for (const Family& family : families())
     for_each(family.name, [&](const Case& c) {

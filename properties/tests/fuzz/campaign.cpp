@@ -161,10 +161,13 @@ TEST(CampaignAuto, ItsFindingsArePlumbsOwnAndAPublishedMethodsAreAResult) {
 TEST_F(Campaign, AFolderThatIsUsedAgainForgetsTheOldRun) {
   const fs::path folder = written("again", *single);
   write_file(folder / "notes.txt", "");
+  for (const char* left : {"summary.json.host.1.2.tmp", "failures/misaligned-auto--worst.json.host.1.2.tmp"})
+    write_file(folder / left, "{");  // by a process that was killed
   prepare_folder(folder);
   EXPECT_FALSE(fs::exists(folder / "summary.json"));
   EXPECT_FALSE(fs::exists(folder / "campaign.bins"));
   EXPECT_TRUE(fs::is_empty(folder / "failures"));
+  EXPECT_FALSE(fs::exists(folder / "summary.json.host.1.2.tmp"));
   EXPECT_TRUE(fs::exists(folder / "notes.txt"));
 }
 

@@ -53,7 +53,7 @@ def campaign(
 ) -> Campaign:
     """Random pairs by the thousand, every method's answer judged by every law.
 
-    family   spheroid, ellipsoid, superquadric, hard, several of them, or "all"
+    family   a name of `plumb families`, several of them, or "all"
     cases    of each family
     seed     same seed, same cases and results, whatever the number of threads
     method   names, or "all", which is the default without ``solver``

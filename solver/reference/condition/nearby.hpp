@@ -25,7 +25,8 @@ struct NearbyAnswers {
 [[nodiscard]] NearbyAnswers nearby_answers(const Pair& pair, const Solution& found, double k);
 
 /// A hundred times that, from neighbours in long double, whose steps are a thousand of its epsilons; infinite where one of their
-/// answers is not found, and where exponents are so large, or so near to 1, that long double does not tell them apart. For who asks only whether an error is far more.
+/// answers is not found, and where exponents are so large, or so near to 1, that long double does not
+/// tell them apart. For who asks only whether an error is far more.
 [[nodiscard]] NearbyAnswers more_than_nearby(const Pair& pair, const Solution& found, double k);
 
 }  // namespace plumb::reference
