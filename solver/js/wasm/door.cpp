@@ -93,6 +93,11 @@ const char* plumb_js_input_error(int part) {
   return text.empty() ? "" : text.data();
 }
 
+/// Which body is wrong then, 0 or 1; -1: the pair.
+int plumb_js_input_body() {
+  return plumb::find_input_error(given()).body;
+}
+
 /// Solves the block's pair; `diagnosed`: with what its points say of themselves.
 void plumb_js_solve(int method, int diagnosed, int iteration_limit, double tolerance) {
   const plumb::Pair pair = given();

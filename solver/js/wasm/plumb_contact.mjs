@@ -70,8 +70,11 @@ class Plumb {
 
   describeInput(pair) {
     writePair(this.#block, pair);
+    const reason = this.#text(this.#door.plumb_js_input_error(1));
+    if (reason === "") return "";
+    const body = this.#door.plumb_js_input_body();
     const field = this.#text(this.#door.plumb_js_input_error(0));
-    return field === "" ? "" : `${field}: ${this.#text(this.#door.plumb_js_input_error(1))}`;
+    return `${body < 0 ? "" : `bodies[${body}].`}${field}: ${reason}`;
   }
 }
 
