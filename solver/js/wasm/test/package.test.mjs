@@ -1,15 +1,12 @@
-// node --test: the packed package in an empty project. PLUMB_PACKAGE names the .tgz, PLUMB_BIN the folder of the native programs.
+// node --test: the packed package in an empty project. PLUMB_PACKAGE names the .tgz.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
-import { fileURLToPath } from "node:url";
 
 const PACKAGE = resolve(process.env.PLUMB_PACKAGE);
-const BIN = process.env.PLUMB_BIN;
-const here = fileURLToPath(new URL(".", import.meta.url));
 
 const FIVE_LINES = `import { load } from "plumb-contact";
 const plumb = await load();
@@ -20,7 +17,8 @@ console.log(JSON.stringify(contact));
 
 async function inProject(use) {
   const folder = await mkdtemp(join(tmpdir(), "plumb-contact-"));
-  const run = (command, ...args) => execFileSync(command, args, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+  const run = (command, ...args) =>
+    execFileSync(command, args, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
   try {
     await writeFile(join(folder, "package.json"), '{ "type": "module" }');
     run("npm", "install", "--offline", "--no-audit", "--no-fund", "--silent", PACKAGE);
@@ -54,11 +52,4 @@ console.log(JSON.stringify([plumb.solve({ bodies }).status, plumb.describeInput(
     assert.equal(status, "invalid_input");
     assert.match(text, /^bodies\[1\].*semi_axes\[1\]/);
     assert.equal(error, "RangeError");
-  }));
-
-test("its answers are the native library's", { skip: !BIN && "PLUMB_BIN is not set" }, () =>
-  inProject((folder) => {
-    const installed = join(folder, "node_modules/plumb-contact");
-    const out = execFileSync(process.execPath, [join(here, "compare.mjs"), installed, BIN], { encoding: "utf8" });
-    console.log(out);
   }));

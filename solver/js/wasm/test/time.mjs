@@ -1,5 +1,5 @@
-// node time.mjs PACKAGE BIN [--pairs N] [--repeat R]: what all methods of a pair take here, beside the native `plumb solve --repeat R`.
-// Each solve is timed as the smallest of R calls, cold; a line a method, then the sum of all.
+// node time.mjs PACKAGE BIN [--pairs N] [--repeat R] [--most RATIO]: what all methods of a pair take here, beside the native `plumb solve --repeat R`.
+// Each solve is timed as the smallest of R calls, cold; a line a method, then the sum of all, which may be RATIO times as long: or exit 1.
 import { spawnSync } from "node:child_process";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -7,7 +7,11 @@ import { parseArgs } from "node:util";
 import { pairs } from "./pairs.mjs";
 
 const { values, positionals } = parseArgs({
-  options: { pairs: { type: "string", default: "300" }, repeat: { type: "string", default: "15" } },
+  options: {
+    pairs: { type: "string", default: "300" },
+    repeat: { type: "string", default: "15" },
+    most: { type: "string", default: "Infinity" },
+  },
   allowPositionals: true,
 });
 const [folder, bin] = positionals;
@@ -16,12 +20,19 @@ const { load } = await import(pathToFileURL(resolve(folder, "plumb_contact.mjs")
 const plumb = await load();
 const cases = [...pairs(Number(values.pairs), 1)];
 
-const native = spawnSync(resolve(bin, "plumb-solve"), ["-", "--method", plumb.methods.map(({ name }) => name).join(","), "--json", "--repeat", values.repeat], {
-  input: cases.map((one) => `${JSON.stringify(one)}\n`).join(""),
-  encoding: "utf8",
-  maxBuffer: 2 ** 30,
-});
-const theirs = native.stdout.trim().split("\n").map((line) => JSON.parse(line));
+const native = spawnSync(
+  resolve(bin, "plumb-solve"),
+  ["-", "--method", plumb.methods.map(({ name }) => name).join(","), "--json", "--repeat", values.repeat],
+  {
+    input: cases.map((one) => `${JSON.stringify(one)}\n`).join(""),
+    encoding: "utf8",
+    maxBuffer: 2 ** 30,
+  },
+);
+const theirs = native.stdout
+  .trim()
+  .split("\n")
+  .map((line) => JSON.parse(line));
 
 const pairOf = ({ bodies }) => ({
   bodies: bodies.map(({ shape: { superellipsoid }, position, orientation }) => ({
@@ -64,3 +75,4 @@ for (const { here, native: theirTime } of sums.values()) {
   all.native += theirTime;
 }
 show("all methods of a pair", all);
+process.exitCode = all.here / all.native > Number(values.most) ? 1 : 0;
