@@ -31,7 +31,11 @@ function fill(template, place, text) {
   return parts.join(text);
 }
 
-const linesOf = async (file) => (await readFile(file, "utf8")).trim().split("\n").map((line) => JSON.parse(line));
+const linesOf = async (file) =>
+  (await readFile(file, "utf8"))
+    .trim()
+    .split("\n")
+    .map((line) => JSON.parse(line));
 
 /** The study's four groups of spheroids, as `plumb report-study` found them. */
 async function groupsOf(file) {

@@ -29,7 +29,9 @@ export class Answers {
   readonly element: HTMLElement;
 
   constructor(private readonly changed: () => void) {
-    const heads = ["method (drawn)", "", "degrees off", "overlap", "why"].map((text) => h("th", { scope: "col" }, text || h("span", { class: "unseen" }, "verdict")));
+    const heads = ["method (drawn)", "", "degrees off", "overlap", "why"].map((text) =>
+      h("th", { scope: "col" }, text || h("span", { class: "unseen" }, "verdict")),
+    );
     this.element = h(
       "div",
       { class: "answers", tabindex: 0, role: "region", "aria-label": "Answers of all methods" },

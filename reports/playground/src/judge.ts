@@ -6,7 +6,8 @@ import { number } from "../../page/src/numbers";
 import { pairOf, type Setting, sizeOf } from "./pair";
 
 /** As reports/study names what original_cn's answer lacks, and what else there is. */
-export type Kind = "right" | "signs" | "z" | "both" | "not_opposite" | "not_lowest" | "lower" | "no_answer" | "unjudged" | "other";
+export type Kind =
+  "right" | "signs" | "z" | "both" | "not_opposite" | "not_lowest" | "lower" | "no_answer" | "unjudged" | "other";
 
 export interface Judged {
   method: Method;
@@ -35,7 +36,8 @@ const QUESTIONS: Record<Method["problem"], string> = {
 
 export const angle = (a: Vec, b: Vec): number => (Math.atan2(length(cross(a, b)), dot(a, b)) * 180) / Math.PI;
 
-export const isWrong = ({ kind }: Judged): boolean => ["signs", "z", "both", "not_opposite", "not_lowest"].includes(kind);
+export const isWrong = ({ kind }: Judged): boolean =>
+  ["signs", "z", "both", "not_opposite", "not_lowest"].includes(kind);
 
 /** What its points lack of a common normal; null where nothing. */
 function lacking({ diagnosis, overlap }: Contact, size: number): [Kind, string] | null {
@@ -48,8 +50,10 @@ function lacking({ diagnosis, overlap }: Contact, size: number): [Kind, string] 
   const signs = Math.max(Math.abs(r3), Math.abs(r4)) > ZERO;
   const z = Math.abs(r5) > ZERO || n1_n2 > ZERO;
   const lineOff = `the line through its points is ${number(Math.max(d_n1, d_n2))}° off their normals`;
-  if (n1_n2 > SEEN) return [signs ? "both" : "not_opposite", `the normals at its points are ${number(n1_n2)}° from opposite`];
-  if (signs && z) return ["both", `${lineOff}: signs are lost (R3 ${number(r3)}, R4 ${number(r4)}), and so is z (R5 ${number(r5)})`];
+  if (n1_n2 > SEEN)
+    return [signs ? "both" : "not_opposite", `the normals at its points are ${number(n1_n2)}° from opposite`];
+  if (signs && z)
+    return ["both", `${lineOff}: signs are lost (R3 ${number(r3)}, R4 ${number(r4)}), and so is z (R5 ${number(r5)})`];
   if (signs) return ["signs", `${lineOff}: an equation has lost a sign (R3 ${number(r3)}, R4 ${number(r4)})`];
   return ["z", `${lineOff}: no equation asks for z (R5 ${number(r5)})`];
 }
@@ -62,7 +66,10 @@ function judge(contact: Contact, { problem }: Method, auto: Contact, size: numbe
   if (auto.status !== "converged") return ["unjudged", "a common normal; auto has no answer to hold it against"];
   const excess = (contact.overlap - auto.overlap) / size;
   if (excess > SAME_OVERLAP)
-    return ["not_lowest", `a common normal, but not the lowest: overlap ${number(contact.overlap, 4)}, auto has ${number(auto.overlap, 4)}`];
+    return [
+      "not_lowest",
+      `a common normal, but not the lowest: overlap ${number(contact.overlap, 4)}, auto has ${number(auto.overlap, 4)}`,
+    ];
   if (excess < -SAME_OVERLAP) return ["lower", "a common normal of lower overlap than auto's: please report the case"];
   return ["right", contact === auto ? "shown to be the lowest" : "the common normal"];
 }

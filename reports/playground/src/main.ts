@@ -35,11 +35,17 @@ class Playground {
   private readonly canvas = h("canvas", {
     tabindex: 0,
     role: "application",
-    "aria-label": "3-D view of both bodies. Arrow keys turn it, or what is chosen below; plus and minus zoom, 0 resets.",
+    "aria-label":
+      "3-D view of both bodies. Arrow keys turn it, or what is chosen below; plus and minus zoom, 0 resets.",
   });
   private readonly sentence = h("p", { class: "sentence", role: "status" });
   private readonly summary = h("p", { class: "summary" });
-  private readonly json = h("textarea", { readonly: true, rows: 6, spellcheck: "false", "aria-label": "The case as JSON" });
+  private readonly json = h("textarea", {
+    readonly: true,
+    rows: 6,
+    spellcheck: "false",
+    "aria-label": "The case as JSON",
+  });
   private readonly copied = h("span", { class: "muted", role: "status" });
   private readonly sliders = new Sliders((apply) => this.change(apply));
   private readonly answers = new Answers(() => this.draw());
@@ -106,7 +112,8 @@ class Playground {
 
   private inWords(): string {
     const auto = this.judged.find(({ method }) => method.name === "auto");
-    if (auto?.contact.status !== "converged") return "auto has no answer here: it cannot show which normal is the lowest.";
+    if (auto?.contact.status !== "converged")
+      return "auto has no answer here: it cannot show which normal is the lowest.";
     const asked = this.judged.filter(({ method }) => method.problem === "common_normal");
     const wrong = asked.filter(isWrong);
     const names = wrong.map(({ method }) => method.name).join(", ");
@@ -134,7 +141,10 @@ class Playground {
 
   private writeAddress(): void {
     clearTimeout(this.addressTimer);
-    this.addressTimer = window.setTimeout(() => history.replaceState(null, "", `#${wordOf(this.setting)}`), ADDRESS_DELAY_MS);
+    this.addressTimer = window.setTimeout(
+      () => history.replaceState(null, "", `#${wordOf(this.setting)}`),
+      ADDRESS_DELAY_MS,
+    );
   }
 
   /** A link that was followed within the page. */
@@ -166,7 +176,12 @@ class Playground {
       return button(label, press, { class: "quiet", "aria-pressed": String(hold === "view"), "data-hold": hold });
     });
     const reset = button("Reset the view", () => this.orbit.reset(), { class: "quiet" });
-    return h("div", { class: "tools", role: "group", "aria-label": "What dragging and arrow keys do" }, ...buttons, reset);
+    return h(
+      "div",
+      { class: "tools", role: "group", "aria-label": "What dragging and arrow keys do" },
+      ...buttons,
+      reset,
+    );
   }
 
   private presetChoice(): HTMLElement {
@@ -188,20 +203,42 @@ class Playground {
         "header",
         {},
         h("h1", {}, "plumb playground"),
-        h("p", {}, "Two bodies, every method's contact, live. Turn, move and reshape them, and see who is wrong, and why."),
+        h(
+          "p",
+          {},
+          "Two bodies, every method's contact, live. Turn, move and reshape them, and see who is wrong, and why.",
+        ),
         h("div", { class: "bar" }, this.presetChoice(), themeButton()),
         this.sentence,
       ),
       h("section", { class: "stage", "aria-label": "View" }, stage, this.tools()),
-      h("section", { class: "results", "aria-labelledby": "answers-title" }, h("h2", { id: "answers-title" }, "Answers"), this.summary, this.answers.element, h("p", { class: "muted" }, BESIDE)),
-      h("section", { class: "settings", "aria-labelledby": "settings-title" }, h("h2", { id: "settings-title" }, "The pair"), this.sliders.element),
+      h(
+        "section",
+        { class: "results", "aria-labelledby": "answers-title" },
+        h("h2", { id: "answers-title" }, "Answers"),
+        this.summary,
+        this.answers.element,
+        h("p", { class: "muted" }, BESIDE),
+      ),
+      h(
+        "section",
+        { class: "settings", "aria-labelledby": "settings-title" },
+        h("h2", { id: "settings-title" }, "The pair"),
+        this.sliders.element,
+      ),
       h(
         "section",
         { class: "case", "aria-labelledby": "case-title" },
         h("h2", { id: "case-title" }, "The case"),
         h("p", {}, "Save it as case.json, then: ", h("code", {}, "plumb solve case.json --method all")),
         this.json,
-        h("div", { class: "tools" }, button("Copy the case", () => this.copy(caseOf(this.setting), "case")), button("Copy a link to it", link), this.copied),
+        h(
+          "div",
+          { class: "tools" },
+          button("Copy the case", () => this.copy(caseOf(this.setting), "case")),
+          button("Copy a link to it", link),
+          this.copied,
+        ),
       ),
     );
   }
@@ -221,7 +258,9 @@ async function start(): Promise<void> {
   playground.frame();
   addEventListener("hashchange", () => playground.readAddress());
   // Tests ask for what each preset promises.
-  document.documentElement.dataset.presets = JSON.stringify(presets.map(({ name, says, shows }) => ({ name, says, shows })));
+  document.documentElement.dataset.presets = JSON.stringify(
+    presets.map(({ name, says, shows }) => ({ name, says, shows })),
+  );
   document.documentElement.dataset.ready = "true";
 }
 

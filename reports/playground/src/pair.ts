@@ -70,6 +70,8 @@ export function settingOf(word: string): Setting | null {
     euler: x.slice(5) as Vec,
   });
   const setting: Setting = { solids: [solid(a), solid(b)], line: [place[0]!, place[1]!], distance: place[2]! };
-  const legal = setting.solids.every(({ axes, exponents }) => axes.every((x) => x > 0) && exponents.every((n) => n > 1));
+  const legal = setting.solids.every(
+    ({ axes, exponents }) => axes.every((x) => x > 0) && exponents.every((n) => n > 1),
+  );
   return legal && setting.distance >= 0 ? setting : null;
 }

@@ -36,7 +36,12 @@ export function picture(setting: Setting, judged: Judged[], theme: Theme): Pictu
   bodies.forEach((body, index) => {
     const colour = index === 0 ? first : second;
     scene.add(bodyGroup(wholeMesh(body, mapping), colour, index === 1));
-    labels.push({ text: `body ${index + 1}`, at: mapping.point(body.centre), colour, side: index === 0 ? "left" : "right" });
+    labels.push({
+      text: `body ${index + 1}`,
+      at: mapping.point(body.centre),
+      colour,
+      side: index === 0 ? "left" : "right",
+    });
   });
   // Those that are right lie on each other: auto is drawn last, and alone of them has a name.
   for (const one of [...judged].reverse()) {

@@ -41,7 +41,10 @@ const RATIO = 0.01;
 
 /** At an overlap ratio, whatever the distance was. */
 export function placed(plumb: Plumb, setting: Setting, ratio: number): Setting {
-  const apart = { ...setting, distance: 1.05 * (Math.max(...setting.solids[0].axes) + Math.max(...setting.solids[1].axes)) };
+  const apart = {
+    ...setting,
+    distance: 1.05 * (Math.max(...setting.solids[0].axes) + Math.max(...setting.solids[1].axes)),
+  };
   const touch = touchDistance(apart, judgeAll(plumb, apart));
   return { ...setting, distance: touch * (1 - ratio) };
 }

@@ -10,6 +10,8 @@ import { withUrl } from "../../page/test/support/tab.mjs";
 
 const URL_OF_PAGE = pathToFileURL(resolve(process.env.PLUMB_PLAYGROUND)).href;
 const BIN = process.env.PLUMB_BIN;
+/** Relative error of a number that is shown with five. */
+const FIVE_DIGITS = 5e-5;
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 /** The page must ask for nothing and complain of nothing, whatever a test does. */
@@ -30,7 +32,9 @@ async function drawn(page, act) {
 
 const caseOf = async (page) => JSON.parse(await page.$eval(".case textarea", ({ value }) => value));
 const kinds = (page) =>
-  page.$$eval("tr[data-method]", (rows) => Object.fromEntries(rows.map(({ dataset }) => [dataset.method, dataset.kind])));
+  page.$$eval("tr[data-method]", (rows) =>
+    Object.fromEntries(rows.map(({ dataset }) => [dataset.method, dataset.kind])),
+  );
 
 for (const width of [400, 1400])
   for (const dark of [false, true])
@@ -38,7 +42,10 @@ for (const width of [400, 1400])
       withPlayground({ width, dark }, async (page) => {
         await page.evaluate(axe);
         const { violations } = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
-        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160))}`), []);
+        assert.deepEqual(
+          violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160))}`),
+          [],
+        );
         const [scroll, client] = await page.evaluate(() => [
           document.documentElement.scrollWidth,
           document.documentElement.clientWidth,
@@ -116,14 +123,19 @@ test("a link holds the state, and one that is damaged does no harm", async () =>
     held = await caseOf(page);
   });
   await withPlayground({ url: link }, async (page) => assert.deepEqual(await caseOf(page), held));
-  await withPlayground({ url: `${URL_OF_PAGE}#1,2,three` }, async (page) => assert.equal((await caseOf(page)).bodies.length, 2));
+  await withPlayground({ url: `${URL_OF_PAGE}#1,2,three` }, async (page) =>
+    assert.equal((await caseOf(page)).bodies.length, 2),
+  );
 });
 
 test("the case is what plumb solve reads, and answers alike", { skip: !BIN && "PLUMB_BIN is not set" }, () =>
   withPlayground({}, async (page) => {
     const input = await page.$eval(".case textarea", ({ value }) => value);
     const out = execFileSync(join(BIN, "plumb-solve"), ["-", "--method", "all", "--json"], { input, encoding: "utf8" });
-    const native = out.trim().split("\n").map((line) => JSON.parse(line));
+    const native = out
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line));
     const rows = await page.$$eval("tr[data-method]", (all) =>
       all.map((row) => [row.dataset.method, row.dataset.kind === "no_answer", row.cells[3].textContent]),
     );
@@ -131,6 +143,8 @@ test("the case is what plumb solve reads, and answers alike", { skip: !BIN && "P
     for (const [index, [method, isNone, overlap]] of rows.entries()) {
       assert.equal(method, native[index].method);
       assert.equal(isNone, native[index].status !== "converged");
-      if (!isNone) assert.ok(Math.abs(Number(overlap) - native[index].overlap) <= 1e-5 * Math.abs(native[index].overlap));
+      if (!isNone)
+        assert.ok(Math.abs(Number(overlap) - native[index].overlap) <= FIVE_DIGITS * Math.abs(native[index].overlap));
     }
-  }));
+  }),
+);
