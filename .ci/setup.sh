@@ -11,6 +11,7 @@ declare -A plumb_packages=(
   [slurm]="munge slurmctld slurmd slurm-client"
   [parallel]="parallel"
   [page]="nodejs npm"
+  [wasm]="emscripten"
   [docs]="doxygen python3"
   [browser]="chromium"
   [fuzz]="clang-19 libclang-rt-19-dev"

@@ -64,7 +64,8 @@ inline constexpr auto method_table = method_rows<S>();
 
 template <class S>
 const MethodIn<S>* find_method_in(std::string_view name) {
-  const auto found = std::ranges::find(method_table<S>, name, &MethodIn<S>::name);
+  const auto has_name = [&](const MethodIn<S>& row) { return row.name == name; };
+  const auto found = std::find_if(method_table<S>.begin(), method_table<S>.end(), has_name);
   return found == method_table<S>.end() ? nullptr : &*found;
 }
 

@@ -1,7 +1,8 @@
 // One number of body 1 and the same of body 2, side by side: what is done to one is done to both.
 //
 // PerBody<S>   of a built-in type two lanes of one vector register; of any other scalar (50 digits), and of a register that
-//              holds a number of each of several pairs (batch/pack.hpp), a struct of two
+//              holds a number of each of several pairs (batch/pack.hpp), a struct of two; so where the standard library has
+//              no such registers, as LLVM's under Emscripten
 //
 // <experimental/simd> (Parallelism TS 2) rather than xsimd or Highway: it comes with g++ and clang's libstdc++, takes long
 // double as well, and makes the same instructions here (two doubles in an SSE2 register, `sqrtpd`, `divpd`).
@@ -10,9 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <experimental/simd>
 #include <limits>
 #include <type_traits>
+#if defined(__GLIBCXX__)
+#include <experimental/simd>
+#endif
 
 #include "solver/method/vector3.hpp"
 
@@ -29,21 +32,25 @@ template <class S>
 struct PerBodyOf {
   using type = TwoNumbers<S>;
 };
+#if defined(__GLIBCXX__)
 /// Not fixed_size_simd, whose masks are sets of bits and cost exponents an eighth of their instructions.
 template <std::floating_point S>
 struct PerBodyOf<S> {
   using type = std::experimental::simd<S, std::experimental::simd_abi::deduce_t<S, 2>>;
 };
+#endif
 template <class S>
 using PerBody = typename PerBodyOf<S>::type;
 
 /// The S of a PerBody<S>.
 template <class B>
 struct SingleOf;
+#if defined(__GLIBCXX__)
 template <class S, class Abi>
 struct SingleOf<std::experimental::simd<S, Abi>> {
   using type = S;
 };
+#endif
 template <class P>
 struct SingleOf<TwoNumbers<P>> {
   using type = P;
@@ -55,6 +62,7 @@ template <class S>
 using Mask = typename PerBody<S>::mask_type;
 
 /// a where the mask holds, b elsewhere.
+#if defined(__GLIBCXX__)
 template <class S, class Abi>
 [[nodiscard, gnu::always_inline]] inline std::experimental::simd<S, Abi>
 blend(const std::experimental::simd_mask<S, Abi>& mask, std::experimental::simd<S, Abi> a,
@@ -67,6 +75,7 @@ blend(const std::experimental::simd_mask<S, Abi>& mask, std::experimental::simd<
 #endif
   return a;
 }
+#endif
 /// The same of one number.
 template <class S>
   requires has_one_pair<S>

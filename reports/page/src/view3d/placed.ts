@@ -121,7 +121,7 @@ function arrowsOf({ answer, reference, normal, given }: Geometry, plain: boolean
 }
 
 /** The bodies' box with those points, and all of it seen. */
-function around(bodies: Placed[], tips: Vec[]): Focus {
+export function around(bodies: Placed[], tips: Vec[]): Focus {
   const ends = (sign: 1 | -1) =>
     [0, 1, 2].map((i) => [
       ...bodies.map((body) => (body.centre[i] as number) + sign * reach(body, i)),

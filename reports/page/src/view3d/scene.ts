@@ -106,7 +106,7 @@ export function surfaceGeometry({ positions, normals, triangles }: Surface): Buf
   return geometry;
 }
 
-function bodyGroup(surface: Surface, colour: string, dashed: boolean): Group {
+export function bodyGroup(surface: Surface, colour: string, dashed: boolean): Group {
   const group = new Group();
   const geometry = surfaceGeometry(surface);
   group.add(skin(geometry, colour, BackSide, 0.16), skin(geometry, colour, FrontSide, 0.22));
@@ -129,7 +129,7 @@ function solid(geometry: BufferGeometry, colour: string): Mesh {
   return mesh;
 }
 
-function arrow(from: Vec, direction: Vec, size: number, colour: string, thickness = 0.011): Group {
+export function arrow(from: Vec, direction: Vec, size: number, colour: string, thickness = 0.011): Group {
   const group = new Group();
   const head = Math.min(0.12, 0.45 * size);
   const shaft = solid(new CylinderGeometry(thickness, thickness, size - head, 10), colour);
@@ -144,7 +144,7 @@ function arrow(from: Vec, direction: Vec, size: number, colour: string, thicknes
 
 const degreesBetween = (a: Vec, b: Vec): number => (Math.atan2(length(cross(a, b)), dot(a, b)) * 180) / Math.PI;
 
-const marker = (geometry: BufferGeometry, at: Vec, colour: string): Mesh => {
+export const marker = (geometry: BufferGeometry, at: Vec, colour: string): Mesh => {
   const mesh = solid(geometry, colour);
   mesh.position.set(...at);
   return mesh;
