@@ -55,7 +55,13 @@ def way_of_a_pair():
         plan.box((16, 18 + 54 * row), (150, 40), (words,), BODY1, BODY1)
         plan.line_to((166, 38 + 54 * row), (238, 146 + 2 * (row - 2)))
     plan.box((240, 112), (130, 68), ("a case file", "the exact pair,", "and what to expect"), INK)
-    ends = [("replay", "the same again?"), ("shrink", "the simplest pair with it"), ("certify", "what is true, proved"), ("check", "is this answer right?"), ("report", "a page to look at")]
+    ends = [
+        ("replay", "the same again?"),
+        ("shrink", "the simplest pair with it"),
+        ("certify", "what is true, proved"),
+        ("check", "is this answer right?"),
+        ("report", "a page to look at"),
+    ]
     for row, words in enumerate(ends):
         plan.line_to((370, 146 + 2 * (row - 2)), (430, 38 + 54 * row))
         plan.box((432, 16 + 54 * row), (194, 44), words, RIGHT, RIGHT)
@@ -174,7 +180,10 @@ def lammps_and_plumb():
         plan.label((left + 82, 208), name, colour, 13, "middle", "600")
     plan.path([(150, 24), (210, 24), (210, 188), (150, 188)], SOFT, 1.2, dashes="5 4", closed=True)
     plan.label((180, 232), "ghosts: both ranks know these bodies", SOFT, 13, "middle")
-    rows = [("LAMMPS", SOFT, ("cuts the box, sends ghosts", "neighbour lists", "dumps, thermo, MPI")), ("plumb", RIGHT, ("pair_style plumb/cn: contacts, forces", "fix plumb/wall: walls", "fix plumb/nve: motion"))]
+    rows = [
+        ("LAMMPS", SOFT, ("cuts the box, sends ghosts", "neighbour lists", "dumps, thermo, MPI")),
+        ("plumb", RIGHT, ("pair_style plumb/cn: contacts, forces", "fix plumb/wall: walls", "fix plumb/nve: motion")),
+    ]
     for row, (name, colour, words) in enumerate(rows):
         plan.label((364, 44 + 112 * row), name, colour, 15, "start", "600")
         for line, text in enumerate(words):

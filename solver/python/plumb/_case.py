@@ -18,7 +18,7 @@ def case(body1: Body, body2: Body, *, name: str = "python", motion: ArrayLike | 
     name          what messages and tables call it
     motion        (3,) velocity of body 2 relative to body 1, any unit; ``first_touch`` goes back along it
 
-    ValueError and TypeError name an argument that is not legal.
+    Gives a dict of plain lists and numbers. ValueError and TypeError name an argument that is not legal.
 
     >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
     >>> plumb.bodies_of(plumb.case(ball, ball.moved((1.5, 0, 0))))[1].position
@@ -36,6 +36,10 @@ def bodies_of(case: Mapping[str, Any]) -> tuple[Body, Body]:
     """The pair of a case that stores positions and quaternions, as every kept failure does; ValueError for another.
 
     case  as a dict, format plumb/case-1; lengths in one unit, world frame
+
+    >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
+    >>> plumb.bodies_of(plumb.case(ball, ball))[0] == ball
+    True
     """
     try:
         body1, body2 = (_body_of(body) for body in case["bodies"])

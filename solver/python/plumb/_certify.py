@@ -21,8 +21,8 @@ Decimals = tuple[Decimal, Decimal, Decimal]
 class Bounds(NamedTuple):
     """The true value lies between the two; rounded outwards."""
 
-    lower: Decimal
-    upper: Decimal
+    lower: Decimal  #: not above the true value
+    upper: Decimal  #: not below it
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def certify(
 ) -> Certificate:
     """Proves overlap, verdict, common normal and points of a pair; a hundredth of a second for most.
 
-    body1    lengths in one unit, world frame; body2 as well
+    body1, body2  lengths in one unit, world frame
     digits   1 to 50, of the decimals
     problem  common_normal, or another that a method answers: deepest_points, midway, first_touch
     motion   (3,) velocity of body 2 relative to body 1, any unit, for first_touch
@@ -83,6 +83,10 @@ def certify_all(
     digits, problem, effort  as ``certify`` has them
 
     ValueError and TypeError name an argument that is not legal.
+
+    >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
+    >>> [proved.verdict.name for proved in plumb.certify_all([(ball, ball.moved((x, 0, 0))) for x in (1.5, 2.5)])]
+    ['overlapping', 'separated']
     """
     cases = [_case_of(pair, f"pairs[{index}]") for index, pair in enumerate(_listed(pairs))]
     return _certify(cases, "pairs", digits=digits, problem=problem, effort=effort, all=False) if cases else []

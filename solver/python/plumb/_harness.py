@@ -34,7 +34,7 @@ class Campaign:
 class Replay:
     """Whether kept cases still give what they expect."""
 
-    differs: bool
+    differs: bool  #: some case does not give what it expects
     table: str  #: for people, a line a case
 
 
@@ -122,7 +122,7 @@ def scene_plan(scene: Mapping[str, Any] | StrPath) -> Json:
 
     scene  a scene as a dict (format plumb/scene-1), or its file
 
-    ValueError and TypeError begin with the name of what is not legal.
+    Gives the plan: "effects" has "name", "on" and the reason of each. ValueError and TypeError begin with the name of what is not legal.
 
     >>> plan = plumb.scene_plan(plumb.named_scene("impact"))
     >>> [effect["name"] for effect in plan["effects"] if effect["on"]]
@@ -137,7 +137,10 @@ def named_scene(name: str, bodies: int | None = None) -> Json:
     name    `plumb scenes` lists them
     bodies  how many, where that may be chosen
 
-    ValueError and TypeError name an argument that is not legal.
+    Gives the scene, format plumb/scene-1. ValueError and TypeError name an argument that is not legal.
+
+    >>> plumb.named_scene("impact")["format"]
+    'plumb/scene-1'
     """
     if not isinstance(name, str):
         raise TypeError(f"name: must be a text, not {type(name).__name__}")
@@ -170,13 +173,18 @@ def check(body1: Body, body2: Body, answer: Contact | Mapping[str, Any], *, moti
 
 
 def shrink(case: Mapping[str, Any], *, method: str | None = None, solver: StrPath | None = None) -> Json:
-    """The simplest case with the same finding and at least half its severity: "finding", "severity" and "case".
+    """The simplest case with the same finding and at least half its severity.
 
     case    one of ``Campaign.failures``, or ``plumb.case`` of a pair
     method  instead of the one that the case names
     solver  a shared library behind plumb_solver.h, instead of a method
 
-    ValueError and TypeError begin with the name of what is not legal.
+    Gives "finding", "severity" and "case", and in "explanation" which numbers matter. ValueError and TypeError begin with the
+    name of what is not legal.
+
+    >>> disc = plumb.Body((1, 1, 0.4), (0, 0, 0))
+    >>> plumb.shrink(plumb.case(disc, disc.moved((1.5, 0, -0.4))), method="original_cn")["finding"]
+    'misaligned'
     """
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "case.json")
@@ -199,6 +207,14 @@ def replay(
     threads  default: one for each processor; changes nothing but the time
 
     ValueError and TypeError begin with the name of what is not legal.
+
+    >>> import json, pathlib, tempfile
+    >>> ball = plumb.Body((1, 1, 1), (0, 0, 0))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = pathlib.Path(folder, "pair.json")
+    ...     written = file.write_text(json.dumps(plumb.case(ball, ball.moved((1.5, 0, 0)))))
+    ...     plumb.replay(file).differs
+    False
     """
     one = isinstance(paths, (str, os.PathLike)) or not isinstance(paths, Iterable)
     files = [path_of(path, "paths") for path in ([paths] if one else cast("Iterable[StrPath]", paths))]

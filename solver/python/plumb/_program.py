@@ -22,6 +22,9 @@ def find_program() -> Path:
 
     Looked for in the package's own folder bin (a wheel), in the bin of the tree that the package was built or installed in, then in
     PATH. FileNotFoundError where there is none.
+
+    >>> plumb.find_program().name
+    'plumb'
     """
     parents = _PACKAGE.parents
     near = [_PACKAGE / "bin", *(parents[level] / "bin" for level in (1, 3) if level < len(parents))]

@@ -16,9 +16,9 @@ from ._words import words_of
 class Method(NamedTuple):
     """A row of the list of methods."""
 
-    name: str
+    name: str  #: what ``solve`` takes
     problem: str  #: the question it answers: common_normal, deepest_points, midway or first_touch
-    summary: str
+    summary: str  #: how it goes about it, in a few words
 
 
 class Diagnosis(NamedTuple):

@@ -9,23 +9,23 @@ from collections.abc import Iterable
 class Status(enum.IntEnum):
     """How a solve ended. Only ``converged`` vouches for the residual, and not even that for the answer: see ``certify``."""
 
-    converged = 0
-    iteration_limit = 1
-    stalled = 2
-    singular = 3
-    not_finite = 4
-    invalid_input = 5
+    converged = 0  #: the residual is below the tolerance, or below what rounding allows
+    iteration_limit = 1  #: the limit was reached first
+    stalled = 2  #: no step lowers the residual; or ``auto`` cannot show that its common normal is the lowest
+    singular = 3  #: the Jacobian lost rank
+    not_finite = 4  #: a NaN or an infinity came up on the way
+    invalid_input = 5  #: a body is not legal: an axis of 0, a NaN
 
     def __str__(self) -> str:
         return self.name
 
 
 class Verdict(enum.IntEnum):
-    """``undecided``: the overlap is 0 to within the rounding floor of the answer, or there is no answer."""
+    """Whether the bodies overlap. ``undecided``: the overlap is 0 to within the rounding floor of the answer, or there is no answer."""
 
-    undecided = 0
-    overlapping = 1
-    separated = 2
+    undecided = 0  #: nobody can say in doubles, or there is no answer
+    overlapping = 1  #: the bodies share points
+    separated = 2  #: they share none
 
     def __str__(self) -> str:
         return self.name
