@@ -35,10 +35,4 @@ export class Counted {
   forget(): void {
     this.frame.clear();
   }
-
-  restart(): void {
-    this.frame.clear();
-    this.frames = 0;
-    this.most = 0;
-  }
 }

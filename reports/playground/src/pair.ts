@@ -56,9 +56,18 @@ export function wordOf({ solids, line, distance }: Setting): string {
   return [...parts, [...line, distance].join(",")].join(";");
 }
 
+/** "%3B" -> ";"; as it is where it is no such text. */
+function decoded(word: string): string {
+  try {
+    return decodeURIComponent(word);
+  } catch {
+    return word;
+  }
+}
+
 /** Null where it is no setting. */
 export function settingOf(word: string): Setting | null {
-  const [a, b, place, ...rest] = decodeURIComponent(word)
+  const [a, b, place, ...rest] = decoded(word)
     .split(";")
     .map((part) => part.split(",").map((x) => (x.trim() === "" ? Number.NaN : Number(x))));
   const all = [...(a ?? []), ...(b ?? []), ...(place ?? [])];

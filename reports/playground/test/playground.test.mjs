@@ -117,15 +117,18 @@ test("each slider changes the case", () =>
 test("a link holds the state, and one that is damaged does no harm", async () => {
   let link, held;
   await withPlayground({}, async (page) => {
-    await drawn(page, () => page.select("select", "2"));
     await page.waitForFunction(() => location.hash.length > 1);
+    const before = await page.evaluate(() => location.hash);
+    await drawn(page, () => page.select("select", "2"));
+    await page.waitForFunction((old) => location.hash !== old, {}, before);
     link = await page.evaluate(() => location.href);
     held = await caseOf(page);
   });
   await withPlayground({ url: link }, async (page) => assert.deepEqual(await caseOf(page), held));
-  await withPlayground({ url: `${URL_OF_PAGE}#1,2,three` }, async (page) =>
-    assert.equal((await caseOf(page)).bodies.length, 2),
-  );
+  for (const damaged of ["#1,2,three", "#%"])
+    await withPlayground({ url: URL_OF_PAGE + damaged }, async (page) =>
+      assert.equal((await caseOf(page)).bodies.length, 2),
+    );
 });
 
 test("the case is what plumb solve reads, and answers alike", { skip: !BIN && "PLUMB_BIN is not set" }, () =>

@@ -8,13 +8,26 @@ const FIELDS = ["name", "problem", "published_by", "summary", "light", "dark", "
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 
-function writeBody(block, from, { semi_axes, exponents = [2, 2], position = [0, 0, 0], quaternion = [1, 0, 0, 0] }) {
-  block.set([...semi_axes, ...exponents, ...position, ...quaternion], from);
+function numbersOf(values, count, name) {
+  if (values?.length !== count) throw new TypeError(`${name} must be ${count} numbers`);
+  return [...values];
+}
+
+function writeBody(block, index, { semi_axes, exponents = [2, 2], position = [0, 0, 0], quaternion = [1, 0, 0, 0] }) {
+  const name = `bodies[${index}]`;
+  const all = [
+    ...numbersOf(semi_axes, 3, `${name}.semi_axes`),
+    ...numbersOf(exponents, 2, `${name}.exponents`),
+    ...numbersOf(position, 3, `${name}.position`),
+    ...numbersOf(quaternion, 4, `${name}.quaternion`),
+  ];
+  block.set(all, index * PER_BODY);
 }
 
 function writePair(block, { bodies, motion = [0, 0, 0] }) {
-  bodies.forEach((body, index) => writeBody(block, index * PER_BODY, body));
-  block.set(motion, 2 * PER_BODY);
+  if (bodies?.length !== 2) throw new TypeError("bodies must be two");
+  bodies.forEach((body, index) => writeBody(block, index, body));
+  block.set(numbersOf(motion, 3, "motion"), 2 * PER_BODY);
 }
 
 const three = (block, from) => [block[from], block[from + 1], block[from + 2]];

@@ -53,3 +53,26 @@ console.log(JSON.stringify([plumb.solve({ bodies }).status, plumb.describeInput(
     assert.match(text, /^bodies\[1\].*semi_axes\[1\]/);
     assert.equal(error, "RangeError");
   }));
+
+test("too few or too many numbers are an error that names the field", () =>
+  inProject(async (folder, run) => {
+    await writeFile(
+      join(folder, "main.mjs"),
+      `import { load } from "plumb-contact";
+const plumb = await load();
+const ball = { semi_axes: [1, 1, 1] };
+plumb.solve({ bodies: [ball, { ...ball, position: [1, 0, 0] }] });
+const told = [[ball], [ball, ball, ball], [ball, { semi_axes: [1, 1] }], [ball, { ...ball, position: [1, 0] }]].map((bodies) => {
+  try { return plumb.solve({ bodies }).status; } catch (error) { return error.message; }
+});
+console.log(JSON.stringify(told));
+`,
+    );
+    const two = "bodies must be two";
+    assert.deepEqual(JSON.parse(run(process.execPath, "main.mjs")), [
+      two,
+      two,
+      "bodies[1].semi_axes must be 3 numbers",
+      "bodies[1].position must be 3 numbers",
+    ]);
+  }));
