@@ -76,7 +76,7 @@ class Package(unittest.TestCase):
         self.assertEqual(ran.returncode, 1)
         self.assertTrue(ran.stderr.endswith(f"\nImportError: {told}"), ran.stderr)
         ran = self.run_python("-S", "-m", "plumb", "methods")
-        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (1, "", told))
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (2, "", told))
 
     @unittest.skipUnless(shutil.which("stubtest"), "needs mypy")
     def test_types(self):

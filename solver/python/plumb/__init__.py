@@ -19,7 +19,8 @@ import sys as _sys
 if _util.find_spec("numpy") is None:
     _told = f"{_sys.executable} has no numpy: pip install numpy, or install python3-numpy and call Debian's own /usr/bin/python3"
     if _sys.argv[0] == "-m":  # python3 -m plumb: one line, as any program's
-        _sys.exit(_told)
+        print(_told, file=_sys.stderr)
+        _sys.exit(2)
     raise ImportError(_told)
 
 from ._batch import Bodies, Contacts, solve_batch

@@ -9,5 +9,6 @@ if __name__ == "__main__":
     try:
         program = find_program()
     except FileNotFoundError as error:
-        sys.exit(f"plumb: {error}")
+        print(f"plumb: {error}", file=sys.stderr)
+        sys.exit(2)
     os.execv(program, ["plumb", *sys.argv[1:]])
