@@ -3,9 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
 #include <optional>
-#include <span>
 #include <sstream>
 
 #include "corpus/command/help/command_rows.hpp"
@@ -89,17 +87,17 @@ CommandOption* CommandLine::add_flag(const std::string& names, bool& value, cons
   return keep(app_->add_flag(names, value, help));
 }
 
-/// Of the first long option that there is none of.
-std::string CommandLine::meant(int argc, char** argv) const {
+/// An option that there is none of, where it is nearly one that there is: what is wrong, whatever else is.
+std::optional<std::string> CommandLine::misspelt() const {
   std::vector<std::string> known;
   for (const CLI::Option* option : app_->get_options())
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  for (const std::string word : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+  for (const std::string& word : app_->remaining()) {
     const std::string name = word.substr(0, word.find('='));
-    const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
-    if (name.starts_with("--") && !is_known) return did_you_mean(name, known);
+    const std::string meant = name.starts_with("--") ? did_you_mean(name, known) : "";
+    if (!meant.empty()) return name + ": no such option" + meant;
   }
-  return {};
+  return std::nullopt;
 }
 
 // Help and version are exceptions of CLI11, too; their code is 0.
@@ -108,7 +106,7 @@ CommandLine::Parsed CommandLine::parse(int argc, char** argv) {
     app_->parse(argc, argv);
     return {.go_on = true, .help = "", .error = ""};
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return {.go_on = false, .help = "", .error = error.what() + meant(argc, argv)};
+    if (error.get_exit_code() != 0) return {.go_on = false, .help = "", .error = misspelt().value_or(error.what())};
     std::ostringstream help;
     (void)app_->exit(error, help, help);
     return {.go_on = false, .help = help.str() + examples_text(name_), .error = ""};

@@ -64,7 +64,7 @@ class CommandLine {
 
  private:
   CommandOption* keep(CLI::Option* option);
-  [[nodiscard]] std::string meant(int argc, char** argv) const;
+  [[nodiscard]] std::optional<std::string> misspelt() const;
 
   std::string name_;
   std::unique_ptr<CLI::App> app_;

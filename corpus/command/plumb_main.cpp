@@ -46,7 +46,7 @@ int list_commands() {
   std::string_view group;
   for (const plumb::CommandRow& row : commands()) {
     if (row.group != group) text += fmt::format("\n{}\n", group = row.group);
-    text += fmt::format("  {:<14}{}\n", row.name, row.summary);
+    text += fmt::format("  {:<16}{}\n", row.name, row.summary);
   }
   return print(text);
 }

@@ -1,4 +1,7 @@
 // plumb-lammps: LAMMPS with pair_style plumb/cn, fix plumb/nve and fix plumb/wall beside its own styles. Takes LAMMPS's own arguments.
+#include <cstdio>
+#include <string_view>
+
 #include "solver/lammps/fix_plumb_nve.hpp"
 #include "solver/lammps/fix_plumb_wall.hpp"
 
@@ -23,9 +26,16 @@ void add_styles(const LAMMPS& lammps) {
   (*lammps.modify->fix_map)["plumb/wall"] = &make_fix<FixPlumbWall>;
 }
 
+constexpr const char* usage =
+    "LAMMPS with pair_style plumb/cn, fix plumb/nve and fix plumb/wall.\n"
+    "Usage: plumb lammps -in FILE [ARGUMENTS OF LAMMPS]\n\n"
+    "Behind mpirun -n N it runs in N processes. -help tells LAMMPS's own arguments and styles.";
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 2 && (argv[1] == std::string_view("--help") || argv[1] == std::string_view("-h")))
+    return std::puts(usage) < 0 ? 1 : 0;
   MPI_Init(&argc, &argv);
   {
     LAMMPS lammps(argc, argv, MPI_COMM_WORLD);

@@ -87,7 +87,7 @@ BOXES = (
 
 @dataclasses.dataclass(frozen=True)
 class Kind:
-    """`sealed`: ends with a sum of all before it, which half of the edited files have again."""
+    """`sealed`: ends with a sum of all before it, which most of the edited files have again."""
 
     name: str
     form: str
