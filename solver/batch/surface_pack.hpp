@@ -5,6 +5,7 @@
 #pragma once
 
 #include "solver/batch/pack_pair.hpp"
+#include "solver/method/auto/surface/surface_guard.hpp"
 #include "solver/method/auto/surface/surface_iteration.hpp"
 #include "solver/method/auto/surface/surface_start.hpp"
 #include "solver/method/auto/surface/surface_step.hpp"
@@ -36,7 +37,7 @@ class SurfacePack {
       step(now);
       if (none_of(active_)) break;
     }
-    out_.settled = out_.settled && out_.overlap <= pair_.inner_rolling_radius;
+    if (any_of(out_.settled)) out_.settled = out_.settled && is_surely_lowest<P>(pair_, out_.normal, out_.overlap);
     return out_;
   }
 

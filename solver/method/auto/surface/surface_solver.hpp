@@ -3,6 +3,7 @@
 
 #include "solver/method/auto/cover/branch_and_bound.hpp"
 #include "solver/method/auto/surface/surface_descent.hpp"
+#include "solver/method/auto/surface/surface_guard.hpp"
 
 namespace plumb {
 
@@ -56,7 +57,7 @@ class SurfaceSolver {
     return out;
   }
   [[nodiscard]] bool is_surely_lowest(const Answer& found) const {
-    return found.minimum && found.overlap <= pair.inner_rolling_radius;
+    return found.minimum && plumb::is_surely_lowest<S>(pair, found.normal, found.overlap);
   }
   [[nodiscard]] bool is_asked_to_stop(const Answer& found) const { return found.status == Status::iteration_limit; }
   [[nodiscard, gnu::noinline]] Answer searched(const Pair& bodies, const Answer& found,
