@@ -9,20 +9,21 @@ collected() {
 }
 
 # count_row FILE METHOD START ARGUMENTS...: a row: the instructions of a run that solves less those of one that does not, by the
-# pairs of FILE, SET.jsonl.
+# solves ("0 x 50 cold solves by auto") of the pairs of FILE, SET.jsonl.
 count_row() {
-  local pairs=$1 method=$2 start=$3 with without
+  local pairs=$1 method=$2 start=$3 with without solves
   shift 3
   with=$(collected --pairs "$pairs" "$@" --times 1)
   without=$(collected --pairs "$pairs" "$@" --times 0)
-  printf '%-14s%-28s%-6s%12d\n' "$(basename "$pairs" .jsonl)" "$method" "$start" $(((with - without) / $(wc -l <"$pairs")))
+  solves=$(build/release/bin/plumb-bench --count-only --pairs "$pairs" "$@" --times 0 | awk '{ print $3 }')
+  printf '%-14s%-28s%-6s%12d\n' "$(basename "$pairs" .jsonl)" "$method" "$start" $(((with - without) / solves))
 }
 
 # per_solve FILE METHOD START: the row of a method.
 per_solve() {
-  local warm=()
-  [[ $3 == cold ]] || warm=(--warm)
-  count_row "$@" --method "$2" "${warm[@]}"
+  local start=()
+  [[ $3 == cold ]] || start=("--$3")
+  count_row "$@" --method "$2" "${start[@]}"
 }
 
 # per_batch FILE: the row of a batch by the best instruction set.

@@ -6,7 +6,7 @@ source reports/callgrind.sh
 
 cost_pairs=50
 
-# cost_rows FOLDER SET: every method of plumb's own, cold; auto warm as well; the batch. Rows to FOLDER/SET.txt.
+# cost_rows FOLDER SET: every method of plumb's own, cold; auto warm and moving as well; the batch. Rows to FOLDER/SET.txt.
 cost_rows() {
   local pairs=$1/$2.jsonl method
   print_pairs "$1" "$2" "$cost_pairs"
@@ -16,12 +16,13 @@ cost_rows() {
     done
     per_batch "$pairs"
     per_solve "$pairs" auto warm
+    per_solve "$pairs" auto moving
   } >"$1/$2.txt"
 }
 
 # count_cost FOLDER: the rows of all sets, which share the processors, to FOLDER/measured.txt.
 count_cost() {
-  local sets=(spheroid ellipsoid exponents-8 exponents-40)
+  local sets=(spheroid ellipsoid exponents-8 whole exponents-40)
   rm -rf "$1"
   mkdir -p "$1"
   printf '%s\n' "${sets[@]}" |

@@ -23,12 +23,12 @@ struct Options {
   ReportLines lines;
   std::int64_t count = 1000;
   std::uint64_t seed = 1;
-  bool print = false, count_only = false, warm = false, batch = false;
+  bool print = false, count_only = false, warm = false, moving = false, batch = false;
   int repeat = 5, times = 1;
 };
 
 void declare(CommandLine& app, Options& options) {
-  app.add_option("--set", options.sets, "spheroid, ellipsoid, exponents-8, exponents-40; default: all of them")
+  app.add_option("--set", options.sets, "spheroid, ellipsoid, exponents-8, whole, exponents-40; default: all of them")
       ->delimiter(',');
   app.add_option("--pairs", options.pairs, "cases of a file, .jsonl or one, in the place of the sets");
   app.add_option("--method", options.method, "NAME,.. or all (plumb methods lists them)")->capture_default_str();
@@ -45,6 +45,8 @@ void declare(CommandLine& app, Options& options) {
       ->in_range(0, 1'000'000);
   app.add_flag("--batch", options.batch, "with --count-only: all pairs in one batch, in the place of a method");
   app.add_flag("--warm", options.warm, "with --count-only: solve moved pairs from the answers before the move");
+  app.add_flag("--moving", options.moving,
+               "with --count-only: solve the steps of slow motions, each from the answer before it");
 }
 
 struct Named {
@@ -80,20 +82,37 @@ void each_set(const Options& options, const Work& work) {
 }
 
 Job cold_job(const Named& set, const Solver& solver) {
-  Job job{solver, false, {}};
+  Job job{solver, Start::cold, {}};
   for (const Case& c : set.cases) job.tasks.push_back({c.pair, {}});
   return job;
 }
 
 /// Each pair moved a little, with the answer from before; cold where that did not converge.
 Job warm_job(const Named& set, const Solver& solver, std::uint64_t seed) {
-  Job job{solver, true, {}};
+  Job job{solver, Start::warm, {}};
   for (std::size_t i = 0; i < set.cases.size(); ++i) {
     const Pair& pair = set.cases[i].pair;
     const Contact<double> before = solver.solve(pair, {}, nullptr);
     job.tasks.push_back({moved(pair, seed, i), {}});
     if (before.status == Status::converged) job.tasks.back().last = before;
   }
+  return job;
+}
+
+/// Of one pair in twenty, along 60 steps of 1e-3 of the size and along 60 of 1e-4.
+Job moving_job(const Named& set, const Solver& solver, std::uint64_t seed) {
+  constexpr std::size_t every = 20;
+  Job job{solver, Start::moving, {}};
+  for (std::size_t i = 0; i < set.cases.size(); i += every)
+    for (const double step : {1e-3, 1e-4}) {
+      const std::vector<Pair> pairs = motion(set.cases[i].pair, step, seed, i);
+      Contact<double> last = solver.solve(pairs[0], {}, nullptr);
+      for (std::size_t k = 1; k < pairs.size(); ++k) {
+        job.tasks.push_back({pairs[k], {}});
+        if (last.status == Status::converged) job.tasks.back().last = last;
+        last = solver.solve(pairs[k], {}, last.status == Status::converged ? &last : nullptr);
+      }
+    }
   return job;
 }
 
@@ -106,15 +125,23 @@ std::vector<Job> jobs_of(const Named& set, const std::vector<Solver>& solvers, s
   std::vector<Job> jobs;
   for (const Solver& solver : solvers) {
     jobs.push_back(cold_job(set, solver));
-    if (takes_last(solver)) jobs.push_back(warm_job(set, solver, seed));
+    if (!takes_last(solver)) continue;
+    jobs.push_back(warm_job(set, solver, seed));
+    jobs.push_back(moving_job(set, solver, seed));
   }
   return jobs;
 }
 
-/// To the cold yardstick of the same set in the same run; NaN where that was not measured.
+std::string_view name(Start start) {
+  return start == Start::cold ? "cold" : start == Start::warm ? "warm" : "moving";
+}
+
+/// To the cold yardstick's median of the same set in the same run, the median, or the mean of a motion's steps; NaN where that was not
+/// measured.
 double ratio(const Measurement& measured, const std::vector<Measurement>& all) {
   for (const Measurement& other : all)
-    if (other.method == yardstick && !other.warm) return measured.median_ns / other.median_ns;
+    if (other.method == yardstick && other.start == Start::cold)
+      return (measured.start == Start::moving ? measured.mean_ns : measured.median_ns) / other.median_ns;
   return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -124,13 +151,10 @@ bool answers(const Measurement& measured) {
 }
 
 Json to_json(const Named& set, const Measurement& m, const std::vector<Measurement>& all) {
-  Json line{{"set", set.name},
-            {"of", set.of},
-            {"pairs", m.pairs},
-            {"method", m.method},
-            {"start", m.warm ? "warm" : "cold"},
-            {"not_converged", m.not_converged}};
+  Json line{{"set", set.name},    {"of", set.of},           {"pairs", set.cases.size()},       {"solves", m.solves},
+            {"method", m.method}, {"start", name(m.start)}, {"not_converged", m.not_converged}};
   if (!answers(m)) return line;
+  line["mean_ns"] = m.mean_ns;
   line["median_ns"] = m.median_ns;
   line["p99_ns"] = m.p99_ns;
   if (const double r = ratio(m, all); r > 0) line["ratio_to_" + std::string(yardstick)] = r;
@@ -144,7 +168,8 @@ std::string iterations_text(const Measurement& m) {
 }
 
 const TextTable measured({{"method", "<27"},
-                          {"start", "<5"},
+                          {"start", "<6"},
+                          {"mean", ">8.3f", " us"},
                           {"median", ">8.3f", " us"},
                           {"p99", ">11.3f", " us"},
                           {"p99/med", ">9.1f"},
@@ -152,14 +177,13 @@ const TextTable measured({{"method", "<27"},
                           {"iter", ">10"},
                           {"not conv.%", ">12.1f"}},
                          "  ");
-const TextTable refused({{"", "<27"}, {"", "<4"}, {"", ">43", " "}, {"", ">10"}, {"", ">12.1f"}}, "  ");
+const TextTable refused({{"", "<27"}, {"", "<6"}, {"", ">54", " "}, {"", ">10"}, {"", ">12.1f"}}, "  ");
 
 std::string row_text(const Measurement& m, double ratio) {
-  const char* start = m.warm ? "warm" : "cold";
   const double lost = 100 * m.not_converged;
-  if (!answers(m)) return refused.row(m.method, start, "no answer", iterations_text(m), lost);
-  return measured.row(m.method, start, m.median_ns * 1e-3, m.p99_ns * 1e-3, m.p99_ns / m.median_ns,
-                      ratio > 0 ? fmt::format("{:.4f}", ratio) : "-", iterations_text(m), lost);
+  if (!answers(m)) return refused.row(m.method, name(m.start), "no answer", iterations_text(m), lost);
+  return measured.row(m.method, name(m.start), m.mean_ns * 1e-3, m.median_ns * 1e-3, m.p99_ns * 1e-3,
+                      m.p99_ns / m.median_ns, ratio > 0 ? fmt::format("{:.4f}", ratio) : "-", iterations_text(m), lost);
 }
 
 void print_table(const Named& set, const std::vector<Measurement>& all) {
@@ -221,11 +245,13 @@ int count(const Options& options) {
   if (solvers.size() != 1 || options.sets.size() + (options.pairs.empty() ? 0 : 1) != 1)
     throw InputFailure("plumb bench", 0, "--count-only", "needs one --method, and one --set or --pairs");
   each_set(options, [&](const Named& set) {
-    const Job job = options.warm ? warm_job(set, solvers[0], options.seed) : cold_job(set, solvers[0]);
+    const Job job = options.moving ? moving_job(set, solvers[0], options.seed)
+                    : options.warm ? warm_job(set, solvers[0], options.seed)
+                                   : cold_job(set, solvers[0]);
     for (int pass = 0; pass < options.times && !interrupted(); ++pass)
       for (const Task& task : job.tasks) solve(job.solver, task);
-    print_line(fmt::format("{} x {} {} solves by {}", options.times, job.tasks.size(), options.warm ? "warm" : "cold",
-                           job.solver.name));
+    print_line(
+        fmt::format("{} x {} {} solves by {}", options.times, job.tasks.size(), name(job.start), job.solver.name));
   });
   return exit_done;
 }

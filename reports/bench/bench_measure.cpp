@@ -81,6 +81,7 @@ void hand_over(benchmark::State& state, const Samples& samples) {
   double total_ns = 0;
   for (const double ns : samples.ns) total_ns += ns;
   state.SetIterationTime(total_ns * 1e-9);
+  state.counters["mean_ns"] = total_ns / static_cast<double>(samples.ns.size());
   state.counters["median_ns"] = quantile(samples.ns, 0.5);
   state.counters["p99_ns"] = quantile(samples.ns, 0.99);
   state.counters["median_iterations"] = quantile(samples.iterations, 0.5);
@@ -114,9 +115,9 @@ void run_all(Keeper& keeper) {
 }
 
 Measurement measurement(const Job& job, benchmark::UserCounters& of) {
-  return {job.solver.name,       job.warm,           job.tasks.size(),
-          of["median_ns"],       of["p99_ns"],       of["median_iterations"],
-          of["most_iterations"], of["not_converged"]};
+  return {job.solver.name,    job.start,    job.tasks.size(),        of["mean_ns"],
+          of["median_ns"],    of["p99_ns"], of["median_iterations"], of["most_iterations"],
+          of["not_converged"]};
 }
 
 }  // namespace
@@ -131,7 +132,8 @@ std::vector<Measurement> measure(const std::vector<Job>& jobs, int repeats) {
   Turn turn;
   for (std::size_t i = 0; i < jobs.size(); ++i) enlist(jobs[i], samples[i], turn);
   Keeper keeper;
-  const std::size_t tasks = jobs.empty() ? 0 : jobs[0].tasks.size();
+  std::size_t tasks = 0;
+  for (const Job& job : jobs) tasks = std::max(tasks, job.tasks.size());
   for (int i = 0; i < repeats; ++i)
     for (turn = {0, tasks_in_turn}; turn.begin < tasks && !interrupted(); turn = next(turn)) run_all(keeper);
   benchmark::ClearRegisteredBenchmarks();

@@ -15,18 +15,21 @@ struct Task {
   std::optional<Contact<double>> last;
 };
 
+/// cold; warm: after one move; moving: each step of a slow motion, from the answer of the step before.
+enum class Start { cold, warm, moving };
+
 /// A solver, and what it is timed at.
 struct Job {
   Solver solver;
-  bool warm = false;
+  Start start = Start::cold;
   std::vector<Task> tasks;
 };
 
 struct Measurement {
   std::string method;
-  bool warm = false;
-  std::size_t pairs = 0;
-  double median_ns = 0, p99_ns = 0;
+  Start start = Start::cold;
+  std::size_t solves = 0;
+  double mean_ns = 0, median_ns = 0, p99_ns = 0;
   double median_iterations = 0, most_iterations = 0;
   double not_converged = 0;  ///< share of the answers
 };
@@ -36,7 +39,7 @@ void solve(const Solver& solver, const Task& task);
 
 /// Times every task of every job `repeats` times over, each time in a loop that is long for the clock; the least time counts. A
 /// job whose solves take more than a millisecond (median) is timed once.
-/// The jobs, which have equally many tasks, take turns every few tasks, so that a machine that slows down for a while does so for
+/// The jobs take turns every few tasks, so that a machine that slows down for a while does so for
 /// all of them. Runs under Google Benchmark, which is handed the times as its manual time and the figures as its counters. Empty
 /// after Ctrl-C.
 [[nodiscard]] std::vector<Measurement> measure(const std::vector<Job>& jobs, int repeats);

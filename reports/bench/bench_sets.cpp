@@ -10,10 +10,26 @@
 namespace plumb::reports {
 namespace {
 
-constexpr std::array<PairSet, 5> kSets{{
+/// Two equal bodies, as in a run of one particle type.
+Case draw_whole(std::uint64_t seed, std::uint64_t index) {
+  constexpr std::array exponents{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
+  Stream stream("whole", seed, index);
+  const auto any = [&] { return stream.pick(exponents); };
+  Draft draft;
+  Superellipsoid<double> shape = random_ellipsoid(stream, 5);
+  shape.n1 = any();
+  shape.n2 = any();
+  draft.pair.body1 = {shape, Vec3<double>::Zero(), random_rotation(stream)};
+  draft.pair.body2 = {shape, Vec3<double>::Zero(), random_rotation(stream)};
+  place_on_random_line(stream, draft, stream.log_uniform(1e-3, 5e-2));
+  return {"whole", draft.pair, {}, draft.facts, {}};
+}
+
+constexpr std::array<PairSet, 6> kSets{{
     {"spheroid", "spheroids, aspect 1/3..3", "spheroid", 0, 2},
     {"ellipsoid", "triaxial ellipsoids, aspect to 20", "ellipsoid", 0, 2},
     {"exponents-8", "exponents 2..8, aspect to 5", "superquadric", 2, 8},
+    {"whole", "two equal bodies, exponents of 2, 2.5, 3, 4, 5, 6, 8, 10, aspect to 5", "", 0, 10, false, draw_whole},
     {"exponents-40", "exponents 2..40, one at least above 8, aspect to 5", "superquadric", 8, 40},
     {"hard", "the family hard", "hard", 0, 0, true},
 }};
@@ -63,7 +79,7 @@ std::vector<PairSet> find_sets(std::span<const PairSet> sets, const std::vector<
 std::vector<Case> draw(const PairSet& set, std::size_t count, std::uint64_t seed) {
   std::vector<Case> cases;
   for (std::uint64_t i = 0; cases.size() < count && !interrupted(); ++i) {
-    Case c = generate(set.family, seed, i);
+    Case c = set.draw == nullptr ? generate(set.family, seed, i) : set.draw(seed, i);
     if (belongs(c, set)) cases.push_back(std::move(c));
   }
   return cases;
@@ -76,6 +92,22 @@ Pair moved(const Pair& pair, std::uint64_t seed, std::uint64_t index) {
   Pair out = pair;
   out.body2.quaternion = product(turn(axis, step), pair.body2.quaternion);
   out.body2.position += step * size_of(pair) * shift;
+  return out;
+}
+
+std::vector<Pair> motion(const Pair& pair, double step, std::uint64_t seed, std::uint64_t index) {
+  constexpr int steps = 60;
+  Stream stream("motion", seed, index);
+  const Vec3<double> line = (pair.body2.position - pair.body1.position).stableNormalized();
+  const Quaternion turned = turn(random_direction(stream), step);
+  const Vec3<double> any = random_direction(stream), slide = (any - any.dot(line) * line).stableNormalized();
+  std::vector<Pair> out{pair};
+  for (int k = 0; k < steps; ++k) {
+    Pair next = out.back();
+    next.body2.quaternion = product(turned, next.body2.quaternion);
+    next.body2.position += step * size_of(pair) * slide;
+    out.push_back(next);
+  }
   return out;
 }
 

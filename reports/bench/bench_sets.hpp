@@ -11,12 +11,13 @@
 
 namespace plumb::reports {
 
-/// Pairs of a family with exponents of 2 or more, the greatest of the four in (above, upto], and an overlap ratio of 1e-3..5e-2:
-/// deep enough for EPA's tolerance, shallow enough for a contact. Drawn in the order of the family's index.
+/// Pairs with exponents of 2 or more, the greatest of the four in (above, upto], and an overlap ratio of 1e-3..5e-2: deep enough for
+/// EPA's tolerance, shallow enough for a contact. Drawn from a family, in the order of its index, or by the set's own function.
 struct PairSet {
   std::string_view name, of, family;
   double above, upto;
   bool takes_all = false;  ///< every pair of the family instead: any exponents, overlapping or apart
+  Case (*draw)(std::uint64_t seed, std::uint64_t index) = nullptr;  ///< instead of the family
 };
 [[nodiscard]] std::span<const PairSet> pair_sets();
 
@@ -32,5 +33,9 @@ struct PairSet {
 /// A pair moved as between two steps of a simulation: body 2 turned by 1e-3 rad about a random axis and shifted by 1e-3 of the
 /// larger body's size in a random direction. Same seed and index, same move.
 [[nodiscard]] Pair moved(const Pair& pair, std::uint64_t seed, std::uint64_t index);
+
+/// A pair at each of 60 steps of a slow motion and where it began: at each step body 2 turns by `step` (rad) about a random axis and
+/// slides by `step` of the larger body's size across the line of centres, in a random direction.
+[[nodiscard]] std::vector<Pair> motion(const Pair& pair, double step, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace plumb::reports

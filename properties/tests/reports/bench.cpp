@@ -18,7 +18,7 @@ TEST_F(Bench, ALineForEachMethodColdAndWarm) {
   const Ran ran = plumb("bench --set ellipsoid --cases 3 --repeat 1 --method new_cn,original_cn --json --out a.jsonl");
   EXPECT_EQ(ran.code, 0);
   const auto lines = lines_of(ran.out);
-  ASSERT_EQ(lines.size(), 4U);
+  ASSERT_EQ(lines.size(), 6U);
   for (const Json& line : lines) {
     EXPECT_EQ(line["set"], "ellipsoid");
     EXPECT_EQ(line["pairs"], 3);
@@ -28,8 +28,10 @@ TEST_F(Bench, ALineForEachMethodColdAndWarm) {
   }
   EXPECT_EQ(lines[0]["start"], "cold");
   EXPECT_EQ(lines[1]["start"], "warm");
+  EXPECT_EQ(lines[2]["start"], "moving");
+  EXPECT_EQ(lines[2]["solves"], 120);
   EXPECT_LT(lines[1]["iterations"]["median"].get<double>(), lines[0]["iterations"]["median"].get<double>());
-  EXPECT_EQ(lines_of(run("cat " + (path_ / "a.jsonl").string()).out).size(), 4U);
+  EXPECT_EQ(lines_of(run("cat " + (path_ / "a.jsonl").string()).out).size(), 6U);
 }
 
 TEST_F(Bench, TheRatioIsToEpaInTheSameRun) {
@@ -48,7 +50,7 @@ TEST_F(Bench, TheRatioIsToEpaInTheSameRun) {
 
 TEST_F(Bench, TheSetsAreOfTheirExponents) {
   for (const auto& [set, above, upto] :
-       {std::tuple("spheroid", 0, 2), std::tuple("exponents-8", 2, 8), std::tuple("exponents-40", 8, 40)}) {
+       {std::tuple("spheroid", 0, 2), std::tuple("exponents-8", 2, 8), std::tuple("whole", 0, 10), std::tuple("exponents-40", 8, 40)}) {
     const auto cases = lines_of(plumb(std::string("bench --print --cases 5 --set ") + set).out);
     EXPECT_EQ(cases.size(), 5U) << set;
     for (const Json& c : cases) {
@@ -67,11 +69,12 @@ TEST_F(Bench, CountsTheSolvesOfCasesThatAFileHolds) {
   EXPECT_EQ(plumb("bench --print --cases 4 --set ellipsoid >a.jsonl").code, 0);
   EXPECT_EQ(plumb("bench --count-only --pairs a.jsonl --method new_cn --times 3").out, "3 x 4 cold solves by new_cn\n");
   EXPECT_EQ(plumb("bench --count-only --pairs a.jsonl --method auto --warm").out, "1 x 4 warm solves by auto\n");
+  EXPECT_EQ(plumb("bench --count-only --pairs a.jsonl --method auto --moving").out, "1 x 120 moving solves by auto\n");
 }
 
 TEST_F(Bench, WhatItCannotDoIsOneLineAndTwo) {
   expect_refusal("bench --set cubes",
-                 "--set: cubes: no such set; there are spheroid, ellipsoid, exponents-8, exponents-40");
+                 "--set: cubes: no such set; there are spheroid, ellipsoid, exponents-8, whole, exponents-40");
   expect_refusal("bench --pairs none.jsonl", "none.jsonl: No such file or directory");
   expect_refusal("bench --count-only", "plumb bench: --count-only: needs one --method, and one --set or --pairs");
   for (const char* arguments : {"bench --method nobody", "bench --cases 0", "bench --repeat 0", "bench --times -1"})

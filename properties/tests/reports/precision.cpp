@@ -147,7 +147,7 @@ TEST_F(Precision, APathShowsQuadraticConvergence) {
 
 TEST_F(Precision, WhatItCannotDoIsOneLineAndTwo) {
   expect_refusal("report-precision --set cubes",
-                 "--set: cubes: no such set; there are spheroid, ellipsoid, exponents-8, exponents-40, hard");
+                 "--set: cubes: no such set; there are spheroid, ellipsoid, exponents-8, whole, exponents-40, hard");
   const Ran unknown = plumb("report-precision --method nobody 2>&1 >/dev/null");
   EXPECT_EQ(unknown.code, 2);
   EXPECT_EQ(std::count(unknown.out.begin(), unknown.out.end(), '\n'), 1);
