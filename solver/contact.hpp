@@ -117,6 +117,8 @@ struct Contact {
   /// The points' chart directions in body axes (shape/chart.hpp), of `auto` only: what its warm start takes, for they stay
   /// good whatever way the bodies move together.
   Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
+  /// Those of the contact that this one was warm started from: what moves steadily is ahead of where it was.
+  Vec3<S> last_chart1 = not_valid<S>(), last_chart2 = not_valid<S>();
   std::array<PrincipalCurvature<S>, 2> curvature;
   std::optional<std::array<PoseDerivative<S>, 2>> derivatives;  ///< by the pose of body 1 and of body 2
   int iterations = 0;   ///< steps of the outer loop, of the local solve that answered (all its attempts)

@@ -55,10 +55,13 @@ Want want_of(const plumb_options& options) {
           .tolerance = options.tolerance};
 }
 
-/// plumb_context::state: both charts, both points, the normal, and whether there is anything.
+/// What a context holds.
+constexpr double nothing = 0, points = 1, charts = 2;
+
+/// plumb_context::state: both charts; both points, or, of `auto`, the charts of the solve before; the normal; what there is.
 struct ContextState {
   Eigen::Map<Eigen::Matrix<double, 3, 5>> vectors;
-  double& is_set;
+  double& holds;
 };
 
 ContextState state_of(plumb_context& context) {
@@ -66,12 +69,13 @@ ContextState state_of(plumb_context& context) {
 }
 
 Contact<double> last_of(plumb_context& context) {
-  const auto& from = state_of(context).vectors;
+  const ContextState state = state_of(context);
+  const auto& from = state.vectors;
   Contact<double> out;
   out.chart1 = from.col(0);
   out.chart2 = from.col(1);
-  out.point1 = from.col(2);
-  out.point2 = from.col(3);
+  (state.holds == charts ? out.last_chart1 : out.point1) = from.col(2);
+  (state.holds == charts ? out.last_chart2 : out.point2) = from.col(3);
   out.normal = from.col(4);
   return out;
 }
@@ -79,8 +83,10 @@ Contact<double> last_of(plumb_context& context) {
 /// Where a solve ended without an answer the next one starts cold.
 void keep(const Contact<double>& found, plumb_context& context) {
   ContextState state = state_of(context);
-  state.is_set = found.status == Status::converged ? 1 : 0;
-  state.vectors << found.chart1, found.chart2, found.point1, found.point2, found.normal;
+  const bool has_charts = found.chart1.allFinite() && found.chart2.allFinite();
+  state.holds = found.status != Status::converged ? nothing : has_charts ? charts : points;
+  state.vectors << found.chart1, found.chart2, has_charts ? found.last_chart1 : found.point1,
+      has_charts ? found.last_chart2 : found.point2, found.normal;
 }
 
 template <class Matrix, std::size_t N>
@@ -240,7 +246,8 @@ int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_cont
   if (method == nullptr) return PLUMB_ERROR_METHOD;
   Pair bodies = door::pair_of(*pair);
   bodies.motion = Vec3<double>::Map(chosen.motion);
-  const bool is_warm = context != nullptr && state_of(*context).is_set == 1;
+  const double holds = context == nullptr ? nothing : state_of(*context).holds;
+  const bool is_warm = holds == points || holds == charts;
   const Contact<double> last = is_warm ? last_of(*context) : Contact<double>{};
   const Contact<double> found = method->solve(bodies, want_of(chosen), is_warm ? &last : nullptr);
   *contact = door::c_contact(found);

@@ -66,6 +66,33 @@ TEST_P(CSolve, IsEveryMethodsSolveColdAndWarm) {
     }
 }
 
+/// A context holds what a Contact does: a method may take over from another, and `auto` from its own last two answers.
+TEST(CApi, AContextIsTheLastContact) {
+  Pair pair = generate("ellipsoid", 5, 2).pair;
+  plumb_context context{};
+  plumb_contact found;
+  Contact<double> last;
+  for (int step = 0; step < 6; ++step) {
+    pair.body2.position[0] += 1e-3;
+    const plumb_pair c_pair = door::c_pair(pair);
+    ASSERT_EQ(plumb_solve(&c_pair, nullptr, &context, &found, nullptr), PLUMB_OK);
+    last = find_method("auto")->solve(pair, {}, step == 0 ? nullptr : &last);
+    EXPECT_EQ(found.iterations, last.iterations) << step;
+    EXPECT_EQ(found.overlap, last.overlap) << step;
+  }
+  plumb_options options = PLUMB_OPTIONS;
+  for (const char* method : {"new_cn", "auto", "original_cn"}) {
+    options.method = method;
+    const plumb_pair c_pair = door::c_pair(pair);
+    ASSERT_EQ(plumb_solve(&c_pair, &options, &context, &found, nullptr), PLUMB_OK);
+    EXPECT_EQ(found.status, PLUMB_CONVERGED) << method;
+  }
+  for (double& state : context.state) state = 7;  // of no solve
+  const plumb_pair c_pair = door::c_pair(pair);
+  ASSERT_EQ(plumb_solve(&c_pair, nullptr, &context, &found, nullptr), PLUMB_OK);
+  EXPECT_EQ(found.overlap, find_method("auto")->solve(pair, {}, nullptr).overlap);
+}
+
 TEST_P(CSolve, BatchIsSolve) {
   std::vector<Pair> pairs;
   for (std::uint64_t i = 0; i < 1300; ++i) pairs.push_back(generate(GetParam(), 6, i).pair);

@@ -159,7 +159,9 @@ template <class S>
   const FramedPair<S> framed = framed_pair<S>(pair, frame);
   const bool are_ellipsoids = detail::is_ellipsoid(pair.body1.shape) && detail::is_ellipsoid(pair.body2.shape);
   const auto solve = are_ellipsoids ? detail::solve_ellipsoids<S> : detail::solve_superellipsoids<S>;
-  return detail::contact_of<S>(solve(pair, framed, want, last), want, frame, framed.size, pair);
+  Contact<S> out = detail::contact_of<S>(solve(pair, framed, want, last), want, frame, framed.size, pair);
+  if (last != nullptr) out.last_chart1 = last->chart1, out.last_chart2 = last->chart2;
+  return out;
 }
 
 #define PLUMB_INSTANTIATE_AUTOMATIC(S)                                                           \

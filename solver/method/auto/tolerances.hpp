@@ -46,6 +46,7 @@ inline constexpr double widest_descent = 0.5;    ///< first and largest radius o
 inline constexpr double beside_saddle = 0.4, across_saddle = 0.07;  ///< starts beside a saddle, on no plane of symmetry
 inline constexpr double promising_residual = 0.05;                  ///< small, and by
 inline constexpr double promising_factor = 0.8;                     ///< falling: more steps are worth it
+inline constexpr double steady_step = 0.1;  ///< of a chart's unit vector: a longer one was a jump
 inline constexpr double blocky = 3;  ///< an exponent above it: the direction does not say where on a face a point is
 
 // A step from surface point to surface point (surface_step.hpp).

@@ -51,7 +51,7 @@ struct Contacts {
   std::vector<std::uint32_t> parted;    ///< those that overlapped in the step before, and no longer do
   double range = 0;
   Column* is_pressing = nullptr;  ///< 1 or 0
-  Column* chart = nullptr;        ///< 6: where the solver starts next time
+  Column* chart = nullptr;        ///< 12: where the solver starts next time, the step before's last
   Column* overlap = nullptr;      ///< 1
   Column* normal = nullptr;       ///< 3, from body 1 to body 2
   Column* point = nullptr;        ///< 3: where the force acts

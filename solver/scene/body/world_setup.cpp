@@ -45,7 +45,7 @@ void add_contacts(World& world, const Plan& plan) {
   Contacts& contacts = world.contacts;
   contacts.range = plan.needs.range;
   contacts.is_pressing = pair("is_pressing", "contacts", 1, true);
-  contacts.chart = pair("chart", "solver", 6, true, std::numeric_limits<double>::quiet_NaN());
+  contacts.chart = pair("chart", "solver", 12, true, std::numeric_limits<double>::quiet_NaN());
   if (plan.want.overlap) contacts.overlap = pair("overlap", "solver", 1);
   if (plan.want.normal) contacts.normal = pair("normal", "solver", 3);
   if (plan.want.points) contacts.point = pair("point", "solver", 3);

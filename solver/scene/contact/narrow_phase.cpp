@@ -17,6 +17,8 @@ Contact<double> last_answer(const Contacts& contacts, std::size_t c) {
   const auto chart = contacts.chart->entry(c);
   last.chart1 = Vec3<double>::Map(chart.data());
   last.chart2 = Vec3<double>::Map(chart.data() + 3);
+  last.last_chart1 = Vec3<double>::Map(chart.data() + 6);
+  last.last_chart2 = Vec3<double>::Map(chart.data() + 9);
   return last;
 }
 
@@ -24,6 +26,8 @@ void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answe
   const auto chart = contacts.chart->entry(c);
   Vec3<double>::Map(chart.data()) = answer.chart1;
   Vec3<double>::Map(chart.data() + 3) = answer.chart2;
+  Vec3<double>::Map(chart.data() + 6) = answer.last_chart1;
+  Vec3<double>::Map(chart.data() + 9) = answer.last_chart2;
 }
 
 /// arm = (point - centre) x normal, which is 0 for a sphere whatever rounding says.

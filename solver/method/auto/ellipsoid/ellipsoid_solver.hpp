@@ -63,7 +63,8 @@ struct EllipsoidSolver {
   /// The mean of the normals at the last points; zero, or short, where there is none.
   [[nodiscard]] Vector3<S> warm_direction(const Contact<S>* last) const {
     if (!has_charts(last)) return {S(0), S(0), S(0)};
-    return sum(normals_at(pair, per_body(Vector3<S>::of(last->chart1), Vector3<S>::of(Vec3<S>(-last->chart2)))));
+    const Vector3<PerBody<S>> charts = charts_ahead(*last);
+    return sum(normals_at(pair, per_body(first(charts), second(charts) * S(-1))));
   }
   [[nodiscard]] static bool is_warm(const Vector3<S>& direction) { return largest(direction) > S(0.5); }
 

@@ -44,8 +44,7 @@ class SurfaceSolver {
   [[nodiscard]] Answer local(const Pair& bodies, const Contact<S>* last) const {
     Answer out;
     if (has_charts(last)) {
-      const Vector3<PerBody<S>> charts = per_body(Vector3<S>::of(last->chart1), Vector3<S>::of(last->chart2));
-      Surfaces<S> at = surfaces_of_chart<S>(pair, pair.inner, pair.outer, charts);
+      Surfaces<S> at = surfaces_of_chart<S>(pair, pair.inner, pair.outer, charts_ahead(*last));
       attempts_.newton(at, attempts::warm, out);
       if (out.minimum) return out;
     }
