@@ -1,8 +1,12 @@
 #include "corpus/command/command_line.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <optional>
 #include <sstream>
 
@@ -37,7 +41,12 @@ CommandOption* CommandOption::is_positive() {
 }
 
 CommandOption* CommandOption::is_one_of(const std::vector<std::string>& words) {
-  option_->check(CLI::IsMember(words));
+  CLI::Validator one_of = CLI::IsMember(words);  // whose description --help shows
+  one_of.operation([words](std::string& word) -> std::string {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return "";
+    return fmt::format("'{}' is none of {}{}", word, fmt::join(words, ", "), did_you_mean(word, words));
+  });
+  option_->check(one_of);
   return this;
 }
 

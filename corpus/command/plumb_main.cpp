@@ -82,8 +82,9 @@ int become(char** argv) {
 
 int main(int argc, char** argv) try {
   const std::string_view first = argc > 1 ? argv[1] : "--help";
-  const bool is_help = first == "--help" || first == "-h" || first == "help";
-  if (is_help && argc > 2) {
+  const auto is_help_word = [](std::string_view word) { return word == "--help" || word == "-h" || word == "help"; };
+  const bool is_help = is_help_word(first);
+  if (is_help && argc > 2 && !is_help_word(argv[2])) {
     std::string help = "--help";
     std::array<char*, 3> arguments{argv[2], help.data(), nullptr};
     return become(arguments.data());

@@ -3,6 +3,7 @@
 
 #include "corpus/case/case.hpp"
 #include "corpus/command/command.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "corpus/scene/scene_file.hpp"
 #include "solver/scene/named.hpp"
 
@@ -18,7 +19,11 @@ void list_scenes() {
 
 void print_scene(const std::string& name, int bodies) {
   const NamedScene* named = find_named_scene(name);
-  if (named == nullptr) throw InputFailure(name, 0, "", "is no named scene (plumb scenes lists them)");
+  if (named == nullptr) {
+    std::vector<std::string> known;
+    for (const NamedScene& one : named_scenes()) known.emplace_back(one.name);
+    throw InputFailure(name, 0, "", "is no named scene" + did_you_mean(name, known) + "; plumb scenes lists them");
+  }
   if (bodies != 0 && named->bodies == 0) throw InputFailure("--bodies", 0, "", "is fixed in " + name);
   const Json provenance = {{"named_scene", name}};
   print_line(format_scene({named->make(bodies == 0 ? named->bodies : bodies), provenance, {}}));

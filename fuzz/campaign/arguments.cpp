@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "corpus/json/nearest_word.hpp"
 #include "corpus/json/number_text.hpp"
 #include "properties/generators/families.hpp"
 
@@ -24,7 +25,7 @@ std::vector<std::string> find_families(const std::string& names, const std::vect
   std::stringstream list(names);
   for (std::string one; std::getline(list, one, ',');) {
     if (std::find(known.begin(), known.end(), one) == known.end())
-      throw InputFailure("--family", 0, one, "no such family; " + hint);
+      throw InputFailure("--family", 0, one, "no such family" + did_you_mean(one, known) + "; " + hint);
     if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(one);
   }
   if (found.empty()) throw InputFailure("--family", 0, "", "names no family; " + hint);

@@ -9,6 +9,7 @@
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "corpus/command/text_table.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "properties/generators/draft.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/laws/allowance.hpp"
@@ -176,9 +177,11 @@ void print_row(const std::string& family, const Counts& c) {
 }
 
 void require_family(const std::string& wanted) {
-  const auto is_it = [&](const Family& family) { return family.name == wanted; };
-  if (!wanted.empty() && std::none_of(families().begin(), families().end(), is_it))
-    throw InputFailure("--family", 0, wanted, "no such family; plumb families lists them");
+  std::vector<std::string> known;
+  for (const Family& family : families()) known.emplace_back(family.name);
+  if (!wanted.empty() && std::find(known.begin(), known.end(), wanted) == known.end())
+    throw InputFailure("--family", 0, wanted,
+                       "no such family" + did_you_mean(wanted, known) + "; plumb families lists them");
 }
 
 int report(Options& options) {

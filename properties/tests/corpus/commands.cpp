@@ -224,7 +224,18 @@ TEST_F(Commands, HelpOfACommandIsItsOwn) {
   const Ran ran = plumb("help replay");
   EXPECT_EQ(ran.code, 0);
   EXPECT_EQ(ran.out, plumb("replay --help").out);
+  for (const char* of_help : {"help help", "help --help", "--help help", "help -h"})
+    EXPECT_EQ(plumb(of_help).out, plumb("--help").out) << of_help;
   expect_refusal("help frobnicate", "plumb: no command 'frobnicate' (plumb --help lists them)");
+}
+
+TEST_F(Commands, AWordOfAListThatIsMisspeltIsNamed) {
+  expect_refusal("report-auto --family elipsoid",
+                 "--family: elipsoid: no such family (did you mean 'ellipsoid'?); plumb families lists them");
+  const Ran ladder = plumb("ladder nedle 2>&1 >/dev/null");
+  EXPECT_EQ(ladder.code, 2);
+  EXPECT_NE(ladder.out.find("LADDER: 'nedle' is none of near_touching"), std::string::npos) << ladder.out;
+  EXPECT_NE(ladder.out.find("(did you mean 'needle'?)"), std::string::npos) << ladder.out;
 }
 
 /// Each shows examples of itself, and each option in them is one that it has.

@@ -274,7 +274,8 @@ TEST_F(SceneCommand, NamedScenesAreListedAndWritten) {
     EXPECT_EQ(read.scene.name, named.name);
   }
   EXPECT_EQ(parse_scene(plumb("scenes pile --bodies 7").out, "pile").scene.bodies.size(), 7U);
-  expect_refusal("scenes nobody", "nobody: is no named scene (plumb scenes lists them)");
+  expect_refusal("scenes nobody", "nobody: is no named scene; plumb scenes lists them");
+  expect_refusal("scenes pyle", "pyle: is no named scene (did you mean 'pile'?); plumb scenes lists them");
   expect_refusal("scenes impact --bodies 3", "--bodies: is fixed in impact");
 }
 
