@@ -2,7 +2,9 @@
 import { checkbox, fill, h } from "../../page/src/dom";
 import { number } from "../../page/src/numbers";
 import { methodName } from "../../page/src/swatch";
-import { isWrong, type Judged } from "./judge";
+import { isWrong, type Judged, SAME_OVERLAP, SEEN } from "./judge";
+
+const ALLOWED = `Right: normals and the line through the points agree within ${SEEN}°, and no common normal has an overlap lower by more than ${SAME_OVERLAP} of the larger body's size.`;
 
 const mark = (one: Judged): HTMLElement => {
   if (isWrong(one)) return h("strong", { class: "bad" }, "wrong");
@@ -36,6 +38,7 @@ export class Answers {
       "div",
       { class: "answers", tabindex: 0, role: "region", "aria-label": "Answers of all methods" },
       h("table", {}, h("thead", {}, h("tr", {}, ...heads)), this.body),
+      h("p", { class: "muted" }, ALLOWED),
     );
   }
 

@@ -19,11 +19,11 @@ export interface Judged {
 }
 
 /** Degrees; below them two directions look the same, and rounding is no failure. */
-const SEEN = 0.01;
+export const SEEN = 0.01;
 /** A residue counts as 0 below it: reports/study/groups.cpp. */
 const ZERO = 1e-6;
 /** Of the larger body. */
-const SAME_OVERLAP = 1e-6;
+export const SAME_OVERLAP = 1e-6;
 /** Closer points, of the larger body, have no line to speak of. */
 const LINE = 1e-9;
 
