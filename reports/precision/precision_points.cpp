@@ -52,7 +52,7 @@ Tally tally_of(const Variant& variant, const std::vector<Case>& cases, const Tru
 Measurement timed_once(const Variant& variant, const Tally& tally) {
   Measurement out;
   out.method = variant.method;
-  out.pairs = tally.ns.size();
+  out.solves = tally.ns.size();
   out.median_ns = quantile(tally.ns, 0.5);
   out.p99_ns = quantile(tally.ns, 0.99);
   out.median_iterations = quantile(tally.iterations, 0.5);
