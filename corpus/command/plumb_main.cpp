@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -70,10 +71,17 @@ int refuse_name(const std::string& name) {
   return refuse(fmt::format("no command '{}'{}", name, meant.empty() ? " (plumb --help lists them)" : meant));
 }
 
+/// A scene's threads meet many times a step. Those that wait awake, as they do by default, are slower than one thread where another program
+/// has a core. Heard where a program starts, and so set by who starts it; what the caller has set stays.
+void let_threads_sleep() {
+  (void)::setenv("OMP_WAIT_POLICY", "passive", 0);
+}
+
 int become(char** argv) {
   const std::string name = argv[0];
   const fs::path path = program(name);
   if (!is_name(name) || name.front() == '-' || !fs::exists(path)) return refuse_name(name);
+  let_threads_sleep();
   ::execv(path.c_str(), argv);
   return refuse(path.string() + ": " + std::strerror(errno));
 }

@@ -229,6 +229,17 @@ TEST_F(Commands, HelpOfACommandIsItsOwn) {
   expect_refusal("help frobnicate", "plumb: no command 'frobnicate' (plumb --help lists them)");
 }
 
+/// What OpenMP hears of a program's threads.
+TEST_F(Commands, ThreadsThatWaitSleepUnlessTheCallerSaysElse) {
+  (void)file("tell.sh", "printenv OMP_WAIT_POLICY >said\n");
+  (void)file("good.json", sample_case());
+  for (const auto& [setting, said] : {std::pair("", "passive\n"), std::pair("OMP_WAIT_POLICY=active ", "active\n")}) {
+    (void)run("cd " + path_.string() + " && " + setting + plumb_program +
+              "solve good.json --solver-command 'sh tell.sh' 2>&1");
+    EXPECT_EQ(run("cat " + (path_ / "said").string()).out, said);
+  }
+}
+
 TEST_F(Commands, AWordOfAListThatIsMisspeltIsNamed) {
   expect_refusal("report-auto --family elipsoid",
                  "--family: elipsoid: no such family (did you mean 'ellipsoid'?); plumb families lists them");
