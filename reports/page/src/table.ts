@@ -27,6 +27,7 @@ const classOf = <Row>({ figure, screenOnly }: Column<Row>): string =>
   [figure && "figure", screenOnly && "screen-only"].filter(Boolean).join(" ");
 
 function headCell<Row>(column: Column<Row>): HTMLElement {
+  if (!column.title) return h("td", { class: classOf(column) });
   return h("th", { scope: "col", class: classOf(column), title: column.hint }, column.title);
 }
 

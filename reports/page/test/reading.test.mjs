@@ -22,9 +22,9 @@ const rulesFor = (dark) =>
     ? { runOnly: { type: "rule", values: ["color-contrast", "link-in-text-block"] } }
     : {};
 
-for (const dark of [false, true])
-  test(`axe finds nothing serious, ${dark ? "dark" : "light"}`, () =>
-    withPage(small(whole()), { dark }, async (page) => {
+for (const [width, dark] of [400, 1400].flatMap((width) => [false, true].map((dark) => [width, dark])))
+  test(`axe finds nothing, ${width} pixels, ${dark ? "dark" : "light"}`, () =>
+    withPage(small(whole()), { width, dark }, async (page) => {
       await page.evaluate(() => {
         for (const closed of document.querySelectorAll("details")) closed.open = true;
       });
@@ -39,9 +39,8 @@ for (const dark of [false, true])
         (rules) => axe.run(document, { resultTypes: ["violations"], ...rules }),
         rulesFor(dark),
       );
-      const grave = found.violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
       assert.deepEqual(
-        grave.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).slice(0, 5)}`),
+        found.violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).slice(0, 5)}`),
         [],
       );
     }));

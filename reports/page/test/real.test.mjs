@@ -12,6 +12,9 @@ import { studyLines, studyOf } from "./support/fixture-study.mjs";
 import { withFolder } from "./support/pages.mjs";
 import { withUrl } from "./support/tab.mjs";
 
+/** A screen of a desk. */
+const SCREEN = 900;
+
 const bin = process.env.PLUMB_BIN;
 const skip = bin ? false : "PLUMB_BIN is not set";
 
@@ -62,7 +65,10 @@ test("a regression planted in a campaign is the first row of the comparison", { 
 test("a report of plumb's own is shown whole, without a complaint or a request", { skip }, () =>
   withFolder(async (folder) => {
     const url = makePage(folder);
-    await withUrl(url, {}, async (page, noticed) => {
+    await withUrl(url, { width: 1400 }, async (page, noticed) => {
+      await bring(page, "#answer canvas");
+      const height = await page.evaluate(() => document.documentElement.scrollHeight);
+      assert.ok(height <= 6 * SCREEN, `${height} pixels`);
       for (const id of ["precision", "atlas", "compare"]) await bring(page, `#${id} .plot`);
       for (const id of ["answer", "gallery"]) await bring(page, `#${id} canvas`);
       assert.deepEqual(noticed, { console: [], requests: [] });

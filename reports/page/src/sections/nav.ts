@@ -46,6 +46,12 @@ export function nav(state: State, parts: Part[]): HTMLElement {
     "div",
     { class: "bar" },
     h("nav", { "aria-label": "Sections" }, list),
-    h("div", { class: "bar-end" }, accuracySelect(state.report, state.accuracy), runSelect(state), themeButton()),
+    h(
+      "section",
+      { class: "bar-end", "aria-label": "What is shown" },
+      accuracySelect(state.report, state.accuracy),
+      runSelect(state),
+      themeButton(),
+    ),
   );
 }
