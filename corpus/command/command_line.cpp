@@ -3,6 +3,9 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
 #include <sstream>
 
@@ -36,8 +39,11 @@ CommandOption* CommandOption::is_positive() {
   return this;
 }
 
-CommandOption* CommandOption::is_one_of(const std::vector<std::string>& words) {
-  option_->check(CLI::IsMember(words));
+CommandOption* CommandOption::is_one_of(const std::string& kind, const std::vector<std::string>& words) {
+  const auto refuse = [kind, words](const std::string& word) {
+    return std::ranges::find(words, word) == words.end() ? word + ": " + no_such(kind, word, words) : "";
+  };
+  option_->check(CLI::Validator(refuse, fmt::format("{{{}}}", fmt::join(words, ","))));
   return this;
 }
 

@@ -3,6 +3,7 @@
 
 #include "corpus/case/case.hpp"
 #include "corpus/command/command.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "corpus/scene/scene_file.hpp"
 #include "solver/scene/named.hpp"
 
@@ -16,9 +17,15 @@ void list_scenes() {
   }
 }
 
+std::vector<std::string> scene_names() {
+  std::vector<std::string> out;
+  for (const NamedScene& named : named_scenes()) out.emplace_back(named.name);
+  return out;
+}
+
 void print_scene(const std::string& name, int bodies) {
   const NamedScene* named = find_named_scene(name);
-  if (named == nullptr) throw InputFailure(name, 0, "", "is no named scene (plumb scenes lists them)");
+  if (named == nullptr) throw InputFailure(name, 0, "", no_such("scene", name, scene_names(), "plumb scenes"));
   if (bodies != 0 && named->bodies == 0) throw InputFailure("--bodies", 0, "", "is fixed in " + name);
   const Json provenance = {{"named_scene", name}};
   print_line(format_scene({named->make(bodies == 0 ? named->bodies : bodies), provenance, {}}));

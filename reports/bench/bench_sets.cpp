@@ -4,6 +4,7 @@
 #include <array>
 
 #include "corpus/command/interrupt.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "properties/generators/draft.hpp"
 #include "properties/generators/families.hpp"
 
@@ -38,9 +39,9 @@ bool belongs(const Case& c, const PairSet& set) {
 const PairSet& find_set(std::span<const PairSet> sets, const std::string& name) {
   const auto found = std::find_if(sets.begin(), sets.end(), [&](const PairSet& set) { return set.name == name; });
   if (found != sets.end()) return *found;
-  std::string known;
-  for (const PairSet& set : sets) known += (known.empty() ? "" : ", ") + std::string(set.name);
-  throw InputFailure("--set", 0, name, "no such set; there are " + known);
+  std::vector<std::string> known;
+  for (const PairSet& set : sets) known.emplace_back(set.name);
+  throw InputFailure("--set", 0, name, no_such("set", name, known));
 }
 
 }  // namespace
