@@ -300,7 +300,8 @@ TEST_F(Commands, ZshCompletesCommandsAndOptions) {
   if (run("command -v zsh").code != 0) GTEST_SKIP() << "needs zsh";
   const auto completes = [this](const std::string& typed, const std::string& line) {
     (void)file("ask.zsh", "zmodload zsh/zpty; zpty shell zsh -f -i\n"
-                          "zpty -w shell 'zle_highlight=(suffix:none); fpath=(" PLUMB_SOURCE_DIR "/corpus/command/help/shell $fpath)'\n"
+                          "zpty -w shell 'zle_highlight=(suffix:none); fpath=(" PLUMB_SOURCE_DIR
+                          "/corpus/command/help/shell $fpath)'\n"
                           "zpty -w shell 'autoload -U compinit; compinit -u -D; print rea\"\"dy'\n"
                           "zpty -r shell said '*ready*'; zpty -w -n shell $'" +
                               typed +
