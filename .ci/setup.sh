@@ -14,6 +14,7 @@ declare -A plumb_packages=(
   [wasm]="emscripten"
   [docs]="doxygen python3"
   [browser]="chromium"
+  [shells]="zsh"
   [fuzz]="clang-19 libclang-rt-19-dev"
   [coverage]="clang-19 llvm-19"
   [engines]="clang-19 libclang-rt-19-dev llvm-19 zip unzip afl++ libclang-rt-14-dev"

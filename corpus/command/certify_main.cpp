@@ -34,7 +34,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_flag("--json", options.json, "one JSON object a line for each case");
   CommandOption* effort =
       app.add_option("--effort", options.effort, "bounds (trusts the machine's pow), proof (19 digits), digits (50)")
-          ->is_one_of({"bounds", "proof", "digits"});
+          ->is_one_of("effort", {"bounds", "proof", "digits"});
   CommandOption* proof = app.add_option("--proof", options.proof, "write the proofs to this file, one a line");
   CommandOption* verify = app.add_option("--verify", options.verify,
                                          "confirm the proofs in this file, one for each case, without searching")
@@ -45,7 +45,7 @@ void declare(CommandLine& app, Options& options) {
                  "another problem than the common normal's: a geometric potential's (deepest_points, midway) or that "
                  "of the relative motion undone, with the centre distance at first touch along the line of centres "
                  "(first_touch)")
-      ->is_one_of(problem_words())
+      ->is_one_of("problem", problem_words())
       ->excludes(all)
       ->excludes(effort)
       ->excludes(proof)

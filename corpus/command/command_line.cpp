@@ -1,11 +1,10 @@
 #include "corpus/command/command_line.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <sstream>
@@ -40,13 +39,11 @@ CommandOption* CommandOption::is_positive() {
   return this;
 }
 
-CommandOption* CommandOption::is_one_of(const std::vector<std::string>& words) {
-  CLI::Validator one_of = CLI::IsMember(words);  // whose description --help shows
-  one_of.operation([words](std::string& word) -> std::string {
-    if (std::find(words.begin(), words.end(), word) != words.end()) return "";
-    return fmt::format("'{}' is none of {}{}", word, fmt::join(words, ", "), did_you_mean(word, words));
-  });
-  option_->check(one_of);
+CommandOption* CommandOption::is_one_of(const std::string& kind, const std::vector<std::string>& words) {
+  const auto refuse = [kind, words](const std::string& word) {
+    return std::ranges::find(words, word) == words.end() ? word + ": " + no_such(kind, word, words) : "";
+  };
+  option_->check(CLI::Validator(refuse, fmt::format("{{{}}}", fmt::join(words, ","))));
   return this;
 }
 

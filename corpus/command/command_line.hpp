@@ -29,7 +29,8 @@ class CommandOption {
   CommandOption* check(const Check& refuse);
   CommandOption* in_range(std::int64_t low, std::int64_t high);
   CommandOption* is_positive();
-  CommandOption* is_one_of(const std::vector<std::string>& words);
+  /// `kind`: what the words name, for the refusal.
+  CommandOption* is_one_of(const std::string& kind, const std::vector<std::string>& words);
   /// Splits each text there.
   CommandOption* delimiter(char separator);
   /// Of a list: one text each time that the option is given.

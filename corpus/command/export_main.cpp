@@ -23,7 +23,7 @@ struct Arguments {
 void declare(CommandLine& app, Arguments& arguments) {
   app.add_option("FILE", arguments.file, "cases, a scene, or - for standard input")->required();
   app.add_option("--format", arguments.format, "whose columns")
-      ->is_one_of({"lammps", "liggghts"})
+      ->is_one_of("format", {"lammps", "liggghts"})
       ->capture_default_str();
   app.add_option("-o", arguments.out, "file for the dump; else standard output");
 }

@@ -11,6 +11,7 @@
 #include "corpus/command/line_sink.hpp"
 #include "corpus/dump/dump_pairs.hpp"
 #include "corpus/dump/dump_reader.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "corpus/json/number_text.hpp"
 
 namespace plumb {
@@ -35,7 +36,7 @@ std::string refuse_gap(const std::string& text) {
 void declare(CommandLine& app, Arguments& arguments) {
   app.add_option("FILE", arguments.files, "dumps, or - for standard input")->required();
   app.add_option("--format", arguments.format, "shapex is a diameter (lammps) or a semi-axis (liggghts)")
-      ->is_one_of({"lammps", "liggghts", "auto"})
+      ->is_one_of("format", {"lammps", "liggghts", "auto"})
       ->capture_default_str();
   app.add_option("--step", arguments.step, "the frame of this step, the last one of all files, or all")
       ->check(refuse_step)
@@ -57,7 +58,7 @@ DumpOptions options_of(const Arguments& arguments) {
     if (equals == std::string::npos || equals + 1 == text.size())
       throw InputFailure("--column", 0, text, "is not ROLE=NAME");
     if (std::ranges::find(roles, role) == roles.end())
-      throw InputFailure("--column", 0, role, fmt::format("must be one of {}", fmt::join(roles, ", ")));
+      throw InputFailure("--column", 0, role, no_such("role", role, roles));
     out.columns[role] = text.substr(equals + 1);
   }
   return out;

@@ -63,6 +63,10 @@ bool is_name(std::string_view text) {
   return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == std::string_view::npos;
 }
 
+bool is_help_word(std::string_view text) {
+  return text == "--help" || text == "-h" || text == "help";
+}
+
 int refuse_name(const std::string& name) {
   if (!is_name(name)) return refuse("no command '?' (plumb --help lists them)");
   std::vector<std::string> known;
@@ -90,7 +94,6 @@ int become(char** argv) {
 
 int main(int argc, char** argv) try {
   const std::string_view first = argc > 1 ? argv[1] : "--help";
-  const auto is_help_word = [](std::string_view word) { return word == "--help" || word == "-h" || word == "help"; };
   const bool is_help = is_help_word(first);
   if (is_help && argc > 2 && !is_help_word(argv[2])) {
     std::string help = "--help";

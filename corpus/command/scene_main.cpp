@@ -33,6 +33,12 @@ std::string refuse_empty(const std::string& text) {
   return text.empty() ? "names no folder" : "";
 }
 
+std::vector<std::string> effect_names() {
+  std::vector<std::string> out;
+  for (const Effect& effect : effects()) out.emplace_back(effect.name);
+  return out;
+}
+
 void declare(CommandLine& app, Arguments& arguments) {
   app.add_option("SCENE", arguments.scene, "scene file, or - for standard input")->required();
   app.add_flag("--plan", arguments.plan, "which effects run, why, what each costs; nothing is simulated");
@@ -42,7 +48,7 @@ void declare(CommandLine& app, Arguments& arguments) {
   app.add_option("--threads", arguments.run.threads, "for the solver; as many as the scene can use")->in_range(1, 1024);
   app.add_flag("--record", arguments.run.record, "keep hard contacts as cases in the folder")->needs(out);
   app.add_option("--force", arguments.forced, "an effect to be on even where it changes nothing; for tests")
-      ->check([](const std::string& name) { return find_effect(name) == nullptr ? name + " is no effect" : ""; });
+      ->is_one_of("effect", effect_names());
   app.add_option("--accuracy", arguments.accuracy, "instead of the scene's own")->check(refuse_accuracy);
   app.add_option("--checkpoint", arguments.run.checkpoint, "steps between two checkpoints")->check(refuse_count);
   app.add_flag("--json", arguments.json, "one JSON object instead of a table");

@@ -17,13 +17,15 @@ void list_scenes() {
   }
 }
 
+std::vector<std::string> scene_names() {
+  std::vector<std::string> out;
+  for (const NamedScene& named : named_scenes()) out.emplace_back(named.name);
+  return out;
+}
+
 void print_scene(const std::string& name, int bodies) {
   const NamedScene* named = find_named_scene(name);
-  if (named == nullptr) {
-    std::vector<std::string> known;
-    for (const NamedScene& one : named_scenes()) known.emplace_back(one.name);
-    throw InputFailure(name, 0, "", "is no named scene" + did_you_mean(name, known) + "; plumb scenes lists them");
-  }
+  if (named == nullptr) throw InputFailure(name, 0, "", no_such("scene", name, scene_names(), "plumb scenes"));
   if (bodies != 0 && named->bodies == 0) throw InputFailure("--bodies", 0, "", "is fixed in " + name);
   const Json provenance = {{"named_scene", name}};
   print_line(format_scene({named->make(bodies == 0 ? named->bodies : bodies), provenance, {}}));

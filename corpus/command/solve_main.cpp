@@ -1,6 +1,7 @@
 // plumb solve: the contact of each case by one method or several.
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "corpus/case/answer_table.hpp"
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "corpus/solvers/solver.hpp"
 
 namespace plumb {
@@ -46,11 +48,12 @@ Want parse_want(const std::string& names) {
                                                                  {"points", &want.points},
                                                                  {"curvature", &want.curvature},
                                                                  {"derivatives", &want.derivatives}}};
+  const auto known = std::views::keys(words);
   std::istringstream list(names);
   for (std::string name; std::getline(list, name, ',');) {
     const auto word = std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.first == name; });
     if (word == words.end())
-      throw InputFailure("--want", 0, name, "must be verdict, overlap, normal, points, curvature or derivatives");
+      throw InputFailure("--want", 0, name, no_such("field", name, {known.begin(), known.end()}));
     *word->second = true;
   }
   return want;

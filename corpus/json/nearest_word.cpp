@@ -1,5 +1,7 @@
 #include "corpus/json/nearest_word.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -38,6 +40,13 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::string nearest = nearest_word(word, known);
   return nearest.empty() ? "" : " (did you mean '" + nearest + "'?)";
+}
+
+std::string no_such(std::string_view kind, std::string_view word, const std::vector<std::string>& known,
+                    std::string_view listed_by) {
+  const std::string list =
+      listed_by.empty() ? fmt::format("there are {}", fmt::join(known, ", ")) : fmt::format("{} lists them", listed_by);
+  return fmt::format("no such {}{}; {}", kind, did_you_mean(word, known), list);
 }
 
 }  // namespace plumb

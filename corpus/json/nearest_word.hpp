@@ -14,4 +14,8 @@ namespace plumb {
 /// " (did you mean 'WORD'?)" of that, or nothing.
 [[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
+/// Why a name is refused that is none of `known`: "no such KIND (did you mean 'WORD'?); there are A, B, C", or what lists them.
+[[nodiscard]] std::string no_such(std::string_view kind, std::string_view word, const std::vector<std::string>& known,
+                                  std::string_view listed_by = "");
+
 }  // namespace plumb

@@ -34,8 +34,7 @@ bool contains(const std::vector<Solver>& solvers, const std::string& name) {
 
 Solver solver_named(const std::string& name) {
   if (std::optional<Solver> found = find_solver(name)) return *std::move(found);
-  throw InputFailure("--method", 0, name,
-                     "no such method" + did_you_mean(name, solver_names()) + "; there are " + known_names());
+  throw InputFailure("--method", 0, name, no_such("method", name, solver_names()));
 }
 
 }  // namespace

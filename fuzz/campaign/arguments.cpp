@@ -13,22 +13,20 @@
 namespace plumb {
 
 std::vector<std::string> find_families(const std::string& names) {
-  std::vector<std::string> known;
-  for (const Family& family : families()) known.emplace_back(family.name);
-  return find_families(names, known, "plumb families lists them");
+  return find_families(names, family_names(), "plumb families");
 }
 
 std::vector<std::string> find_families(const std::string& names, const std::vector<std::string>& known,
-                                       const std::string& hint) {
+                                       const std::string& listed_by) {
   if (names == "all") return known;
   std::vector<std::string> found;
   std::stringstream list(names);
   for (std::string one; std::getline(list, one, ',');) {
     if (std::find(known.begin(), known.end(), one) == known.end())
-      throw InputFailure("--family", 0, one, "no such family" + did_you_mean(one, known) + "; " + hint);
+      throw InputFailure("--family", 0, one, no_such("family", one, known, listed_by));
     if (std::find(found.begin(), found.end(), one) == found.end()) found.push_back(one);
   }
-  if (found.empty()) throw InputFailure("--family", 0, "", "names no family; " + hint);
+  if (found.empty()) throw InputFailure("--family", 0, "", "names no family; " + listed_by + " lists them");
   return found;
 }
 

@@ -10,9 +10,9 @@ namespace plumb {
 
 /// "spheroid,hard" or "all" -> names; throws InputFailure for one that does not exist.
 [[nodiscard]] std::vector<std::string> find_families(const std::string& names);
-/// The same among others than plumb's; `hint`: where they are listed.
+/// The same among others than plumb's; `listed_by`: what lists them.
 [[nodiscard]] std::vector<std::string> find_families(const std::string& names, const std::vector<std::string>& known,
-                                                     const std::string& hint);
+                                                     const std::string& listed_by);
 
 /// "2/8"; throws InputFailure.
 [[nodiscard]] Shard parse_shard(const std::string& text);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "corpus/case/case.hpp"
+#include "corpus/json/nearest_word.hpp"
 
 namespace plumb {
 namespace {
@@ -13,8 +14,9 @@ constexpr int kKinds = static_cast<int>(FindingKind::none);
 FindingKind kind_named(const std::string& word) {
   const std::optional<FindingKind> kind = finding_kind(word);
   if (kind && *kind != FindingKind::none) return *kind;
-  throw InputFailure("PLUMB_FUZZ_ABORT", 0, word,
-                     "is no finding; known: wrong, all, none and the findings of plumb check");
+  std::vector<std::string> known{"wrong", "all"};
+  for (const FindingRow& row : finding_rows) known.emplace_back(row.word);
+  throw InputFailure("PLUMB_FUZZ_ABORT", 0, word, no_such("finding", word, known));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::vector<std::string> all_ladders() {
 
 void declare(CommandLine& app, Options& options) {
   app.add_option("LADDER", options.ladder, "one ladder (plumb families lists them); all without")
-      ->is_one_of(all_ladders());
+      ->is_one_of("ladder", all_ladders());
   app.add_option("--step", options.step, "one step, from 1; all without")->in_range(1, 1000);
   declare_seed(app, options.seed);
   auto* index =

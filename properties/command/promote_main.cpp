@@ -27,7 +27,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("FILE", options.file, "a case of the corpus is moved, one from elsewhere is copied")->required();
   app.add_option("--to", options.to)
       ->required()
-      ->is_one_of(std::vector<std::string>(std::begin(life_folders), std::end(life_folders)));
+      ->is_one_of("folder", std::vector<std::string>(std::begin(life_folders), std::end(life_folders)));
   app.add_option("--why", options.why, "what was found, mended or seen, for the case's provenance")
       ->required()
       ->check(refuse_empty);

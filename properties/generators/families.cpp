@@ -74,6 +74,12 @@ std::span<const Family> families() {
   return kFamilies;
 }
 
+std::vector<std::string> family_names() {
+  std::vector<std::string> out;
+  for (const Family& family : kFamilies) out.emplace_back(family.name);
+  return out;
+}
+
 const Family* find_family(std::string_view name) {
   const auto row = std::ranges::find(kFamilies, name, &Family::name);
   return row == kFamilies.end() ? nullptr : &*row;

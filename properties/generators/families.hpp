@@ -26,6 +26,7 @@ struct Family {
   std::uint64_t gated;                             ///< cases of reports/gate
 };
 [[nodiscard]] std::span<const Family> families();
+[[nodiscard]] std::vector<std::string> family_names();
 /// nullptr where there is none of that name.
 [[nodiscard]] const Family* find_family(std::string_view name);
 

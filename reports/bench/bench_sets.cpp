@@ -1,8 +1,5 @@
 #include "reports/bench/bench_sets.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 
@@ -60,8 +57,7 @@ const PairSet& find_set(std::span<const PairSet> sets, const std::string& name) 
   if (found != sets.end()) return *found;
   std::vector<std::string> known;
   for (const PairSet& set : sets) known.emplace_back(set.name);
-  throw InputFailure("--set", 0, name,
-                     fmt::format("no such set{}; there are {}", did_you_mean(name, known), fmt::join(known, ", ")));
+  throw InputFailure("--set", 0, name, no_such("set", name, known));
 }
 
 }  // namespace

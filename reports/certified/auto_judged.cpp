@@ -9,7 +9,6 @@
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "corpus/command/text_table.hpp"
-#include "corpus/json/nearest_word.hpp"
 #include "properties/generators/draft.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/laws/allowance.hpp"
@@ -34,7 +33,7 @@ struct Options {
 void declare(CommandLine& app, Options& options) {
   app.add_option("--cases", options.cases, "cases of each family")->capture_default_str()->check(refuse_count);
   declare_seed(app, options.seed);
-  app.add_option("--family", options.family, "one family in the place of all");
+  app.add_option("--family", options.family, "one family in the place of all")->is_one_of("family", family_names());
   app.add_option("--unit", options.unit, "all lengths times this")->capture_default_str()->is_positive();
   app.add_option("--shift", options.shift, "both bodies moved by this many sizes along (1, 2, 3)")
       ->capture_default_str();
@@ -176,16 +175,7 @@ void print_row(const std::string& family, const Counts& c) {
   for (const std::string& line : c.named) print_line("    " + line);
 }
 
-void require_family(const std::string& wanted) {
-  std::vector<std::string> known;
-  for (const Family& family : families()) known.emplace_back(family.name);
-  if (!wanted.empty() && std::find(known.begin(), known.end(), wanted) == known.end())
-    throw InputFailure("--family", 0, wanted,
-                       "no such family" + did_you_mean(wanted, known) + "; plumb families lists them");
-}
-
 int report(Options& options) {
-  require_family(options.family);
   std::uint64_t findings = 0;
   options.lines.print_table(columns.head());
   for (const Family& family : families()) {

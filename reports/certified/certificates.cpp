@@ -27,14 +27,14 @@ struct Options {
 };
 
 void declare(CommandLine& app, Options& options) {
-  std::vector<std::string> names{"all"};
-  for (const Family& family : families()) names.emplace_back(family.name);
+  std::vector<std::string> names = family_names();
+  names.emplace_back("all");
   app.add_option("--cases", options.cases, "cases of each family")->required()->check(refuse_count);
   declare_seed(app, options.seed);
-  app.add_option("--family", options.family, "one family, or all")->capture_default_str()->is_one_of(names);
+  app.add_option("--family", options.family, "one family, or all")->capture_default_str()->is_one_of("family", names);
   app.add_option("--effort", options.effort, "how far the reference goes: bounds, proof or digits")
       ->capture_default_str()
-      ->is_one_of(std::vector<std::string>{"bounds", "proof", "digits"});
+      ->is_one_of("effort", std::vector<std::string>{"bounds", "proof", "digits"});
   options.lines.declare(app, "one JSON object a family in the place of the table");
 }
 

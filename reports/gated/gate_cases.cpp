@@ -35,7 +35,7 @@ std::vector<std::string> gate_families(const GateTable& table) {
 
 std::vector<std::string> chosen_families(const GateTable& table, const std::string& names) {
   if (!table.is_frozen()) return find_families(names);
-  return find_families(names, gate_families(table), table.frozen + " has them");
+  return find_families(names, gate_families(table), table.frozen);
 }
 
 std::uint64_t count_kept(const GateTable& table, const std::string& ladder) {

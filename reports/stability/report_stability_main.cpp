@@ -11,6 +11,7 @@
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "corpus/command/text_table.hpp"
+#include "corpus/json/nearest_word.hpp"
 #include "corpus/solvers/solver.hpp"
 #include "reports/report_lines.hpp"
 #include "reports/stability/rows.hpp"
@@ -75,7 +76,7 @@ std::vector<Arithmetic> arithmetics_of(const Options& options) {
     }
     std::vector<std::string> names;
     for (const Arithmetic& one : known) names.push_back(one.name);
-    throw InputFailure("--arithmetic", 0, name, fmt::format("not in this build, which has {}", fmt::join(names, "; ")));
+    throw InputFailure("--arithmetic", 0, name, no_such("arithmetic of this build", name, names));
   }
   return out;
 }

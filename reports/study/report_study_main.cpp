@@ -65,7 +65,7 @@ void declare(CommandLine& app, Options& options) {
   study.threads = std::max(1u, std::thread::hardware_concurrency());
   app.add_option("--part", options.parts, fmt::format("NAME,..; default: all of {}", fmt::join(part_names(), ", ")))
       ->delimiter(',')
-      ->is_one_of(part_names());
+      ->is_one_of("part", part_names());
   declare_seed(app, study.seed, "of all that is drawn");
   const auto count = [&](const char* flag, int& value, const char* help) {
     app.add_option(flag, value, help)->capture_default_str()->in_range(1, 1'000'000);

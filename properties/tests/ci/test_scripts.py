@@ -4,6 +4,7 @@ moved checkout is told."""
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -228,6 +229,13 @@ class Run(InAFolder):
             self.program(path, "")
         self.program("properties/run", "echo '100% tests passed'")
         self.run_here("git", "init", "--quiet")
+
+    def test_what_every_test_needs_is_installed(self):
+        self.write(".ci/setup.sh", (self.top / ".ci/setup.sh").read_text() + 'plumb_setup() { echo "setup: $*"; }\n')
+        suite = (SCRIPTS.parent / "properties/run").read_text()
+        asked = re.search(r"^setup: (.*)$", self.run_here(".ci/run").stdout, re.M)[1].split()
+        wanted = {"wasm", *re.search(r"^plumb_setup (.*)$", suite, re.M)[1].split()}
+        self.assertEqual(wanted - set(asked), set())
 
     def test_the_last_line_is_that_of_the_test_runner(self):
         ran = self.run_here(".ci/run")

@@ -224,8 +224,8 @@ TEST_F(Commands, HelpOfACommandIsItsOwn) {
   const Ran ran = plumb("help replay");
   EXPECT_EQ(ran.code, 0);
   EXPECT_EQ(ran.out, plumb("replay --help").out);
-  for (const char* of_help : {"help help", "help --help", "--help help", "help -h"})
-    EXPECT_EQ(plumb(of_help).out, plumb("--help").out) << of_help;
+  for (const char* of_itself : {"help --help", "help -h", "help help", "--help --help"})
+    EXPECT_EQ(plumb(of_itself).out, plumb("--help").out) << of_itself;
   expect_refusal("help frobnicate", "plumb: no command 'frobnicate' (plumb --help lists them)");
 }
 
@@ -238,15 +238,6 @@ TEST_F(Commands, ThreadsThatWaitSleepUnlessTheCallerSaysElse) {
               "solve good.json --solver-command 'sh tell.sh' 2>&1");
     EXPECT_EQ(run("cat " + (path_ / "said").string()).out, said);
   }
-}
-
-TEST_F(Commands, AWordOfAListThatIsMisspeltIsNamed) {
-  expect_refusal("report-auto --family elipsoid",
-                 "--family: elipsoid: no such family (did you mean 'ellipsoid'?); plumb families lists them");
-  const Ran ladder = plumb("ladder nedle 2>&1 >/dev/null");
-  EXPECT_EQ(ladder.code, 2);
-  EXPECT_NE(ladder.out.find("LADDER: 'nedle' is none of near_touching"), std::string::npos) << ladder.out;
-  EXPECT_NE(ladder.out.find("(did you mean 'needle'?)"), std::string::npos) << ladder.out;
 }
 
 /// Each shows examples of itself, and each option in them is one that it has.
@@ -276,7 +267,30 @@ TEST_F(Commands, AWordThatIsNearlyOneIsTold) {
   expect_refusal("replay --metod auto x",
                  "plumb replay: --metod: no such option (did you mean '--method'?) (--help tells more)");
   expect_refusal("solve --jsn", "plumb solve: --jsn: no such option (did you mean '--json'?) (--help tells more)");
-  EXPECT_NE(plumb("solve x --method atuo 2>&1").out.find("no such method (did you mean 'auto'?)"), std::string::npos);
+}
+
+/// Whatever list a name is of.
+TEST_F(Commands, ANameThatIsNearlyOneIsTold) {
+  const auto hints = [this](const std::string& arguments, const std::string& refusal) {
+    const Ran ran = plumb(arguments + " 2>&1 >/dev/null");
+    EXPECT_EQ(ran.code, 2) << arguments;
+    EXPECT_NE(ran.out.find(refusal + "'?); "), std::string::npos) << ran.out;
+    EXPECT_EQ(std::count(ran.out.begin(), ran.out.end(), '\n'), 1) << ran.out;
+  };
+  (void)file("a.json", sample_case());
+  hints("solve a.json --method atuo", "--method: atuo: no such method (did you mean 'auto");
+  hints("solve a.json --want nromal", "--want: nromal: no such field (did you mean 'normal");
+  hints("certify a.json --effort prof", "plumb certify: --effort: prof: no such effort (did you mean 'proof");
+  hints("import a.dump --format lamps", "plumb import: --format: lamps: no such format (did you mean 'lammps");
+  hints("import a.dump --column quatv=x", "--column: quatv: no such role (did you mean 'quatw");
+  hints("promote a.json --to opne --why x", "plumb promote: --to: opne: no such folder (did you mean 'open");
+  hints("ladder nedle", "plumb ladder: LADDER: nedle: no such ladder (did you mean 'needle");
+  hints("scenes pyle", "pyle: no such scene (did you mean 'pile");
+  hints("scene a.json --force gravitty", "plumb scene: --force: gravitty: no such effect (did you mean 'gravity");
+  hints("campaign --family elipsoid --cases 1 --out out",
+        "--family: elipsoid: no such family (did you mean 'ellipsoid");
+  hints("fuzz --method auto --kinds misalined",
+        "--kinds: PLUMB_FUZZ_ABORT: misalined: no such finding (did you mean 'misaligned");
 }
 
 TEST_F(Commands, BashCompletesCommandsAndOptions) {
@@ -287,8 +301,31 @@ TEST_F(Commands, BashCompletesCommandsAndOptions) {
         .out;
   };
   EXPECT_EQ(completed("plumb repl", 1), "replay\n");
+  EXPECT_EQ(completed("plumb hel", 1), "help\n");
   EXPECT_EQ(completed("plumb help shr", 2), "shrink\n");
   EXPECT_EQ(completed("plumb replay --acc", 2), "--accuracy\n");
+}
+
+/// At its own prompt: what the line is once the tabulator was pressed.
+TEST_F(Commands, ZshCompletesCommandsAndOptions) {
+  if (run("command -v zsh").code != 0) GTEST_SKIP() << "needs zsh";
+  const auto completes = [this](const std::string& typed, const std::string& line) {
+    (void)file("ask.zsh", "zmodload zsh/zpty; zpty shell zsh -f -i\n"
+                          "zpty -w shell 'zle_highlight=(suffix:none); fpath=(" PLUMB_SOURCE_DIR
+                          "/corpus/command/help/shell $fpath)'\n"
+                          "zpty -w shell 'autoload -U compinit; compinit -u -D; print rea\"\"dy'\n"
+                          "zpty -r shell said '*ready*'; zpty -w -n shell $'" +
+                              typed +
+                              "\\t'\n"
+                              "zpty -r shell said '*" +
+                              line + " *' && print found\n");
+    const std::string path = "PATH=" PLUMB_BINARY_DIR "/bin:$PATH ";
+    EXPECT_EQ(run("cd " + path_.string() + " && " + path + "timeout 20 zsh -f ask.zsh").out, "found\n") << typed;
+  };
+  completes("plumb repl", "plumb replay");
+  completes("plumb hel", "plumb help");
+  completes("plumb help shr", "plumb help shrink");
+  completes("plumb replay --acc", "plumb replay --accuracy");
 }
 
 }  // namespace

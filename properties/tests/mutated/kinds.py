@@ -87,7 +87,8 @@ BOXES = (
 
 @dataclasses.dataclass(frozen=True)
 class Kind:
-    """`sealed`: ends with a sum of all before it, which most of the edited files have again."""
+    """`sealed`: ends with a sum of all before it, which most of the edited files have again. `mended`: damaged it is refused by none, and
+    is as it was after each command."""
 
     name: str
     form: str
@@ -95,6 +96,7 @@ class Kind:
     samples: tuple  # of paths that hold one
     commands: tuple
     sealed: bool = False
+    mended: bool = False
 
 
 KINDS = (
@@ -187,7 +189,7 @@ KINDS = (
         Kind(f"lines of report --{section}", "lines", "f.jsonl", (f"{section}.jsonl",), (f"report out --{section} f.jsonl -o page.html",))
         for section in ("precision", "stability", "study", "fem")
     ),
-    Kind("references", "json", "cache/KEPT", ("cache/KEPT",), ("replay near.json --cache cache",)),
+    Kind("references", "json", "cache/KEPT", ("cache/KEPT",), ("replay near.json --cache cache",), mended=True),
 )
 
 
