@@ -25,7 +25,8 @@ struct Options {
 };
 
 void declare(CommandLine& app, Options& options) {
-  app.add_option("--set", options.sets, "spheroid, ellipsoid, exponents-8, whole, exponents-40, hard; default: all of them")
+  app.add_option("--set", options.sets,
+                 "spheroid, ellipsoid, exponents-8, whole, exponents-40, hard; default: all of them")
       ->delimiter(',');
   app.add_option("--method", options.method, "NAME,.. or all (plumb methods lists them)")->capture_default_str();
   app.add_option("--cases", options.count, "pairs of each set")->capture_default_str()->check(refuse_count);

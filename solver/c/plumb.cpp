@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "solver/batch/batch.hpp"
@@ -68,8 +69,11 @@ ContextState state_of(plumb_context& context) {
   return {Eigen::Map<Eigen::Matrix<double, 3, 5>>(context.state), context.state[15]};
 }
 
-Contact<double> last_of(plumb_context& context) {
-  const ContextState state = state_of(context);
+/// Where the next solve starts, if anywhere.
+std::optional<Contact<double>> last_of(plumb_context* context) {
+  if (context == nullptr) return std::nullopt;
+  const ContextState state = state_of(*context);
+  if (state.holds != points && state.holds != charts) return std::nullopt;
   const auto& from = state.vectors;
   Contact<double> out;
   out.chart1 = from.col(0);
@@ -246,10 +250,8 @@ int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_cont
   if (method == nullptr) return PLUMB_ERROR_METHOD;
   Pair bodies = door::pair_of(*pair);
   bodies.motion = Vec3<double>::Map(chosen.motion);
-  const double holds = context == nullptr ? nothing : state_of(*context).holds;
-  const bool is_warm = holds == points || holds == charts;
-  const Contact<double> last = is_warm ? last_of(*context) : Contact<double>{};
-  const Contact<double> found = method->solve(bodies, want_of(chosen), is_warm ? &last : nullptr);
+  const std::optional<Contact<double>> last = last_of(context);
+  const Contact<double> found = method->solve(bodies, want_of(chosen), last ? &*last : nullptr);
   *contact = door::c_contact(found);
   if (context != nullptr) keep(found, *context);
   if (details != nullptr) write_details(found, *details);

@@ -49,8 +49,8 @@ TEST_F(Bench, TheRatioIsToEpaInTheSameRun) {
 }
 
 TEST_F(Bench, TheSetsAreOfTheirExponents) {
-  for (const auto& [set, above, upto] :
-       {std::tuple("spheroid", 0, 2), std::tuple("exponents-8", 2, 8), std::tuple("whole", 0, 10), std::tuple("exponents-40", 8, 40)}) {
+  for (const auto& [set, above, upto] : {std::tuple("spheroid", 0, 2), std::tuple("exponents-8", 2, 8),
+                                         std::tuple("whole", 0, 10), std::tuple("exponents-40", 8, 40)}) {
     const auto cases = lines_of(plumb(std::string("bench --print --cases 5 --set ") + set).out);
     EXPECT_EQ(cases.size(), 5U) << set;
     for (const Json& c : cases) {
