@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { test } from "node:test";
-import { bring } from "./support/browser.mjs";
+import { bring, SCREEN } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
 import { makeFem } from "./support/fixture-fem.mjs";
 import { makePlayback } from "./support/fixture-playback.mjs";
@@ -57,9 +57,6 @@ for (const width of [400, 1400])
       }));
       assert.ok(scroll <= client, `${scroll} > ${client}`);
     }));
-
-/** A screen of a desk. */
-const SCREEN = 900;
 
 for (const width of [400, 1400])
   for (const dark of [false, true])

@@ -5,15 +5,12 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { bring } from "./support/browser.mjs";
+import { bring, SCREEN } from "./support/browser.mjs";
 import { femLines, femOf } from "./support/fixture-fem.mjs";
 import { playbackLines, playbackOf } from "./support/fixture-playback.mjs";
 import { studyLines, studyOf } from "./support/fixture-study.mjs";
 import { withFolder } from "./support/pages.mjs";
 import { withUrl } from "./support/tab.mjs";
-
-/** A screen of a desk. */
-const SCREEN = 900;
 
 const bin = process.env.PLUMB_BIN;
 const skip = bin ? false : "PLUMB_BIN is not set";

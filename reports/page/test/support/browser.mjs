@@ -1,6 +1,9 @@
 // Chromium without a window, by puppeteer; PLUMB_CHROMIUM names another one.
 import puppeteer from "puppeteer-core";
 
+/** Pixels of a desk's screen from top to bottom. */
+export const SCREEN = 900;
+
 export const launch = () =>
   puppeteer.launch({
     executablePath: process.env.PLUMB_CHROMIUM ?? "/usr/bin/chromium",
@@ -27,7 +30,7 @@ function watch(page, url) {
 }
 
 /** Goes there in a tab and waits until the page is ready; what it does until forget() is noticed. Nothing moves unless `moves`. */
-export async function show(page, url, { width = 1400, height = 900, dark = false, moves = false } = {}) {
+export async function show(page, url, { width = 1400, height = SCREEN, dark = false, moves = false } = {}) {
   const { noticed, forget } = watch(page, url);
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([
