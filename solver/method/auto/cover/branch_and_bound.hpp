@@ -12,6 +12,7 @@
 #include "solver/method/auto/cover/directions.hpp"
 #include "solver/method/auto/cover/heights.hpp"
 #include "solver/method/auto/cover/latitudes.hpp"
+#include "solver/method/auto/cover/quadrangles.hpp"
 
 namespace plumb {
 
@@ -83,6 +84,9 @@ template <class S, class Solver>
     using Directions = DirectionCover<S, Solver, by_directions>;
     return branch_and_bound<Directions>(solver, from, by_directions, RotationDerivative<S>::of(placed));
   };
+  if constexpr (!ends_by_heights)
+    if (const auto tilted = TiltedAxesBound<S>::of(placed))
+      return branch_and_bound<QuadrangleCover<S, Held>>(Held(solver, std::nullopt), first, budget::last_search, *tilted).lowest;
   const std::optional<ParallelAxesBound<S>> parallel = ParallelAxesBound<S>::of(placed);
   const bool is_coaxial = parallel && parallel->is_coaxial();
   const Held held(solver, parallel ? parallel->circle_axis() : std::nullopt);
