@@ -56,4 +56,17 @@ Diagnosis diagnose(const Pair& pair, const Vec3<double>& point1, const Vec3<doub
   return out;
 }
 
+std::string_view name(Fails fails) {
+  constexpr std::array<std::string_view, 4> names{"signs", "z", "both", "nothing"};
+  return names[static_cast<std::size_t>(fails)];
+}
+
+Fails fails_of(const Diagnosis& d) {
+  const double zero = 1e-6;
+  const bool signs = !(std::max(std::abs(d.residues[2]), std::abs(d.residues[3])) <= zero);
+  const bool z = !(std::max(std::abs(d.residues[4]), d.n1_n2) <= zero);
+  if (signs) return z ? Fails::both : Fails::signs;
+  return z ? Fails::z : Fails::nothing;
+}
+
 }  // namespace plumb

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "solver/contact.hpp"
 
@@ -17,6 +18,15 @@ struct Diagnosis {
   double d_n2;   ///< between sigma d and n2
   double n1_n2;  ///< between n1 and -n2
 };
+
+/// What the answer of Lin & Ng's equations lacks of a common normal. Its points have normals whose x and y components are opposite:
+///   signs   R3 or R4 is not 0: an absolute value in Eqs. 5, 6 has lost a sign
+///   z       R5 is not 0, or the z components of the normals are not opposite: nothing asks for them
+enum class Fails { signs, z, both, nothing };
+/// "signs", "z", "both", "nothing".
+[[nodiscard]] std::string_view name(Fails fails);
+/// A residue counts as 0 below 1e-6, an angle below 1e-6 degrees.
+[[nodiscard]] Fails fails_of(const Diagnosis& diagnosis);
 
 /// Outward unit normals at (the surface points on the rays through) the contact's points, world frame.
 struct ContactNormals {

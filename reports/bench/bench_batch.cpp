@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <limits>
 
 #include "corpus/command/interrupt.hpp"
@@ -51,8 +52,8 @@ class Race {
 };
 
 std::vector<InstructionSet> sets() {
-  std::vector<InstructionSet> out{InstructionSet::baseline};
-  if (is_available(InstructionSet::avx2)) out.push_back(InstructionSet::avx2);
+  std::vector<InstructionSet> out;
+  std::copy_if(instruction_sets.begin(), instruction_sets.end(), std::back_inserter(out), is_available);
   return out;
 }
 

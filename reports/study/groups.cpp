@@ -1,7 +1,6 @@
 #include "reports/study/groups.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "corpus/command/interrupt.hpp"
@@ -59,19 +58,6 @@ std::vector<GroupAnswer> answers_to(const Bed& bed) {
 }
 
 }  // namespace
-
-std::string_view name(Fails fails) {
-  constexpr std::array<std::string_view, all_fails.size()> names{"signs", "z", "both", "nothing"};
-  return names[static_cast<std::size_t>(fails)];
-}
-
-Fails fails_of(const Diagnosis& d) {
-  const double zero = 1e-6;
-  const bool signs = !(std::max(std::abs(d.residues[2]), std::abs(d.residues[3])) <= zero);
-  const bool z = !(std::max(std::abs(d.residues[4]), d.n1_n2) <= zero);
-  if (signs) return z ? Fails::both : Fails::signs;
-  return z ? Fails::z : Fails::nothing;
-}
 
 std::vector<Group> find_groups(BedShape shape, std::uint64_t seed) {
   std::vector<Group> out;

@@ -1,9 +1,7 @@
 // The source's four groups G1..G4, and four of superquadrics: one geometry each at several overlap ratios, with phi_L = phi = 0.
 //
 // The source's own numbers are not available: these are found by a search, one for each way in which the original equations' answer
-// fails at every ratio. Its solution has the x and y components of both normals opposite; what it may lack is
-//   signs   R3 = dx/D + n1x or R4 = dy/D - n2y is not 0: an absolute value in Eqs. 5, 6 has lost a sign
-//   z       R5 = dz/D + n1z is not 0, or the z components of the normals are not opposite: nothing asks for them
+// fails at every ratio (solver/diagnosis.hpp).
 #pragma once
 
 #include <string>
@@ -11,12 +9,6 @@
 #include "reports/study/bed.hpp"
 
 namespace plumb::reports {
-
-enum class Fails { signs, z, both, nothing };
-[[nodiscard]] std::string_view name(Fails fails);
-
-/// What fails of an answer whose residues these are; a residue counts as 0 below 1e-6, an angle below 1e-6 degrees.
-[[nodiscard]] Fails fails_of(const Diagnosis& diagnosis);
 
 inline constexpr std::array ratios{1e-3, 5e-3, 1e-2, 2e-2, 5e-2};
 

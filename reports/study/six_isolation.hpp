@@ -5,7 +5,7 @@
 
 #include "reports/study/six_roots.hpp"
 #include "reports/study/six_system.hpp"
-#include "solver/reference/interval/interval_double.hpp"
+#include "solver/reference/interval/digits.hpp"
 
 namespace plumb::reports {
 

@@ -1,6 +1,7 @@
 #include "solver/batch/batch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "solver/batch/chunk.hpp"
@@ -13,25 +14,30 @@ namespace {
 struct Kernel {
   std::string_view name;
   int lanes;
+  bool (*is_available)();
   SolveChunk solve;
 };
 
-#if defined(PLUMB_BATCH_AVX2)
-[[nodiscard]] bool has_avx2() {
-  return __builtin_cpu_supports("avx2") != 0;
-}
-constexpr Kernel avx2_kernel{"avx2", 4, solve_chunk_avx2};
+/// In the order of instruction_sets.
+constexpr std::array<Kernel, instruction_sets.size()> kernels{
+    Kernel{"baseline", 2, [] { return true; }, solve_chunk_baseline},
+#if defined(PLUMB_BATCH_X86)
+    Kernel{"avx2", 4, [] { return __builtin_cpu_supports("avx2") != 0; }, solve_chunk_avx2},
+    Kernel{"avx512", 8,
+           [] {
+             return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+                    __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+           },
+           solve_chunk_avx512},
 #else
-[[nodiscard]] bool has_avx2() {
-  return false;
-}
-constexpr Kernel avx2_kernel{"avx2", 4, nullptr};
+    Kernel{"avx2", 4, [] { return false; }, nullptr},
+    Kernel{"avx512", 8, [] { return false; }, nullptr},
 #endif
-constexpr Kernel baseline_kernel{"baseline", 2, solve_chunk_baseline};
+};
 
 [[nodiscard]] const Kernel& kernel(InstructionSet set) {
   const InstructionSet chosen = set == InstructionSet::best ? best_instruction_set() : set;
-  return chosen == InstructionSet::avx2 ? avx2_kernel : baseline_kernel;
+  return kernels[static_cast<std::size_t>(chosen) - 1];
 }
 
 /// Whether `check` holds for every span.
@@ -95,11 +101,11 @@ std::string_view name(InstructionSet set) {
 }
 
 bool is_available(InstructionSet set) {
-  return set != InstructionSet::avx2 || has_avx2();
+  return kernel(set).is_available();
 }
 
 InstructionSet best_instruction_set() {
-  return is_available(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
+  return *std::find_if(instruction_sets.rbegin(), instruction_sets.rend(), is_available);
 }
 
 int lanes(InstructionSet set) {

@@ -44,9 +44,11 @@ struct ContactArrays {
 };
 
 /// What a batch is computed with. `best` is the widest that this machine has.
-enum class InstructionSet { best, baseline, avx2 };
+enum class InstructionSet { best, baseline, avx2, avx512 };
+/// The narrowest first.
+inline constexpr std::array instruction_sets{InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 
-/// "baseline" or "avx2"; of `best` what it stands for here.
+/// "baseline", "avx2" or "avx512"; of `best` what it stands for here.
 [[nodiscard]] std::string_view name(InstructionSet set);
 /// Whether this build has it and this machine runs it.
 [[nodiscard]] bool is_available(InstructionSet set);

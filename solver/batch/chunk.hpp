@@ -22,5 +22,6 @@ using SolveChunk = Unsettled (*)(const Chunk& chunk);
 
 [[nodiscard]] Unsettled solve_chunk_baseline(const Chunk& chunk);
 [[nodiscard]] Unsettled solve_chunk_avx2(const Chunk& chunk);
+[[nodiscard]] Unsettled solve_chunk_avx512(const Chunk& chunk);
 
 }  // namespace plumb

@@ -14,7 +14,9 @@ namespace plumb {
 
 template <class P>
 [[nodiscard, gnu::always_inline]] inline P exp_of(const P& x) {
-#if defined(__AVX__) && defined(PLUMB_SLEEF)
+#if defined(__AVX512F__) && defined(PLUMB_SLEEF)
+  return P(Sleef_cinz_expd8_u10avx512fnofma(static_cast<__m512d>(x)));
+#elif defined(__AVX__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_expd4_u10avx(static_cast<__m256d>(x)));
 #elif defined(__SSE2__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_expd2_u10sse2(static_cast<__m128d>(x)));
@@ -26,7 +28,9 @@ template <class P>
 /// x > 0.
 template <class P>
 [[nodiscard, gnu::always_inline]] inline P log_of(const P& x) {
-#if defined(__AVX__) && defined(PLUMB_SLEEF)
+#if defined(__AVX512F__) && defined(PLUMB_SLEEF)
+  return P(Sleef_cinz_logd8_u10avx512fnofma(static_cast<__m512d>(x)));
+#elif defined(__AVX__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_logd4_u10avx(static_cast<__m256d>(x)));
 #elif defined(__SSE2__) && defined(PLUMB_SLEEF)
   return P(Sleef_cinz_logd2_u10sse2(static_cast<__m128d>(x)));

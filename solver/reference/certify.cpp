@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "solver/reference/condition/condition.hpp"
+#include "solver/reference/interval/digits.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/reference/search/cover_search.hpp"
 #include "solver/reference/search/minimum.hpp"

@@ -8,8 +8,6 @@
 #include <limits>
 #include <type_traits>
 
-#include "solver/reference/real.hpp"
-
 namespace plumb::reference {
 
 /// Of this thread since it began, in nanoseconds as one machine took them, within a factor of two mostly, of five
@@ -59,10 +57,10 @@ inline void count_series() {
   count_work(bits > 64 ? 6000 : 2000);
 }
 
-/// In 50 digits; what the solvers of fewer take is nothing beside it.
+/// In 50 digits; what the solvers of machine numbers take is nothing beside it.
 template <class S>
 inline void count_digits(int nanoseconds) {
-  if constexpr (std::is_same_v<S, Real50>) count_work(nanoseconds);
+  if constexpr (!std::is_floating_point_v<S>) count_work(nanoseconds);
 }
 
 }  // namespace plumb::reference

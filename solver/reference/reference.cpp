@@ -5,6 +5,7 @@
 
 #include "solver/reference/certify.hpp"
 #include "solver/reference/interval/interval_double.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {

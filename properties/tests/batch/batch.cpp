@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <set>
 
@@ -18,8 +19,8 @@ namespace plumb {
 namespace {
 
 std::vector<InstructionSet> sets() {
-  std::vector<InstructionSet> out{InstructionSet::baseline};
-  if (is_available(InstructionSet::avx2)) out.push_back(InstructionSet::avx2);
+  std::vector<InstructionSet> out;
+  std::copy_if(instruction_sets.begin(), instruction_sets.end(), std::back_inserter(out), is_available);
   return out;
 }
 
@@ -228,8 +229,8 @@ TEST(Batch, NoHeap) {
   }
 }
 
-/// Symbols of the libraries' members that the linker may take from any of them, by nm.
-std::set<std::string> weak_symbols(bool of_avx2) {
+/// Symbols of the libraries' members that the linker may take from any of them, by nm: of the file of that name, or of all the others.
+std::set<std::string> weak_symbols(const std::string& file, bool of_others) {
   const std::string command = "cd " PLUMB_BINARY_DIR "/solver && nm -A libplumb_solver.a libplumb_batch.a 2>/dev/null";
   const std::unique_ptr<FILE, int (*)(FILE*)> nm(popen(command.c_str(), "r"), pclose);
   std::set<std::string> out;
@@ -238,22 +239,28 @@ std::set<std::string> weak_symbols(bool of_avx2) {
     const std::string text(line.data());
     const std::size_t at = text.find_first_of("WVu", text.find(' '));
     if (at == std::string::npos || text[at - 1] != ' ' || text[at + 1] != ' ') continue;
-    if ((text.find("chunk_avx2") != std::string::npos) == of_avx2) out.insert(text.substr(at + 2));
+    if ((text.find(file) == std::string::npos) == of_others) out.insert(text.substr(at + 2));
   }
   return out;
 }
 
-/// One of two functions of the same name goes into the program: it must not be one that a machine without AVX2 cannot run.
+/// One of two functions of the same name goes into the program: it must not be one that a machine without AVX cannot run.
 TEST(Batch, NoFunctionIsSharedBetweenInstructionSets) {
-  const std::set<std::string> of_avx2 = weak_symbols(true), others = weak_symbols(false);
-  ASSERT_FALSE(of_avx2.empty());
-  ASSERT_FALSE(others.empty());
-  for (const std::string& symbol : of_avx2)
-    EXPECT_TRUE(symbol.find("_VecBuiltinILi32") != std::string::npos ||
-                symbol.find("ChunkSolverILi4") != std::string::npos || symbol.starts_with("DW.ref."))
-        << symbol;
-  for (const std::string& symbol : of_avx2)
-    EXPECT_TRUE(!others.contains(symbol) || symbol.starts_with("DW.ref.")) << symbol;
+  struct Names {
+    std::string file, register_type, solver;
+  };
+  for (const Names& of : {Names{"chunk_avx2", "_VecBuiltinILi32", "ChunkSolverILi4"},
+                          Names{"chunk_avx512", "_VecBltnBtmskILi64", "ChunkSolverILi8"}}) {
+    const std::set<std::string> own = weak_symbols(of.file, false), others = weak_symbols(of.file, true);
+    ASSERT_FALSE(own.empty());
+    ASSERT_FALSE(others.empty());
+    for (const std::string& symbol : own) {
+      if (symbol.starts_with("DW.ref.")) continue;
+      EXPECT_TRUE(symbol.find(of.register_type) != std::string::npos || symbol.find(of.solver) != std::string::npos)
+          << symbol;
+      EXPECT_FALSE(others.contains(symbol)) << symbol;
+    }
+  }
 }
 #endif
 

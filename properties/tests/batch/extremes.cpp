@@ -26,7 +26,7 @@ bool has_same_bits(const Contact<double>& a, const Contact<double>& b) {
 template <class Check>
 void compare(const std::vector<Pair>& pairs, const Check& check) {
   const PairColumns columns(pairs);
-  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
+  for (const InstructionSet set : instruction_sets) {
     if (!is_available(set)) continue;
     ContactColumns batch(pairs.size());
     ASSERT_EQ(solve_batch(columns.arrays(), {}, batch.arrays(), set).error, BatchError::none);

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "properties/generators/stream.hpp"
-#include "solver/reference/interval/interval.hpp"
+#include "solver/reference/interval/double_power_tables.hpp"
 #include "solver/reference/interval/interval_double.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
+#include "solver/reference/real.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -33,6 +35,35 @@ double draw_exponent(Stream& stream) {
 /// In more than a hundred digits.
 Real100 power_of(double x, double e) {
   return exp(Real100(Real100(e) * log(Real100(x))));
+}
+
+/// The first `bits` of x, or 53, which are taken off it.
+double take(Real100& x, int bits = 53) {
+  mpfr_t head;
+  mpfr_init2(head, bits);
+  mpfr_set(head, x.backend().data(), MPFR_RNDN);
+  const double out = mpfr_get_d(head, MPFR_RNDN);
+  mpfr_clear(head);
+  x -= out;
+  return out;
+}
+
+void expect_is(const TwoDoubles& found, Real100 truth) {
+  EXPECT_EQ(found.high, take(truth));
+  EXPECT_EQ(found.low, take(truth));
+}
+
+TEST(DoublePower, TheConstantsAreThoseOfMpfr) {
+  for (int i = tables::first_log; i <= tables::last_log; ++i)
+    expect_is(tables::log.at(static_cast<std::size_t>(i - tables::first_log)), log(Real100(1 + i / 128.0)));
+  for (int j = 0; j < tables::exp_steps; ++j)
+    expect_is(tables::power_of_two.at(static_cast<std::size_t>(j)), exp2(Real100(j / 64.0)));
+  Real100 log2 = log(Real100(2)), step = log2 / 64;
+  EXPECT_EQ(tables::log2_high, take(log2, 42));
+  EXPECT_EQ(tables::log2_low, take(log2));
+  EXPECT_EQ(tables::step_high, take(step, 36));
+  EXPECT_EQ(tables::step_middle, take(step, 36));
+  EXPECT_EQ(tables::step_low, take(step));
 }
 
 double error_of_logarithm(double x) {

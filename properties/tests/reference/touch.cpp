@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "properties/generators/families.hpp"
+#include "solver/reference/interval/digits.hpp"
 #include "solver/reference/search/refine.hpp"
 
 namespace plumb {

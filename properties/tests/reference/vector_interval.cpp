@@ -1,5 +1,5 @@
 // Vectors of intervals: what is computed of boxes holds what is computed of their points.
-#include "solver/reference/interval/vector_interval.hpp"
+#include "solver/reference/interval/digits.hpp"
 
 #include <gtest/gtest.h>
 

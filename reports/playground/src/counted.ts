@@ -11,6 +11,7 @@ export class Counted {
     this.plumb = {
       methods: plumb.methods,
       describeInput: (pair) => plumb.describeInput(pair),
+      bounds: (pair, contact, options) => plumb.bounds(pair, contact, options),
       solve: (pair, options) => {
         const name = options?.method ?? "auto";
         this.frame.set(name, (this.frame.get(name) ?? 0) + 1);

@@ -1,11 +1,11 @@
 /** What is said of an answer. Held against `auto`, which gives no answer where it cannot show that its normal is the lowest. */
-import type { Contact, Method, Plumb } from "../../plumb-contact/plumb_contact.mjs";
+import type { Bounds, Contact, Method, Plumb } from "../../plumb-contact/plumb_contact.mjs";
 import type { Vec } from "../../page/src/data";
 import { dot, length, cross } from "../../page/src/view3d/vector";
 import { number } from "../../page/src/numbers";
 import { pairOf, type Setting, sizeOf } from "./pair";
 
-/** As reports/study names what original_cn's answer lacks, and what else there is. */
+/** As solver/diagnosis.hpp names what original_cn's answer lacks, and what else there is. */
 export type Kind =
   "right" | "signs" | "z" | "both" | "not_opposite" | "not_lowest" | "lower" | "no_answer" | "unjudged" | "other";
 
@@ -20,8 +20,6 @@ export interface Judged {
 
 /** Degrees; below them two directions look the same, and rounding is no failure. */
 export const SEEN = 0.01;
-/** A residue counts as 0 below it: reports/study/groups.cpp. */
-const ZERO = 1e-6;
 /** Of the larger body. */
 export const SAME_OVERLAP = 1e-6;
 /** Closer points, of the larger body, have no line to speak of. */
@@ -47,14 +45,17 @@ function lacking({ diagnosis, overlap }: Contact, size: number): [Kind, string] 
   const worst = Math.max(isLine ? Math.max(d_n1, d_n2) : 0, n1_n2);
   if (!(worst > SEEN)) return null;
   const [, , r3, r4, r5] = diagnosis.residues;
-  const signs = Math.max(Math.abs(r3), Math.abs(r4)) > ZERO;
-  const z = Math.abs(r5) > ZERO || n1_n2 > ZERO;
+  const { fails } = diagnosis;
   const lineOff = `the line through its points is ${number(Math.max(d_n1, d_n2))}° off their normals`;
   if (n1_n2 > SEEN)
-    return [signs ? "both" : "not_opposite", `the normals at its points are ${number(n1_n2)}° from opposite`];
-  if (signs && z)
+    return [
+      fails === "both" ? "both" : "not_opposite",
+      `the normals at its points are ${number(n1_n2)}° from opposite`,
+    ];
+  if (fails === "both")
     return ["both", `${lineOff}: signs are lost (R3 ${number(r3)}, R4 ${number(r4)}), and so is z (R5 ${number(r5)})`];
-  if (signs) return ["signs", `${lineOff}: an equation has lost a sign (R3 ${number(r3)}, R4 ${number(r4)})`];
+  if (fails === "signs")
+    return ["signs", `${lineOff}: an equation has lost a sign (R3 ${number(r3)}, R4 ${number(r4)})`];
   return ["z", `${lineOff}: no equation asks for z (R5 ${number(r5)})`];
 }
 
@@ -85,6 +86,15 @@ export function judgeAll(plumb: Plumb, setting: Setting): Judged[] {
     const [kind, why] = judge(contact, method, auto, size);
     return { method, contact, off: angle(contact.normal, auto.normal), kind, why };
   });
+}
+
+/** Methods asked for the common normal whose overlap cannot be the lowest. */
+export function outside(judged: Judged[], { lower, upper }: Bounds, setting: Setting): string[] {
+  const slack = SAME_OVERLAP * sizeOf(setting);
+  return judged
+    .filter(({ method, contact }) => method.problem === "common_normal" && contact.status === "converged")
+    .filter(({ contact }) => contact.overlap < lower - slack || contact.overlap > upper + slack)
+    .map(({ method }) => method.name);
 }
 
 /** How far apart the centres are at first touch, by the answer of `first_touch` along their line; NaN where it has none. */

@@ -9,8 +9,8 @@ import { dispose, type Pictured } from "../../page/src/view3d/scene";
 import { Answers } from "./answers";
 import { Counted } from "./counted";
 import { type Hold, Hands } from "./hands";
-import { isWrong, type Judged, judgeAll, touchDistance } from "./judge";
-import { caseOf, copyOf, type Setting, settingOf, wordOf } from "./pair";
+import { isWrong, type Judged, judgeAll, outside, touchDistance } from "./judge";
+import { caseOf, copyOf, pairOf, type Setting, settingOf, wordOf } from "./pair";
 import { picture } from "./picture";
 import { type Preset, presets } from "./presets";
 import { Sliders } from "./sliders";
@@ -24,6 +24,8 @@ const HOLDS: [Hold, string][] = [
 const START: Vec = [1.6, -3.9, 1.8];
 /** A browser refuses many changes of the address in a row. */
 const ADDRESS_DELAY_MS = 300;
+/** The bounds wait until nothing moves: they take some milliseconds. */
+const BOUNDS_DELAY_MS = 150;
 
 class Playground {
   private setting: Setting;
@@ -31,6 +33,7 @@ class Playground {
   private pictured: Pictured | null = null;
   private isAsked = false;
   private addressTimer = 0;
+  private boundsTimer = 0;
 
   private readonly canvas = h("canvas", {
     tabindex: 0,
@@ -40,6 +43,7 @@ class Playground {
   });
   private readonly sentence = h("p", { class: "sentence", role: "status" });
   private readonly summary = h("p", { class: "summary" });
+  private readonly bounds = h("p", { class: "bounds" });
   private readonly json = h("textarea", {
     readonly: true,
     rows: 6,
@@ -108,6 +112,19 @@ class Playground {
     this.json.value = caseOf(this.setting);
     this.draw();
     this.writeAddress();
+    this.bounds.textContent = "";
+    clearTimeout(this.boundsTimer);
+    this.boundsTimer = window.setTimeout(() => this.bound(), BOUNDS_DELAY_MS);
+  }
+
+  private bound(): void {
+    const auto = this.judged.find(({ method }) => method.name === "auto")?.contact;
+    if (auto?.status !== "converged") return;
+    const found = this.counted.plumb.bounds(pairOf(this.setting), auto);
+    const names = outside(this.judged, found, this.setting).join(", ");
+    this.bounds.textContent =
+      `Proved by interval arithmetic: the lowest overlap is between ${found.lower} and ${found.upper}.` +
+      (names ? ` Not there, and so wrong for sure: ${names}.` : "");
   }
 
   private inWords(): string {
@@ -217,6 +234,7 @@ class Playground {
         { class: "results", "aria-labelledby": "answers-title" },
         h("h2", { id: "answers-title" }, "Answers"),
         this.summary,
+        this.bounds,
         this.answers.element,
         h("p", { class: "muted" }, BESIDE),
       ),
@@ -245,8 +263,8 @@ class Playground {
 }
 
 const BESIDE =
-  "Degrees off are between a method's normal and auto's. auto answers only where its own bounds show that its normal is the lowest; " +
-  "no certificate is compiled into this page, and plumb certify case.json proves it. " +
+  "Degrees off are between a method's normal and auto's. auto answers only where its own bounds show that its normal is the lowest. " +
+  "The interval bounds share no code with the methods; plumb certify case.json proves more: where the normal is, and whether it is the only one. " +
   "A ball is the point of body 1, a box the point of body 2; the arrow is the normal.";
 
 async function start(): Promise<void> {

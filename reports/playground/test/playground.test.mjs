@@ -66,6 +66,21 @@ test("each preset shows what its sentence says", () =>
     }
   }));
 
+test("bounds are proved once nothing moves, close, and say who cannot be right", () =>
+  withPlayground({}, async (page) => {
+    const presets = JSON.parse(await page.evaluate(() => document.documentElement.dataset.presets));
+    const atTilt = presets.findIndex(({ shows }) => shows.kind === "not_lowest");
+    assert.ok(atTilt >= 0);
+    await drawn(page, () => page.select("select", String(atTilt)));
+    await page.waitForFunction(() => document.querySelector(".bounds").textContent !== "");
+    const text = await page.$eval(".bounds", ({ textContent }) => textContent);
+    const [, lower, upper] = text.match(/between (\S+) and (\S+)\.( |$)/);
+    assert.ok(Number(lower) <= Number(upper) && Number(upper) - Number(lower) < 1e-9, text);
+    assert.match(text, new RegExp(`wrong for sure: .*${presets[atTilt].shows.method}`));
+    const overlap = await page.$eval('tr[data-method="auto"]', ({ cells }) => Number(cells[3].textContent));
+    assert.ok(Math.abs(overlap - Number(upper)) <= FIVE_DIGITS * Math.abs(overlap));
+  }));
+
 test("no frame of a turn waits for more than one solve of each method", () =>
   withPlayground({}, async (page) => {
     await page.click('button[data-hold="turn2"]');

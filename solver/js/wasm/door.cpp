@@ -1,39 +1,14 @@
-// The door of WebAssembly: every row of the method table, over one block of doubles that JavaScript writes and reads.
-//
-//   in    each body: semi-axes 3, n1, n2, position 3, quaternion (w, x, y, z) 4; after both, body 2's motion 3
-//   out   status, verdict, overlap, normal 3, point 1 3, point 2 3, contact point 3, iterations, evaluations;
-//         then what the points say of themselves (diagnosis.hpp): R1..R5, the angles d_n1, d_n2, n1_n2, normals 3 + 3
-//
-// plumb_contact.mjs has the same order. Nothing is allocated; one thread, so one block is enough.
+// The door of WebAssembly: every row of the method table, over the block of block.hpp. Nothing is allocated.
 #include <array>
-#include <cmath>
-#include <cstddef>
 
 #include "solver/contact.hpp"
 #include "solver/diagnosis.hpp"
+#include "solver/js/wasm/block.hpp"
 #include "solver/method/methods.hpp"
 
 namespace {
 
-constexpr std::size_t per_body = 12, inputs = 2 * per_body + 3, outputs = 31;
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the caller's side of the door; the solver has none
-std::array<double, inputs + outputs> block;
-
-plumb::Vec3<double> three(std::size_t from) {
-  return {block[from], block[from + 1], block[from + 2]};
-}
-
-plumb::Body body_at(std::size_t from) {
-  plumb::Body out;
-  out.shape = {three(from), block[from + 3], block[from + 4]};
-  out.position = three(from + 5);
-  out.quaternion = {block[from + 8], block[from + 9], block[from + 10], block[from + 11]};
-  return out;
-}
-
-plumb::Pair given() {
-  return {body_at(0), body_at(per_body), three(2 * per_body)};
-}
+using namespace plumb::js;
 
 /// Fills the outputs, number by number.
 class Writer {
@@ -54,6 +29,7 @@ void write_diagnosis(Writer& out, const plumb::Pair& pair, const plumb::Contact<
   const plumb::ContactNormals normals = plumb::normals_at(pair, c.point1, c.point2);
   out.put(normals.normal1);
   out.put(normals.normal2);
+  out.put(static_cast<double>(plumb::fails_of(d)));
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
-// Loads plumb's methods and puts words to the block of doubles that door.cpp describes.
+// Loads plumb's methods and puts words to the block of doubles that block.hpp describes.
 import { wasm } from "./plumb_wasm.mjs";
 
 const PER_BODY = 12;
 const INPUTS = 2 * PER_BODY + 3;
-const OUTPUTS = 31;
+const OUTPUTS = 34;
+const NORMAL = 3;
+const BOUNDS = 32;
+const MOST_CELLS = 10_000;
+const FAILS = ["signs", "z", "both", "nothing"];
 const FIELDS = ["name", "problem", "published_by", "summary", "light", "dark", "symbol"];
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -36,6 +40,7 @@ const diagnosisOf = (out) => ({
   residues: [...out.subarray(17, 22)],
   angles_deg: { d_n1: out[22], d_n2: out[23], n1_n2: out[24] },
   normals: [three(out, 25), three(out, 28)],
+  fails: FAILS[out[31]],
 });
 
 class Plumb {
@@ -79,6 +84,18 @@ class Plumb {
     };
     if (diagnosed && out[0] === 0) contact.diagnosis = diagnosisOf(out);
     return contact;
+  }
+
+  bounds(pair, { status, normal, points }, { cells = 2000 } = {}) {
+    if (!(Number.isInteger(cells) && cells > 0 && cells <= MOST_CELLS))
+      throw new RangeError(`cells must be a whole number from 1 to ${MOST_CELLS}`);
+    if (status !== "converged") throw new RangeError("bounds are about a contact that converged");
+    const wrong = this.describeInput(pair);
+    if (wrong !== "") throw new RangeError(wrong);
+    const out = this.#block.subarray(INPUTS);
+    out.set([...normal, ...points.flat()], NORMAL);
+    this.#door.plumb_js_bound(cells);
+    return { lower: out[BOUNDS], upper: out[BOUNDS + 1] };
   }
 
   describeInput(pair) {

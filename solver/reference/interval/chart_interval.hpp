@@ -7,6 +7,7 @@
 // edge makes the second derivatives by direction infinite, this test still proves.
 #pragma once
 
+#include "solver/reference/interval/interval_mpfi.hpp"
 #include "solver/reference/interval/surface_enclosure.hpp"
 
 namespace plumb::reference {

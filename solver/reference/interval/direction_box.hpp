@@ -12,6 +12,7 @@
 
 #include "solver/reference/cover.hpp"
 #include "solver/reference/interval/enclosure.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
 
 namespace plumb::reference {
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/reference/interval/enclosure.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
 
 namespace plumb::reference {
 

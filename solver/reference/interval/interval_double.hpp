@@ -3,18 +3,22 @@
 // thread can break it.
 //
 // Trusted base: IEEE 754 arithmetic to nearest for + - * /, the square root and fma; powers come from these (double_power.hpp).
-// What verifies a stored proof uses interval.hpp and nothing else.
+// What verifies a stored proof uses interval_mpfi.hpp and nothing else.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <boost/numeric/interval.hpp>
+#include <boost/numeric/interval/arith.hpp>
+#include <boost/numeric/interval/arith2.hpp>
+#include <boost/numeric/interval/checking.hpp>
+#include <boost/numeric/interval/interval.hpp>
+#include <boost/numeric/interval/policies.hpp>
+#include <boost/numeric/interval/utility.hpp>
 #include <cmath>
 #include <limits>
 
 #include "solver/reference/interval/double_power.hpp"
 #include "solver/reference/interval/interval.hpp"
-#include "solver/reference/real.hpp"
 
 namespace plumb::reference {
 
@@ -133,18 +137,6 @@ template <>
 }
 
 template <>
-[[nodiscard]] inline Real50 low_as(const DoubleInterval& x) {
-  return {low(x)};
-}
-template <>
-[[nodiscard]] inline Real50 high_as(const DoubleInterval& x) {
-  return {high(x)};
-}
-template <>
-[[nodiscard]] inline Real50 middle(const DoubleInterval& x) {
-  return {(x.ends.lower() + x.ends.upper()) / 2};
-}
-template <>
 [[nodiscard]] inline DoubleInterval enclosing(const double& x) {
   return {x};
 }
@@ -153,11 +145,6 @@ template <>
   const auto near = static_cast<double>(x);
   return {near <= x ? near : OneStepOutward::down(near), near >= x ? near : OneStepOutward::up(near)};
 }
-template <>
-[[nodiscard]] inline DoubleInterval enclosing(const Real50& x) {
-  return {mpfr_get_d(x.backend().data(), MPFR_RNDD), mpfr_get_d(x.backend().data(), MPFR_RNDU)};
-}
-
 /// e log x is least and greatest at ends of both intervals, and exp grows.
 template <>
 [[nodiscard]] inline DoubleInterval positive_power(const DoubleInterval& x, const DoubleInterval& e) {
@@ -172,6 +159,11 @@ template <>
                                            times(high(e), to)};
   const auto [least, greatest] = std::minmax_element(products.begin(), products.end(), is_less);
   return {exp_from_below(*least), exp_from_above(*greatest)};
+}
+template <>
+[[nodiscard]] inline DoubleInterval positive_power_from_above(const DoubleInterval& x, const DoubleInterval& e) {
+  const TwoDoubles logarithm = log_of(high(x));
+  return {exp_from_above(times(logarithm.high < 0 ? low(e) : high(e), logarithm))};
 }
 
 }  // namespace plumb::reference

@@ -6,6 +6,8 @@
 
 #include "solver/reference/condition/sensitivity.hpp"
 #include "solver/reference/interval/enclosure.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
+#include "solver/reference/real.hpp"
 
 namespace plumb::reference {
 

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 
 #include "solver/reference/cover.hpp"
 #include "solver/reference/interval/interval.hpp"
-#include "solver/reference/real.hpp"
 
 namespace plumb::reference {
 
@@ -42,21 +40,6 @@ template <class I>
 template <class I>
 [[nodiscard]] I length_of(const IVec3<I>& v) {
   return root<I>(squared_length<I>(v));
-}
-
-/// Upper bound of |x - from| over the box of x; infinity where that has no bounds.
-template <class V>
-[[nodiscard]] double farthest(const Eigen::MatrixBase<V>& box, const Vec3<Real50>& from) {
-  using I = typename V::Scalar;
-  const double out = high(length_of<I>(box - enclosed<I>(from)));
-  return out == out ? out : std::numeric_limits<double>::infinity();
-}
-
-/// Upper bound of the angle (rad) between a unit vector and one of any length that ends within `chord` of it:
-/// asin(chord) <= chord + chord^3.
-[[nodiscard]] inline double angle_of_chord(double chord) {
-  using I = Interval18;
-  return chord <= 1 ? high(I(I(chord) + I(chord) * square<I>(I(chord)))) : std::numeric_limits<double>::infinity();
 }
 
 /// The chart points within `half` of a cell's middle.

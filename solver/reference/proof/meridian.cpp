@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/reference/interval/interval_double.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
 #include "solver/reference/meter.hpp"
 
 namespace plumb::reference {

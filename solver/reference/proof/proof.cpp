@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/reference/interval/digits.hpp"
 #include "solver/reference/proof/meridian.hpp"
 #include "solver/standard_arithmetic.hpp"
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/reference/interval/interval_mpfi.hpp"
 #include "solver/reference/interval/vector_interval.hpp"
 #include "solver/reference/reference.hpp"
 

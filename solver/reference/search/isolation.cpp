@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/reference/frame.hpp"
+#include "solver/reference/interval/digits.hpp"
 #include "solver/reference/proof/verify.hpp"
 
 namespace plumb::reference {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "solver/reference/interval/direction_box.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
 #include "solver/reference/search/chart_solve.hpp"
 #include "solver/reference/search/stationary.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "solver/reference/frame.hpp"
 #include "solver/reference/interval/chart_interval.hpp"
+#include "solver/reference/interval/digits.hpp"
 #include "solver/reference/interval/interval_double.hpp"
 #include "solver/reference/proof/verify.hpp"
 #include "solver/reference/search/stationary_point.hpp"

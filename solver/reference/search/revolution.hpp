@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/pose.hpp"
+#include "solver/reference/interval/interval_mpfi.hpp"
 #include "solver/reference/proof/meridian.hpp"
 
 namespace plumb::reference {

@@ -1,5 +1,6 @@
 // Centre distance at first touch: on the charts, the two normals opposite and p1 - p2 along the line. Its solution is
 // unique, for h_max is the least h1(n) + h2(-n) over the n with n.line = 1, a convex problem.
+#include "solver/reference/interval/digits.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/reference/search/refine.hpp"
 #include "solver/reference/touch/touch.hpp"

@@ -1,5 +1,7 @@
 #include "solver/reference/touch/proved_answer.hpp"
 
+#include "solver/reference/interval/digits.hpp"
+
 namespace plumb::reference {
 namespace {
 

@@ -16,6 +16,7 @@
 
 #include <string>
 
+#include "solver/reference/interval/interval_mpfi.hpp"
 #include "solver/reference/interval/surface_enclosure.hpp"
 #include "solver/reference/reference.hpp"
 
