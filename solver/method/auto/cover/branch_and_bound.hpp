@@ -1,6 +1,7 @@
 // The branch and bound for the lowest common normal. Its covers, each a way to divide the directions into cells:
 //
-// Latitudes    axes of revolution parallel, or nearly parallel (latitudes.hpp)
+// Latitudes    axes of revolution parallel, or parallel to rounding (latitudes.hpp)
+// Quadrangles  axes of revolution nearly parallel, not of ellipsoids (quadrangles.hpp)
 // Directions   all other pairs (directions.hpp)
 // Heights      ellipsoids, where the first of these does not come to an end (heights.hpp)
 //
@@ -84,12 +85,12 @@ template <class S, class Solver>
     using Directions = DirectionCover<S, Solver, by_directions>;
     return branch_and_bound<Directions>(solver, from, by_directions, RotationDerivative<S>::of(placed));
   };
-  if constexpr (!ends_by_heights)
-    if (const auto tilted = TiltedAxesBound<S>::of(placed))
-      return branch_and_bound<QuadrangleCover<S, Held>>(Held(solver, std::nullopt), first, budget::last_search, *tilted).lowest;
   const std::optional<ParallelAxesBound<S>> parallel = ParallelAxesBound<S>::of(placed);
-  const bool is_coaxial = parallel && parallel->is_coaxial();
   const Held held(solver, parallel ? parallel->circle_axis() : std::nullopt);
+  if constexpr (!ends_by_heights)
+    if (const std::optional<TiltedAxesBound<S>> tilted = TiltedAxesBound<S>::of(placed))
+      return branch_and_bound<QuadrangleCover<S, Held>>(held, first, budget::quadrangles, *tilted).lowest;
+  const bool is_coaxial = parallel && parallel->is_coaxial();
   const int by_latitudes = is_coaxial ? budget::last_search : budget::first_search;
   const Searched<Answer> found = parallel
                                      ? branch_and_bound<LatitudeCover<S, Held>>(held, first, by_latitudes, *parallel)

@@ -1,7 +1,8 @@
 // A cover of quadrangles of latitude and longitude, for two bodies of revolution about axes that are nearly parallel.
 //
-// Around a circle of latitude o is level to the tilt, and a groove in latitude is as narrow as the tilt. tilted_axes_bound.hpp
-// loses the square of a quadrangle's latitudes, and of the tilt times its longitudes: those are divided whose share is larger.
+// Around a circle of latitude o is level to the tilt, and a groove in latitude is as narrow as the tilt: squares would be as many as
+// 1 / tilt. tilted_axes_bound.hpp loses the square of a quadrangle's latitudes, and of the tilt times its longitudes: those are
+// divided that lose more.
 //
 // Cells      from latitude to latitude, a straight piece of (x, z) each from the axis to across it; longitudes the same
 // Excluded   where the bound of the cell above says so; the cell of the lowest bound comes first
@@ -25,7 +26,8 @@ class QuadrangleCover {
   QuadrangleCover(Incumbent& incumbent, const TiltedAxesBound<S>& bound) : incumbent_(incumbent), bound_(bound) {}
 
   void start() {
-    for (const double latitude : {0.5, 1.5}) cells_[count_++] = {S(0), {S(latitude), S(0.5)}, {S(2), S(2)}, {S(1), S(0)}};
+    for (const double latitude : {0.5, 1.5})
+      cells_[count_++] = {S(0), {S(latitude), S(0.5)}, {S(2), S(2)}, {S(1), S(0)}};
   }
   [[nodiscard]] bool is_empty() const { return count_ == 0 || cells_[0].bound >= incumbent_.excluded_overlap(); }
   [[nodiscard]] bool has_left_out() const { return has_left_out_; }
@@ -36,7 +38,7 @@ class QuadrangleCover {
   }
 
  private:
-  static constexpr std::size_t most_cells = budget::last_search + 2;
+  static constexpr std::size_t most_cells = budget::quadrangles + 2;
 
   struct Range {
     S middle, half;
@@ -62,7 +64,8 @@ class QuadrangleCover {
     using std::sqrt;
     const bool is_half = !(t < S(2));
     const S of_half = is_half ? t - S(2) : t;
-    const Across<S> at = of_half < S(1) ? Across<S>{S(1) - of_half, of_half} : Across<S>{S(1) - of_half, S(2) - of_half};
+    const Across<S> at =
+        of_half < S(1) ? Across<S>{S(1) - of_half, of_half} : Across<S>{S(1) - of_half, S(2) - of_half};
     const S scale = (is_half ? S(-1) : S(1)) / sqrt(dot(at, at));
     return {at.e * scale, at.f * scale};
   }
@@ -74,25 +77,40 @@ class QuadrangleCover {
   [[nodiscard]] static bool is_higher(const Cell& a, const Cell& b) { return a.bound > b.bound; }
   [[nodiscard]] auto end() { return cells_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
+  using Witness = typename TiltedAxesBound<S>::Witness;
+
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): a copy, for its place is taken by its halves
   void look_at(const Cell cell) {
     const Latitude<S> at = latitude(cell.latitudes.middle);
-    const Witness witness = cell.longitudes.half > S(1) ? bound_.witness_around(at) : bound_.witness(at, cell.lowest);
+    const Witness witness = is_around(cell) ? bound_.witness_around(at) : bound_.witness(at, cell.lowest);
     const Vector3<S> v = bound_.direction(at, cell.lowest);
     incumbent_.sees_lower(v, incumbent_.farthest(v));
-    const bool is_wide = cell.latitudes.half > cell.longitudes.half * std::min(bound_.tilt(), at.x);
-    if ((is_wide ? cell.latitudes : cell.longitudes).half < S(4) * epsilon<S>()) {
+    const bool by_latitudes = loses_by_latitudes(cell, at, witness);
+    if ((by_latitudes ? cell.latitudes : cell.longitudes).half < S(4) * epsilon<S>()) {
       has_left_out_ = true;
       return;
     }
     for (const int side : {-1, 1}) {
       Cell part = cell;
-      Range& divided = is_wide ? part.latitudes : part.longitudes;
+      Range& divided = by_latitudes ? part.latitudes : part.longitudes;
       divided = divided.part(side);
       push(part, witness);
     }
   }
 
-  using Witness = typename TiltedAxesBound<S>::Witness;
+  [[nodiscard]] static bool is_around(const Cell& cell) { return cell.longitudes.half > S(1); }
+
+  /// Whether the witness loses more at the ends of the latitudes than at those of the longitudes.
+  [[nodiscard]] bool loses_by_latitudes(const Cell& cell, const Latitude<S>& at, const Witness& witness) const {
+    if (is_around(cell)) return cell.latitudes.half > cell.longitudes.half * std::min(bound_.tilt(), at.x);
+    const auto loss = [&](const Latitude<S>& l, const Across<S>& u) {
+      return bound_.witness(l, u).height(l, {u, u, false}) - witness.height(l, {u, u, false});
+    };
+    const Arc<S> ends = arc(cell.longitudes);
+    return std::max(loss(latitude(cell.latitudes.from()), cell.lowest),
+                    loss(latitude(cell.latitudes.to()), cell.lowest)) >=
+           std::max(loss(at, ends.from), loss(at, ends.to));
+  }
 
   void push(Cell cell, const Witness& witness) {
     const Latitude<S> from = latitude(cell.latitudes.from()), to = latitude(cell.latitudes.to());

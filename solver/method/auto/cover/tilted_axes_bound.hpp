@@ -110,8 +110,7 @@ class TiltedAxesBound {
   TiltedAxesBound(const PlacedPair<S>& pair, detail::Revolution kind1, detail::Revolution kind2)
       : meridian1_(pair.body1.shape, kind1), meridian2_(pair.body2.shape, kind2) {
     const Vector3<S> first = Vector3<S>::of(detail::axis_of(pair.body1, kind1)),
-                     second = Vector3<S>::of(detail::axis_of(pair.body2, kind2)),
-                     c = Vector3<S>::of(pair.body2.centre);
+                     second = Vector3<S>::of(detail::axis_of(pair.body2, kind2)), c = Vector3<S>::of(pair.body2.centre);
     axis_ = dot(first, c) < S(0) ? first * S(-1) : first;
     height_ = dot(axis_, c);
     const Vector3<S> other = dot(axis_, second) < S(0) ? second * S(-1) : second, turn = cross(axis_, other);

@@ -29,6 +29,7 @@ struct Attempt {
   bool line_search = false;
   double cap = std::numeric_limits<double>::infinity(), growth = 1;
   AttemptBy by = AttemptBy::newton;
+  bool is_at_minimum = false;  ///< the start is one to rounding: no step has to descend
 };
 
 namespace attempts {
@@ -59,8 +60,9 @@ struct SearchAttempt {
   Attempts worth;
   Attempt attempt;
 };
-inline constexpr std::array<SearchAttempt, 5> of_search{
+inline constexpr std::array<SearchAttempt, 6> of_search{
     {{Attempts::one, {.start = StartPoint::normal, .limit = budget::first_steps}},
+     {Attempts::all, {.start = StartPoint::normal, .limit = budget::first_steps, .is_at_minimum = true}},
      {Attempts::several, {.start = StartPoint::middle, .limit = budget::first_steps}},
      {Attempts::several, descent},
      {Attempts::all, {.start = StartPoint::normal, .limit = 30, .line_search = true}},

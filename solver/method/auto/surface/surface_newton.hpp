@@ -105,6 +105,7 @@ class SurfaceNewton {
 
   /// The least second derivative of o, without its own part: on a circle of minima across it, for along it that is zero.
   [[nodiscard]] S bend() const {
+    if (attempt_.is_at_minimum) return std::numeric_limits<S>::infinity();
     const PlaneHessian<S> h = hessian_of(pair_, *f_);
     return largest(axis_) > S(0) ? h.along(dot(axis_, f_->across[0]), dot(axis_, f_->across[1])) : h.lower_eigenvalue();
   }

@@ -32,7 +32,7 @@ class SurfaceSolver {
     const Vector3<S> n = v * (S(1) / length(v));
     const S highest = dot(farthest(n), n) + tolerance::uphill.of<S>() * pair.size;
     for (const attempts::SearchAttempt& row : attempts::of_search) {
-      if (row.worth > worth) break;
+      if (row.worth > worth) continue;
       if (finds(n, row.attempt, out) && (row.attempt.by == AttemptBy::descent || out.overlap <= highest)) return out;
     }
     out.status = Status::stalled;

@@ -1,0 +1,64 @@
+// Bodies of revolution about nearly one axis, deep in one another: o is level to the tilt around a ring. `auto` loses few of them, knows
+// soon which, and what it answers lies between the reference's bounds.
+#include <gtest/gtest.h>
+
+#include "properties/generators/draft.hpp"
+#include "properties/tests/draws.hpp"
+#include "solver/method/methods.hpp"
+#include "solver/reference/reference.hpp"
+
+namespace plumb {
+namespace {
+
+/// Of revolution about its third axis.
+Superellipsoid<double> draw_turned(Stream& stream) {
+  const double across = stream.log_uniform(0.3, 1), along = stream.log_uniform(0.3, 1);
+  const double n1 = stream.chance(0.3) ? 2.0 : stream.log_uniform(1.3, 10);
+  return {Vec3<double>(across, across, along), n1, 2};
+}
+
+/// Tilted and set off across the axis by 1e-12 to 1e-1 (rad, sizes).
+Pair draw_near_coaxial(std::uint64_t index) {
+  Stream stream("near coaxial", 1, index);
+  const auto across = [&] {
+    return Vec3<double>(random_direction(stream).cwiseProduct(Vec3<double>(1, 1, 0)).normalized());
+  };
+  Pair out;
+  out.body1.shape = draw_turned(stream);
+  out.body2.shape = draw_turned(stream);
+  out.body1.quaternion = random_rotation(stream);
+  const double tilt = stream.log_uniform(1e-12, 1e-1), offset = stream.log_uniform(1e-12, 1e-1);
+  out.body2.quaternion = product(out.body1.quaternion, turn(across(), tilt));
+  const double reach = out.body1.shape.semi_axes[2] + out.body2.shape.semi_axes[2];
+  const Vec3<double> local = across() * offset + Vec3<double>::UnitZ() * (stream.uniform(0, 0.9) * reach);
+  out.body2.position = rotation<double>(out.body1.quaternion) * local;
+  return out;
+}
+
+TEST(NearCoaxial, FewAreLostAndThoseSoon) {
+  const int most_evaluations = 650;
+  const std::uint64_t pairs = draws(10'000);
+  std::uint64_t lost = 0;
+  for (std::uint64_t i = 0; i < pairs; ++i) {
+    const Contact<double> found = find_method("auto")->solve(draw_near_coaxial(i), {}, nullptr);
+    if (found.status == Status::converged) continue;
+    ++lost;
+    EXPECT_LE(found.evaluations, most_evaluations) << i;
+  }
+  EXPECT_LT(100 * lost, pairs);
+}
+
+TEST(NearCoaxial, AnswersLieBetweenTheReferencesBounds) {
+  for (std::uint64_t i = 0; i < draws(3000, 300); ++i) {
+    const Pair pair = draw_near_coaxial(i);
+    const Contact<double> found = find_method("auto")->solve(pair, {}, nullptr);
+    if (found.status != Status::converged) continue;
+    const Bounds truth = find_reference(pair, Effort::bounds).overlap;
+    const double rounding = 64 * epsilon<double>() * size_of(pair);
+    EXPECT_GE(found.overlap, truth.lower - rounding) << i;
+    EXPECT_LE(found.overlap, truth.upper + rounding) << i;
+  }
+}
+
+}  // namespace
+}  // namespace plumb
