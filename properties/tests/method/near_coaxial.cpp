@@ -5,7 +5,9 @@
 #include "properties/generators/draft.hpp"
 #include "properties/tests/draws.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/pose.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/scalar.hpp"
 
 namespace plumb {
 namespace {
