@@ -13,7 +13,7 @@ namespace plumb {
 namespace {
 
 /// Of revolution about its third axis.
-Superellipsoid<double> draw_turned(Stream& stream) {
+Superellipsoid<double> draw_revolved(Stream& stream) {
   const double across = stream.log_uniform(0.3, 1), along = stream.log_uniform(0.3, 1);
   const double n1 = stream.chance(0.3) ? 2.0 : stream.log_uniform(1.3, 10);
   return {Vec3<double>(across, across, along), n1, 2};
@@ -26,8 +26,8 @@ Pair draw_near_coaxial(std::uint64_t index) {
     return Vec3<double>(random_direction(stream).cwiseProduct(Vec3<double>(1, 1, 0)).normalized());
   };
   Pair out;
-  out.body1.shape = draw_turned(stream);
-  out.body2.shape = draw_turned(stream);
+  out.body1.shape = draw_revolved(stream);
+  out.body2.shape = draw_revolved(stream);
   out.body1.quaternion = random_rotation(stream);
   const double tilt = stream.log_uniform(1e-12, 1e-1), offset = stream.log_uniform(1e-12, 1e-1);
   out.body2.quaternion = product(out.body1.quaternion, turn(across(), tilt));

@@ -84,7 +84,7 @@ class QuadrangleCover {
     const Latitude<S> at = latitude(cell.latitudes.middle);
     const Witness witness = is_around(cell) ? bound_.witness_around(at) : bound_.witness(at, cell.lowest);
     const Vector3<S> v = bound_.direction(at, cell.lowest);
-    incumbent_.sees_lower(v, incumbent_.farthest(v));
+    (void)incumbent_.sees_lower(v, incumbent_.farthest(v));
     const bool by_latitudes = loses_by_latitudes(cell, at, witness);
     if ((by_latitudes ? cell.latitudes : cell.longitudes).half < S(4) * epsilon<S>()) {
       has_left_out_ = true;
