@@ -39,7 +39,9 @@ async function shoot(browser, width, dark) {
   await page.addStyleTag({
     content: ".bar { position: static !important; } html { scroll-behavior: auto !important; }",
   });
-  for (const id of await page.$$eval("main > section", (sections) => sections.map((section) => section.id))) {
+  for (const id of await page.$$eval("main > section", (sections) =>
+    sections.map((section) => section.id).filter(Boolean),
+  )) {
     await page.setViewport({ width, height: ["study", "fem"].includes(id) ? LONGEST : 4000 });
     await page.evaluate((target) => {
       const section = document.getElementById(target);
