@@ -38,7 +38,8 @@ struct Bounded {
   double rounding;
 
   Bounded(Stream& stream, double tilt)
-      : placed(place<double>(draw_parallel(stream, tilt).pair)), bound(Tilted::of(placed)),
+      : placed(place<double>(draw_parallel(stream, tilt).pair)),
+        bound(Tilted::is_for(placed) ? std::optional<Tilted>(placed) : std::nullopt),
         rounding(1e-15 * (4 + placed.body2.shape.semi_axes.maxCoeff())) {}
 };
 

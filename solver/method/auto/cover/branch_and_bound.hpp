@@ -72,6 +72,14 @@ struct WithoutRotation {
   }
 };
 
+/// For axes that TiltedAxesBound is for. Not inlined: the bound is on the stack, and not there in other searches.
+template <class S, class Solver>
+[[nodiscard, gnu::noinline]] typename Solver::Answer
+lowest_by_quadrangles(const Solver& solver, const PlacedPair<S>& placed, const typename Solver::Answer& first) {
+  using Quadrangles = QuadrangleCover<S, Solver>;
+  return branch_and_bound<Quadrangles>(solver, first, budget::quadrangles, TiltedAxesBound<S>(placed)).lowest;
+}
+
 /// The lowest common normal from `first` on: by latitudes where the axes are parallel, by directions else, and where that
 /// does not come to an end by the cover that suits the solver.
 template <class S, class Solver>
@@ -88,8 +96,7 @@ template <class S, class Solver>
   const std::optional<ParallelAxesBound<S>> parallel = ParallelAxesBound<S>::of(placed);
   const Held held(solver, parallel ? parallel->circle_axis() : std::nullopt);
   if constexpr (!ends_by_heights)
-    if (const std::optional<TiltedAxesBound<S>> tilted = TiltedAxesBound<S>::of(placed))
-      return branch_and_bound<QuadrangleCover<S, Held>>(held, first, budget::quadrangles, *tilted).lowest;
+    if (TiltedAxesBound<S>::is_for(placed)) return lowest_by_quadrangles<S>(held, placed, first);
   const bool is_coaxial = parallel && parallel->is_coaxial();
   const int by_latitudes = is_coaxial ? budget::last_search : budget::first_search;
   const Searched<Answer> found = parallel

@@ -12,8 +12,6 @@
 // longitude's times the tilt: not the square of the longitude's own.
 #pragma once
 
-#include <optional>
-
 #include "solver/method/auto/cover/parallel_axes_bound.hpp"
 
 namespace plumb {
@@ -49,16 +47,20 @@ struct Arc {
 template <class S>
 class TiltedAxesBound {
  public:
-  /// None where a body is not of revolution about one axis, or the tilt is zero or large.
-  [[nodiscard]] static std::optional<TiltedAxesBound> of(const PlacedPair<S>& pair) {
+  /// Whether both bodies are of revolution about one axis, with a tilt that is neither zero nor large.
+  [[nodiscard, gnu::noinline]] static bool is_for(const PlacedPair<S>& pair) {
     using detail::Revolution;
-    const Revolution kind1 = detail::revolution_of(pair.body1.shape), kind2 = detail::revolution_of(pair.body2.shape);
-    for (const Revolution kind : {kind1, kind2})
-      if (kind == Revolution::none || kind == Revolution::about_all) return std::nullopt;
-    const TiltedAxesBound out(pair, kind1, kind2);
-    if (!(out.tilt_ > S(0)) || out.tilt_ > S(tolerance::small_tilt)) return std::nullopt;
-    return out;
+    for (const auto* body : {&pair.body1, &pair.body2}) {
+      const Revolution kind = detail::revolution_of(body->shape);
+      if (kind == Revolution::none || kind == Revolution::about_all) return false;
+    }
+    const S tilt = TiltedAxesBound(pair).tilt_;
+    return tilt > S(0) && tilt <= S(tolerance::small_tilt);
   }
+
+  /// Of a pair that it is for.
+  explicit TiltedAxesBound(const PlacedPair<S>& pair)
+      : TiltedAxesBound(pair, detail::revolution_of(pair.body1.shape), detail::revolution_of(pair.body2.shape)) {}
 
   [[nodiscard]] const S& tilt() const { return tilt_; }
 
