@@ -18,6 +18,7 @@
 #include <cstdint>
 
 #include "solver/method/auto/budgets.hpp"
+#include "solver/method/auto/cover/cell_heap.hpp"
 #include "solver/method/auto/cover/incumbent.hpp"
 #include "solver/method/auto/cover/sphere_minimum.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoids.hpp"
@@ -32,10 +33,10 @@ class HeightCover {
   HeightCover(Incumbent& incumbent, const EllipsoidPair<S>& pair) : incumbent_(incumbent), pair_(pair) {}
 
   void start() { push(whole()); }
-  [[nodiscard]] bool is_empty() const { return count_ == 0 || cells_[0].bound >= incumbent_.excluded_overlap(); }
+  [[nodiscard]] bool is_empty() const { return cells_.is_above(incumbent_.excluded_overlap()); }
   [[nodiscard]] static bool has_left_out() { return false; }
 
-  void look_at_next() { look_at(pop().ends); }
+  void look_at_next() { look_at(cells_.pop().ends); }
 
  private:
   // Each that is looked at becomes two, by one more height.
@@ -106,24 +107,14 @@ class HeightCover {
     return out;
   }
 
-  [[nodiscard]] static bool is_higher(const Cell& a, const Cell& b) { return a.bound > b.bound; }
-
   void push(const Ends& ends) {
     const Rectangle cell = rectangle(ends);
     const Seen seen = see(cell);
     const S bound =
         sum<S>(seen.there.h) - dot(seen.n, pair_.c) - cell.of1.loss(seen.height1) - cell.of2.loss(seen.height2);
     if (bound >= incumbent_.excluded_overlap()) return;
-    cells_[count_++] = {bound, ends};
-    std::push_heap(cells_.begin(), end(), is_higher);
+    cells_.push({bound, ends});
   }
-
-  [[nodiscard]] Cell pop() {
-    std::pop_heap(cells_.begin(), end(), is_higher);
-    return cells_[--count_];
-  }
-
-  [[nodiscard]] auto end() { return cells_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
   void look_at(const Ends& ends) {
     const Rectangle cell = rectangle(ends);
@@ -141,9 +132,9 @@ class HeightCover {
 
   Incumbent& incumbent_;
   const EllipsoidPair<S>& pair_;
-  std::array<Cell, most_cells> cells_;
+  CellHeap<Cell, most_cells> cells_;
   std::array<S, most_heights> heights_;
-  std::size_t count_ = 0, height_count_ = 0;
+  std::size_t height_count_ = 0;
 };
 
 }  // namespace plumb

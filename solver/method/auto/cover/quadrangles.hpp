@@ -10,9 +10,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include "solver/method/auto/budgets.hpp"
+#include "solver/method/auto/cover/cell_heap.hpp"
 #include "solver/method/auto/cover/incumbent.hpp"
 #include "solver/method/auto/cover/tilted_axes_bound.hpp"
 
@@ -26,16 +26,12 @@ class QuadrangleCover {
   QuadrangleCover(Incumbent& incumbent, const TiltedAxesBound<S>& bound) : incumbent_(incumbent), bound_(bound) {}
 
   void start() {
-    for (const double latitude : {0.5, 1.5})
-      cells_[count_++] = {S(0), {S(latitude), S(0.5)}, {S(2), S(2)}, {S(1), S(0)}};
+    for (const double latitude : {0.5, 1.5}) cells_.push({S(0), {S(latitude), S(0.5)}, {S(2), S(2)}, {S(1), S(0)}});
   }
-  [[nodiscard]] bool is_empty() const { return count_ == 0 || cells_[0].bound >= incumbent_.excluded_overlap(); }
+  [[nodiscard]] bool is_empty() const { return cells_.is_above(incumbent_.excluded_overlap()); }
   [[nodiscard]] bool has_left_out() const { return has_left_out_; }
 
-  void look_at_next() {
-    std::pop_heap(cells_.begin(), end(), is_higher);
-    look_at(cells_[--count_]);
-  }
+  void look_at_next() { look_at(cells_.pop()); }
 
  private:
   static constexpr std::size_t most_cells = budget::quadrangles + 2;
@@ -74,13 +70,9 @@ class QuadrangleCover {
     return {longitude(longitudes.from()), longitude(longitudes.to()), longitudes.half > S(1)};
   }
 
-  [[nodiscard]] static bool is_higher(const Cell& a, const Cell& b) { return a.bound > b.bound; }
-  [[nodiscard]] auto end() { return cells_.begin() + static_cast<std::ptrdiff_t>(count_); }
-
   using Witness = typename TiltedAxesBound<S>::Witness;
 
-  // NOLINTNEXTLINE(performance-unnecessary-value-param): a copy, for its place is taken by its halves
-  void look_at(const Cell cell) {
+  void look_at(const Cell& cell) {
     const Latitude<S> at = latitude(cell.latitudes.middle);
     const Witness witness = is_around(cell) ? bound_.witness_around(at) : bound_.witness(at, cell.lowest);
     const Vector3<S> v = bound_.direction(at, cell.lowest);
@@ -119,14 +111,12 @@ class QuadrangleCover {
     cell.bound = std::max(cell.bound, std::min(witness.height(from, around), witness.height(to, around)));
     if (cell.bound >= incumbent_.excluded_overlap()) return;
     cell.lowest = around.nearest(witness.sideways(latitude(cell.latitudes.middle)));
-    cells_[count_++] = cell;
-    std::push_heap(cells_.begin(), end(), is_higher);
+    cells_.push(cell);
   }
 
   Incumbent& incumbent_;
   const TiltedAxesBound<S>& bound_;
-  std::array<Cell, most_cells> cells_;
-  std::size_t count_ = 0;
+  CellHeap<Cell, most_cells> cells_;
   bool has_left_out_ = false;
 };
 
