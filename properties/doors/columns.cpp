@@ -1,5 +1,8 @@
 #include "properties/doors/columns.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace plumb {
 
 PairColumns::PairColumns(std::span<const Pair> pairs) {
@@ -50,6 +53,12 @@ Contact<double> ContactColumns::at(std::size_t i) const {
   out.contact_point = vector(contact_point);
   out.iterations = iterations[i];
   out.evaluations = evaluations[i];
+  return out;
+}
+
+std::vector<InstructionSet> available_instruction_sets() {
+  std::vector<InstructionSet> out;
+  std::copy_if(instruction_sets.begin(), instruction_sets.end(), std::back_inserter(out), is_available);
   return out;
 }
 

@@ -35,4 +35,7 @@ struct ContactColumns {
   std::vector<int> iterations, evaluations;
 };
 
+/// Those that this machine runs, the narrowest first.
+[[nodiscard]] std::vector<InstructionSet> available_instruction_sets();
+
 }  // namespace plumb

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <limits>
 
 #include "corpus/command/interrupt.hpp"
@@ -51,24 +50,19 @@ class Race {
   BatchReport report_;
 };
 
-std::vector<InstructionSet> sets() {
-  std::vector<InstructionSet> out;
-  std::copy_if(instruction_sets.begin(), instruction_sets.end(), std::back_inserter(out), is_available);
-  return out;
-}
-
 }  // namespace
 
 std::vector<BatchMeasurement> measure_batches(std::span<const Pair> pairs, int repeats) {
   Race race(pairs);
   double loop_ns = std::numeric_limits<double>::infinity();
   std::vector<BatchMeasurement> out;
-  for (const InstructionSet set : sets()) out.push_back({name(set), loop_ns, 0, 0});
+  const std::vector<InstructionSet> sets = available_instruction_sets();
+  for (const InstructionSet set : sets) out.push_back({name(set), loop_ns, 0, 0});
   // A hundred turns are a tenth of a second or so.
   for (int i = 0; i < 20 * repeats && !interrupted(); ++i) {
     loop_ns = std::min(loop_ns, race.loop());
     for (std::size_t k = 0; k < out.size(); ++k) {
-      out[k].ns = std::min(out[k].ns, race.batch(sets()[k]));
+      out[k].ns = std::min(out[k].ns, race.batch(sets[k]));
       out[k].alone = race.share_alone();
     }
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <set>
 
@@ -17,12 +16,6 @@
 
 namespace plumb {
 namespace {
-
-std::vector<InstructionSet> sets() {
-  std::vector<InstructionSet> out;
-  std::copy_if(instruction_sets.begin(), instruction_sets.end(), std::back_inserter(out), is_available);
-  return out;
-}
 
 std::vector<Pair> pairs_of(std::string_view family, std::size_t count) {
   std::vector<Pair> out;
@@ -62,7 +55,7 @@ bool are_ellipsoids(const Pair& pair) {
 TEST(Batch, EllipsoidsHaveTheBitsOfAuto) {
   for (const std::string_view family : {"spheroid", "ellipsoid"}) {
     const std::vector<Pair> pairs = pairs_of(family, 1000);
-    for (const InstructionSet set : sets()) {
+    for (const InstructionSet set : available_instruction_sets()) {
       const ContactColumns batch = solved(pairs, set);
       for (std::size_t i = 0; i < pairs.size(); ++i)
         ASSERT_TRUE(same(batch.at(i), solved_alone(pairs[i]))) << family << ' ' << i << ' ' << name(set);
@@ -74,7 +67,7 @@ TEST(Batch, EllipsoidsHaveTheBitsOfAuto) {
 /// conditioned (it is, by 1) that is all there is.
 TEST(Batch, OtherExponentsHaveTheOverlapOfAutoToRounding) {
   const std::vector<Pair> pairs = pairs_of("superquadric", 1000);
-  for (const InstructionSet set : sets()) {
+  for (const InstructionSet set : available_instruction_sets()) {
     const ContactColumns batch = solved(pairs, set);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const Contact<double> alone = solved_alone(pairs[i]);
@@ -97,7 +90,7 @@ TEST(Batch, EveryInstructionSetHasTheSameBits) {
 
 TEST(Batch, AnyNumberOfPairs) {
   const std::vector<Pair> all = pairs_of("ellipsoid", 67);
-  for (const InstructionSet set : sets()) {
+  for (const InstructionSet set : available_instruction_sets()) {
     const auto width = static_cast<std::size_t>(lanes(set));
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, width - 1, width, width + 1, std::size_t{63},
                                     std::size_t{64}, std::size_t{65}, std::size_t{67}}) {
@@ -131,7 +124,7 @@ std::vector<Pair> mixed_pairs() {
 
 TEST(Batch, NoPairTouchesAnother) {
   const std::vector<Pair> pairs = mixed_pairs();
-  for (const InstructionSet set : sets()) {
+  for (const InstructionSet set : available_instruction_sets()) {
     const ContactColumns batch = solved(pairs, set);
     std::vector<Pair> turned = pairs;
     std::reverse(turned.begin(), turned.end());
@@ -146,7 +139,7 @@ TEST(Batch, NoPairTouchesAnother) {
 
 TEST(Batch, MixedPairsHaveTheStatusOfAuto) {
   const std::vector<Pair> pairs = mixed_pairs();
-  for (const InstructionSet set : sets()) {
+  for (const InstructionSet set : available_instruction_sets()) {
     const ContactColumns batch = solved(pairs, set);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const Contact<double> alone = solved_alone(pairs[i]);
@@ -163,7 +156,7 @@ TEST(Batch, TheLimitsOfWantHold) {
   const std::vector<Pair> pairs = pairs_of("ellipsoid", 50);
   for (const Want want :
        {Want{.iteration_limit = 2}, Want{.iteration_limit = 0}, Want{.tolerance = 1e-3}, Want{.tolerance = 1e-17}})
-    for (const InstructionSet set : sets()) {
+    for (const InstructionSet set : available_instruction_sets()) {
       const ContactColumns batch = solved(pairs, set, want);
       for (std::size_t i = 0; i < pairs.size(); ++i)
         ASSERT_TRUE(same(batch.at(i), find_method("auto")->solve(pairs[i], want, nullptr)))
@@ -221,7 +214,7 @@ TEST(Batch, NoHeap) {
   const std::vector<Pair> pairs = mixed_pairs();
   const PairColumns columns(pairs);
   ContactColumns out(pairs.size());
-  for (const InstructionSet set : sets()) {
+  for (const InstructionSet set : available_instruction_sets()) {
     const long before = allocations;
     const BatchReport report = solve_batch(columns.arrays(), {}, out.arrays(), set);
     ASSERT_EQ(allocations, before);

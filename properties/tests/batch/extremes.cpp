@@ -26,8 +26,7 @@ bool has_same_bits(const Contact<double>& a, const Contact<double>& b) {
 template <class Check>
 void compare(const std::vector<Pair>& pairs, const Check& check) {
   const PairColumns columns(pairs);
-  for (const InstructionSet set : instruction_sets) {
-    if (!is_available(set)) continue;
+  for (const InstructionSet set : available_instruction_sets()) {
     ContactColumns batch(pairs.size());
     ASSERT_EQ(solve_batch(columns.arrays(), {}, batch.arrays(), set).error, BatchError::none);
     for (std::size_t i = 0; i < pairs.size(); ++i)
