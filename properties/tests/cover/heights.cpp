@@ -1,7 +1,7 @@
 // The cover of two ellipsoids' support heights: no pair of heights is left out, and what it excludes is not lower.
 #include "solver/method/auto/cover/heights.hpp"
 
-#include "properties/tests/method/covers.hpp"
+#include "properties/tests/cover/covers.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb::heights_tests {

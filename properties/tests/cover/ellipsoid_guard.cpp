@@ -8,7 +8,7 @@
 
 #include "properties/generators/draft.hpp"
 #include "properties/generators/generators.hpp"
-#include "properties/tests/method/covers.hpp"
+#include "properties/tests/cover/covers.hpp"
 #include "solver/method/auto/ellipsoid/ellipsoid_solver.hpp"
 #include "solver/shape/superellipsoid.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "properties/generators/draft.hpp"
 #include "properties/generators/generators.hpp"
-#include "properties/tests/method/covers.hpp"
+#include "properties/tests/cover/covers.hpp"
 #include "solver/method/auto/surface/surface_solver.hpp"
 
 namespace plumb::surface_guard_tests {

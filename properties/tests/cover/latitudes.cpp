@@ -2,7 +2,7 @@
 // lower.
 #include "solver/method/auto/cover/latitudes.hpp"
 
-#include "properties/tests/method/covers.hpp"
+#include "properties/tests/cover/covers.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb::latitudes_tests {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "properties/tests/method/turned_pairs.hpp"
+#include "properties/tests/cover/turned_pairs.hpp"
 
 namespace plumb::parallel_axes_tests {
 namespace {

@@ -1,7 +1,7 @@
 // The cover of all directions: its cells leave no direction out, and what it excludes is not lower.
 #include "solver/method/auto/cover/directions.hpp"
 
-#include "properties/tests/method/covers.hpp"
+#include "properties/tests/cover/covers.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb::directions_tests {
