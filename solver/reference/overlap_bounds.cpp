@@ -12,7 +12,7 @@
 namespace plumb::reference {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nothing_proved = -std::numeric_limits<double>::infinity();
 constexpr double worthwhile_gap = 1e-12;  // relative to the size
 
 /// A pair, and what may be the contact of lowest overlap.
@@ -34,7 +34,7 @@ double lower_bound_apart(const Bounded& on) {
   const Vec3<double> centre = Vec3<double>::Zero();
   for (const Witness& points : {on.points, Witness{centre, centre}})
     if (const auto least = least_overlap_apart<DoubleInterval>(on.enclosed, points)) return low(*least);
-  return -infinity;
+  return nothing_proved;
 }
 
 /// By a cover of all directions.
@@ -45,7 +45,7 @@ double lower_bound_overlapping(const Bounded& on, double level, int cells) {
   const CoverLimits limits{worthwhile_gap, cells};
   const Cover cover = search_cover(on.rough, on.frame, level, {unproved}, limits, ask_nobody).cover;
   const CoverProof proof = verify_cover<DoubleInterval>(on.framed, cover, level);
-  return proof.well_formed && proof.excluded ? std::min(level, proof.least_open) : -infinity;
+  return proof.well_formed && proof.excluded ? std::min(level, proof.least_open) : nothing_proved;
 }
 
 }  // namespace

@@ -373,6 +373,7 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
           framed.pair.centre - point_at(framed.pair.body2, framed.to_q2)};
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a type takes none
 #define PLUMB_INSTANTIATE_VERIFY(I)                                                                     \
   template struct FramedPair<I>;                                                                        \
   template CoverProof verify_cover(const FramedPair<I>&, const EnclosedPair<I>&, const Cover&, double); \
@@ -386,5 +387,6 @@ DirectionEnclosure<I> enclose_direction(const FramedPair<I>& framed, const IVec3
   template std::optional<I> least_overlap_apart(const EnclosedPair<I>&, const Witness&);                \
   template DirectionEnclosure<I> enclose_direction(const FramedPair<I>&, const IVec3<I>&);              \
   template std::optional<IVec3<I>> points_apart(const EnclosedPair<I>&, const Witness&);
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace plumb::reference
