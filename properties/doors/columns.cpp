@@ -30,14 +30,19 @@ BodyArrays PairColumns::arrays(const Columns& of) {
 
 ContactColumns::ContactColumns(std::size_t size)
     : status(size), verdict(size), overlap(size), iterations(size), evaluations(size) {
-  for (auto* vector : {&normal, &point1, &point2, &contact_point})
+  for (auto* vector : {&normal, &point1, &point2, &contact_point, &chart1, &chart2})
     for (auto& component : *vector) component.resize(size);
 }
 
 ContactArrays ContactColumns::arrays() {
   const auto spans = [](auto& v) { return std::array<std::span<double>, 3>{v[0], v[1], v[2]}; };
-  return {status,     verdict,    overlap, spans(normal), spans(point1), spans(point2), spans(contact_point),
-          iterations, evaluations};
+  return {status,     verdict,     overlap,       spans(normal), spans(point1), spans(point2), spans(contact_point),
+          iterations, evaluations, spans(chart1), spans(chart2)};
+}
+
+ChartArrays ContactColumns::charts() const {
+  const auto spans = [](const auto& v) { return std::array<std::span<const double>, 3>{v[0], v[1], v[2]}; };
+  return {spans(chart1), spans(chart2)};
 }
 
 Contact<double> ContactColumns::at(std::size_t i) const {
@@ -51,6 +56,8 @@ Contact<double> ContactColumns::at(std::size_t i) const {
   out.point1 = vector(point1);
   out.point2 = vector(point2);
   out.contact_point = vector(contact_point);
+  out.chart1 = vector(chart1);
+  out.chart2 = vector(chart2);
   out.iterations = iterations[i];
   out.evaluations = evaluations[i];
   return out;

@@ -25,13 +25,15 @@ class PairColumns {
 struct ContactColumns {
   explicit ContactColumns(std::size_t size);
   [[nodiscard]] ContactArrays arrays();
+  /// Where a step that follows starts.
+  [[nodiscard]] ChartArrays charts() const;
   /// Those of one pair; the fields that a batch does not have are as in Contact().
   [[nodiscard]] Contact<double> at(std::size_t i) const;
 
   std::vector<Status> status;
   std::vector<Verdict> verdict;
   std::vector<double> overlap;
-  std::array<std::vector<double>, 3> normal, point1, point2, contact_point;
+  std::array<std::vector<double>, 3> normal, point1, point2, contact_point, chart1, chart2;
   std::vector<int> iterations, evaluations;
 };
 

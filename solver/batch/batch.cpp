@@ -52,24 +52,48 @@ template <class Check>
 [[nodiscard]] bool each_output(const ContactArrays& to, const Check& check) {
   return check(to.status) && check(to.verdict) && check(to.overlap) && std::ranges::all_of(to.normal, check) &&
          std::ranges::all_of(to.point1, check) && std::ranges::all_of(to.point2, check) &&
-         std::ranges::all_of(to.contact_point, check) && check(to.iterations) && check(to.evaluations);
+         std::ranges::all_of(to.contact_point, check) && std::ranges::all_of(to.chart1, check) &&
+         std::ranges::all_of(to.chart2, check) && check(to.iterations) && check(to.evaluations);
+}
+
+template <class Check>
+[[nodiscard]] bool each_chart(const ChartArrays& charts, const Check& check) {
+  return std::ranges::all_of(charts.chart1, check) && std::ranges::all_of(charts.chart2, check);
 }
 
 [[nodiscard]] BatchError find_error(const PairArrays& pairs, const ContactArrays& to, InstructionSet set) {
   const auto fits = [&](const auto& span) { return span.size() == pairs.size(); };
   const auto fits_or_empty = [&](const auto& span) { return span.empty() || fits(span); };
+  const auto has_all_or_none = [&](const ChartArrays& charts) {
+    return each_chart(charts, fits) || each_chart(charts, [](const auto& span) { return span.empty(); });
+  };
   if (!each_input(pairs.body1, fits) || !each_input(pairs.body2, fits)) return BatchError::input_lengths;
+  if (!has_all_or_none(pairs.last) || !has_all_or_none(pairs.before_last)) return BatchError::input_lengths;
   if (!each_output(to, fits_or_empty)) return BatchError::output_lengths;
   return is_available(set) ? BatchError::none : BatchError::instruction_set;
 }
 
+[[nodiscard]] Vec3<double> vector_at(const std::array<std::span<const double>, 3>& spans, std::size_t i) {
+  return {spans[0][i], spans[1][i], spans[2][i]};
+}
+
 [[nodiscard]] Body body_at(const BodyArrays& from, std::size_t i) {
-  const auto vector = [&](const auto& spans) { return Vec3<double>(spans[0][i], spans[1][i], spans[2][i]); };
   const auto exponent = [&](const auto& span) { return span.empty() ? 2 : span[i]; };
   const auto& q = from.quaternion;
-  return {{vector(from.semi_axes), exponent(from.n1), exponent(from.n2)},
-          vector(from.position),
+  return {{vector_at(from.semi_axes, i), exponent(from.n1), exponent(from.n2)},
+          vector_at(from.position, i),
           {q[0][i], q[1][i], q[2][i], q[3][i]}};
+}
+
+[[nodiscard]] Contact<double> start_at(const PairArrays& from, std::size_t i) {
+  Contact<double> out;
+  if (from.last.chart1[0].empty()) return out;
+  out.chart1 = vector_at(from.last.chart1, i);
+  out.chart2 = vector_at(from.last.chart2, i);
+  if (from.before_last.chart1[0].empty()) return out;
+  out.last_chart1 = vector_at(from.before_last.chart1, i);
+  out.last_chart2 = vector_at(from.before_last.chart2, i);
+  return out;
 }
 
 template <class T>
@@ -82,7 +106,8 @@ void store(const Vec3<double>& value, const std::array<std::span<double>, 3>& to
 
 void solve_alone(const PairArrays& pairs, const Want& want, const ContactArrays& to, std::size_t i) {
   const Pair pair{body_at(pairs.body1, i), body_at(pairs.body2, i)};
-  const Contact<double> found = find_method("auto")->solve(pair, want, nullptr);
+  const Contact<double> last = start_at(pairs, i);
+  const Contact<double> found = find_method("auto")->solve(pair, want, &last);
   store(found.status, to.status, i);
   store(found.verdict, to.verdict, i);
   store(found.overlap, to.overlap, i);
@@ -90,6 +115,8 @@ void solve_alone(const PairArrays& pairs, const Want& want, const ContactArrays&
   store(found.point1, to.point1, i);
   store(found.point2, to.point2, i);
   store(found.contact_point, to.contact_point, i);
+  store(found.chart1, to.chart1, i);
+  store(found.chart2, to.chart2, i);
   store(found.iterations, to.iterations, i);
   store(found.evaluations, to.evaluations, i);
 }
@@ -119,15 +146,16 @@ BatchReport solve_batch(const PairArrays& pairs, const Want& want, const Contact
   const auto is_asked_for = [](const auto& spans) {
     return !spans[0].empty() || !spans[1].empty() || !spans[2].empty();
   };
-  Want alone = want;
-  alone.overlap = !contacts.overlap.empty();
-  alone.normal = is_asked_for(contacts.normal);
-  alone.points = is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
-  alone.curvature = alone.derivatives = false;
+  Want wanted = want;
+  wanted.overlap = !contacts.overlap.empty();
+  wanted.normal = is_asked_for(contacts.normal);
+  wanted.points =
+      is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
+  wanted.curvature = wanted.derivatives = false;
   for (std::size_t first = 0; first < pairs.size(); first += Chunk::capacity) {
     const std::size_t count = std::min(Chunk::capacity, pairs.size() - first);
-    for (Unsettled left = kernel(set).solve({pairs, want, contacts, first, count}); left != 0; left &= left - 1) {
-      solve_alone(pairs, alone, contacts, first + static_cast<std::size_t>(std::countr_zero(left)));
+    for (Unsettled left = kernel(set).solve({pairs, wanted, contacts, first, count}); left != 0; left &= left - 1) {
+      solve_alone(pairs, wanted, contacts, first + static_cast<std::size_t>(std::countr_zero(left)));
       ++report.alone;
     }
   }

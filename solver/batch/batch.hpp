@@ -1,4 +1,4 @@
-// Many pairs at once, as structures of arrays: the answers of `auto`, cold, several pairs side by side in vector registers.
+// Many pairs at once, as structures of arrays: the answers of `auto`, cold or warm, several pairs side by side in vector registers.
 //
 //   BatchReport report = solve_batch(pairs, {}, {.status = status, .normal = {nx, ny, nz}});
 //
@@ -26,9 +26,17 @@ struct BodyArrays {
   std::array<std::span<const double>, 4> quaternion{};  ///< (w, x, y, z), any non-zero length
 };
 
+/// Charts of each pair's contact at one step, as in Contact. NaN: none.
+struct ChartArrays {
+  std::array<std::span<const double>, 3> chart1{}, chart2{};
+};
+
 /// As many pairs as body1.semi_axes[0] has entries.
 struct PairArrays {
   BodyArrays body1, body2;
+  ChartArrays last{};  ///< of the step before, for warm starts; empty: cold ones
+  ChartArrays
+      before_last{};  ///< of the step before that: a warm start is ahead by as much as it moved since; empty: not known
 
   /// Pairs.
   [[nodiscard]] std::size_t size() const { return body1.semi_axes[0].size(); }
@@ -41,6 +49,7 @@ struct ContactArrays {
   std::span<double> overlap{};
   std::array<std::span<double>, 3> normal{}, point1{}, point2{}, contact_point{};
   std::span<int> iterations{}, evaluations{};
+  std::array<std::span<double>, 3> chart1{}, chart2{};  ///< NaN also where a direction alone proved bodies apart
 };
 
 /// What a batch is computed with. `best` is the widest that this machine has.
@@ -71,8 +80,8 @@ struct BatchReport {
   std::size_t alone = 0;                ///< pairs that were handed to `auto` one by one
 };
 
-/// Of `want` the iteration limit and the tolerance; what is paid for is what the spans say, and curvature and derivatives are not
-/// offered. The spans of `contacts` must not share memory with those of `pairs`.
+/// Of `want` the iteration limit and the tolerance; what is paid for is what the spans say: without overlap, normal and points a
+/// yes or no. Curvature and derivatives are not offered. The spans of `contacts` must not share memory with those of `pairs`.
 [[nodiscard]] BatchReport solve_batch(const PairArrays& pairs, const Want& want, const ContactArrays& contacts,
                                       InstructionSet set = InstructionSet::best);
 

@@ -11,7 +11,7 @@ namespace plumb {
 struct Chunk {
   static constexpr std::size_t capacity = 64;
   const PairArrays& pairs;
-  const Want& want;
+  const Want& want;  ///< with what the spans of `contacts` ask for
   const ContactArrays& contacts;
   std::size_t first, count;
 };

@@ -66,19 +66,24 @@ class ChunkSolver {
 
   void solve_ellipsoids(const PackIndex<P>& index) {
     const PackPair<P> placed = load_pair(index, chunk_.pairs);
-    store(index, placed, EllipsoidPack<P>(ellipsoid_pair<P>(placed), chunk_.want).solve());
+    const PackStart<P> start = load_start(index, chunk_.pairs);
+    store(index, placed, EllipsoidPack<P>(ellipsoid_pair<P>(placed), start, chunk_.want).solve());
   }
 
   void solve_surfaces(const PackIndex<P>& index) {
     const PackPair<P> placed = load_pair(index, chunk_.pairs);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);
     const SuperellipsoidPair<P> pair = superellipsoid_pair<P>(placed, n.n1, n.n2);
-    store(index, placed, SurfacePack<P>(pair, chunk_.want).solve());
+    const PackStart<P> start = load_start(index, chunk_.pairs);
+    store(index, placed, SurfacePack<P>(pair, start, chunk_.want).solve());
   }
 
   [[gnu::always_inline]] void store(const PackIndex<P>& index, const PackPair<P>& placed, const PackContact<P>& found) {
     store_contact(index, placed, found, chunk_.want.tolerance, chunk_.contacts);
-    keep_unsettled(index, found.settled && placed.valid);
+    auto settled = found.settled && placed.valid;
+    if (chunk_.want.is_yes_or_no())  // what rounding leaves open is `auto`'s to decide, by a point that both hold
+      settled = settled && !is_undecided(found.overlap, placed.size, chunk_.want.tolerance);
+    keep_unsettled(index, settled);
   }
 
   void keep_unsettled(const PackIndex<P>& index, const typename P::mask_type& settled) {

@@ -18,10 +18,10 @@ class EllipsoidPack {
  public:
   using Lanes = typename P::mask_type;
 
-  [[gnu::always_inline]] EllipsoidPack(const EllipsoidPair<P>& pair, const Want& want)
-      : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)),
+  [[gnu::always_inline]] EllipsoidPack(const EllipsoidPair<P>& pair, const PackStart<P>& start, const Want& want)
+      : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)), is_yes_or_no_(want.is_yes_or_no()),
         floor_(P(tolerance::noise_multiple * std::numeric_limits<double>::epsilon()) * pair.reach),
-        enough_(max(floor_, P(want.tolerance) * pair.reach)), at_(direction_point(pair, start(pair))) {}
+        enough_(max(floor_, P(want.tolerance) * pair.reach)), at_(direction_point(pair, begin(start))) {}
 
   [[nodiscard, gnu::always_inline]] PackContact<P> solve() {
     iterate();
@@ -30,17 +30,34 @@ class EllipsoidPack {
     normal_ = at_.n * sqrt(at_.inverse_square);
     settle();
     guard();
-    return {settled_, normal_, first(at_.touch.p), pair_.c - second(at_.touch.p), overlap_, iterations_, evaluations_};
+    return {settled_,           normal_,
+            first(at_.touch.p), pair_.c - second(at_.touch.p),
+            first(at_.touch.u), second(at_.touch.u) * P(-1.0),
+            overlap_,           iterations_,
+            evaluations_};
   }
 
  private:
   // A pack waits for its slowest lane: one that needs more is cheaper alone.
   static constexpr int most_iterations = 12;
 
+  /// The direction of each lane's warm start, or of its cold one.
+  [[nodiscard, gnu::always_inline]] Vector3<P> begin(const PackStart<P>& start) {
+    if (none_of(start.is_warm)) return count(Lanes(true)), begin_cold();
+    const Vector3<P> warm = direction_of_charts(pair_, start.charts);
+    const Lanes cold = !(start.is_warm && is_direction(warm));
+    count(cold);
+    return none_of(cold) ? warm : blend(cold, begin_cold(), warm);
+  }
+
+  [[gnu::always_inline]] void count(const Lanes& cold) {
+    evaluations_ = blend(cold, P(1.0 + start_corrections), P(1.0));
+  }
+
   /// Lanes of coinciding centres get NaN, and are not settled.
-  [[nodiscard, gnu::always_inline]] static Vector3<P> start(const EllipsoidPair<P>& pair) {
-    const Vector3<P> n = blend(pair.reach > tolerance::far_apart.of<P>(), pair.c, start_by_centres(pair));
-    return cold_start(pair, n * (P(1.0) / largest(n)));
+  [[nodiscard, gnu::always_inline]] Vector3<P> begin_cold() const {
+    const Vector3<P> n = blend(pair_.reach > tolerance::far_apart.of<P>(), pair_.c, start_by_centres(pair_));
+    return cold_start(pair_, n * (P(1.0) / largest(n)));
   }
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough() const {
@@ -51,9 +68,15 @@ class EllipsoidPack {
     return enough || (near && at_.error <= noise * reach(pair_, at_));
   }
 
+  /// Any direction with o < 0 separates the bodies.
+  [[nodiscard, gnu::always_inline]] Lanes is_apart() const {
+    return overlap_at(pair_, at_) < P(-tolerance::surely_apart * std::numeric_limits<double>::epsilon()) * pair_.reach;
+  }
+
   [[gnu::always_inline]] void iterate() {
     for (int i = 0;; ++i) {
       settled_ = settled_ || is_small_enough();
+      if (is_yes_or_no_) settled_ = settled_ || is_apart();
       const Lanes active = !settled_;
       if (i == limit_ || none_of(active && at_.error < P(std::numeric_limits<double>::infinity()))) return;
       descend(active);
@@ -120,7 +143,8 @@ class EllipsoidPack {
 
   /// Newton on the points, of the lanes that need it.
   [[gnu::always_inline]] void settle() {
-    const Lanes lanes = settled_ && at_.error > enough_;
+    Lanes lanes = settled_ && at_.error > enough_;
+    if (is_yes_or_no_) lanes = lanes && !is_apart();
     if (none_of(lanes)) return;
     const Vector3<PerBody<P>> p = at_.touch.p;
     Settling<P> now = settling(pair_, at_);
@@ -147,13 +171,14 @@ class EllipsoidPack {
 
   const EllipsoidPair<P>& pair_;
   int limit_;
+  bool is_yes_or_no_;
+  P iterations_ = P(0.0), evaluations_ = P(0.0);
   P floor_, enough_;
   DirectionPoint<P> at_;
   Lanes settled_ = Lanes(false);
   Vector3<P> last_step_ = absent<P>();  ///< NaN where the last was one like any other
   Vector3<P> normal_;
   P overlap_;
-  P iterations_ = P(0.0), evaluations_ = P(1.0 + start_corrections);
 };
 
 }  // namespace plumb

@@ -127,18 +127,50 @@ template <class P>
           PerBody<P>(load(pairs.body1.n2), load(pairs.body2.n2))};
 }
 
+/// Where warm starts begin: charts of any length, of the lanes that have them.
+template <class P>
+struct PackStart {
+  Vector3<PerBody<P>> charts;
+  typename P::mask_type is_warm;
+};
+
+template <class P>
+[[nodiscard, gnu::always_inline]] inline PackStart<P> load_start(const PackIndex<P>& index, const PairArrays& pairs) {
+  if (pairs.last.chart1[0].empty()) return {for_each_body(absent<P>()), typename P::mask_type(false)};
+  const auto chart = [&](const std::array<std::span<const double>, 3>& last,
+                         const std::array<std::span<const double>, 3>& before) {
+    const Vector3<P> at = index.load(last);
+    return before[0].empty() ? at : chart_ahead(at, index.load(before));
+  };
+  const Vector3<P> chart1 = chart(pairs.last.chart1, pairs.before_last.chart1),
+                   chart2 = chart(pairs.last.chart2, pairs.before_last.chart2);
+  const P finite(std::numeric_limits<double>::max());
+  return {per_body(chart1, chart2), largest(chart1) <= finite && largest(chart2) <= finite};
+}
+
 /// What a lane found, in the pair's frame.
 template <class P>
 struct PackContact {
   typename P::mask_type settled;
-  Vector3<P> normal, point1, point2;
+  Vector3<P> normal, point1, point2, chart1, chart2;
   P overlap, iterations, evaluations;
 };
+
+/// To which an overlap is known.
+template <class P>
+[[nodiscard, gnu::always_inline]] inline P verdict_floor(const P& size, double tolerance) {
+  return P(tolerance::undecided * std::numeric_limits<double>::epsilon() + tolerance) * size;
+}
+
+template <class P>
+[[nodiscard, gnu::always_inline]] inline auto is_undecided(const P& overlap, const P& size, double tolerance) {
+  return !(abs(overlap) > verdict_floor(size, tolerance));
+}
 
 /// The values of Verdict.
 template <class P>
 [[nodiscard, gnu::always_inline]] inline P verdict_of(const P& overlap, const P& size, double tolerance) {
-  const P floor = P(tolerance::undecided * std::numeric_limits<double>::epsilon() + tolerance) * size;
+  const P floor = verdict_floor(size, tolerance);
   const auto value = [](Verdict verdict) { return P(static_cast<double>(verdict)); };
   return blend(overlap > floor, value(Verdict::overlapping),
                blend(overlap < -floor, value(Verdict::separated), value(Verdict::undecided)));
@@ -156,6 +188,8 @@ template <class P>
   index.store(world(found.point1), to.point1);
   index.store(world(found.point2), to.point2);
   index.store(world((found.point1 + found.point2) * P(0.5)), to.contact_point);
+  index.store(found.chart1, to.chart1);
+  index.store(found.chart2, to.chart2);
   index.store_as(found.iterations, to.iterations);
   index.store_as(found.evaluations, to.evaluations);
 }

@@ -1,5 +1,5 @@
-// Newton's iteration of method/auto/surface/surface_newton.hpp from the first start of the attempts, on a pack of pairs
-// with exponents of 2 and more. Lanes that need another attempt or the search over directions are not settled.
+// Newton's iteration of method/auto/surface/surface_newton.hpp, warm or from the first cold start of the attempts, on a pack of
+// pairs with exponents of 2 and more. Lanes that need another attempt or the search over directions are not settled.
 //
 // A lane's answer is kept when it ends, for a step of zero would not give the same bits again.
 #pragma once
@@ -17,16 +17,16 @@ class SurfacePack {
  public:
   using Lanes = typename P::mask_type;
 
-  [[gnu::always_inline]] SurfacePack(const SuperellipsoidPair<P>& pair, const Want& want)
-      : pair_(pair), limit_(std::min(want.iteration_limit, most_iterations)),
+  [[gnu::always_inline]] SurfacePack(const SuperellipsoidPair<P>& pair, const PackStart<P>& start, const Want& want)
+      : pair_(pair), start_(start), is_yes_or_no_(want.is_yes_or_no()),
+        limit_(std::min(want.iteration_limit, most_iterations)),
         tolerance_(std::max(tolerance::residual * epsilon<double>(), want.tolerance)) {}
 
   SurfacePack(const SurfacePack&) = delete;
   SurfacePack& operator=(const SurfacePack&) = delete;
 
   [[nodiscard]] PackContact<P> solve() {
-    const SurfaceStart<P> start{pair_};
-    *here_ = start.at(start.direction(), StartPoint::mixed, pair_.inner, pair_.outer);
+    if (!begin()) return out_;
     set_equations(pair_, *here_, f_);
     P last(std::numeric_limits<double>::infinity());
     for (int i = 0;; ++i) {
@@ -42,6 +42,36 @@ class SurfacePack {
   }
 
  private:
+  /// The surfaces where each lane starts; false where a direction has proved all apart.
+  [[nodiscard, gnu::always_inline]] bool begin() {
+    if (all_of(start_.is_warm)) {
+      *here_ = surfaces_of_chart(pair_, pair_.inner, pair_.outer, start_.charts);
+      return true;
+    }
+    const SurfaceStart<P> cold{pair_};
+    const Vector3<P> n = cold.direction();
+    if (is_yes_or_no_) {
+      keep_separated(n);
+      if (none_of(active_)) return false;
+    }
+    const Mask<P> is_warm(start_.is_warm, start_.is_warm);
+    const SurfaceRay<P> ray = cold.mixed_ray(n);
+    *here_ = surfaces_at<P>(pair_, pair_.inner, pair_.outer, blend(is_warm, start_.charts, ray.v),
+                            ray.is_normal && !is_warm);
+    return true;
+  }
+
+  /// The answer of the cold lanes whose bodies n separates.
+  [[gnu::always_inline]] void keep_separated(const Vector3<P>& n) {
+    const P overlap = dot(farthest_difference(pair_, n), n);
+    const Lanes cold = !start_.is_warm, apart = cold && overlap < -surely_apart(pair_);
+    out_.settled = apart;
+    out_.normal = n;
+    out_.overlap = overlap;
+    out_.evaluations = blend(cold && !apart, P(2.0), P(1.0));
+    active_ = !apart;
+  }
+
   // Of the first attempt alone; a pack waits for its slowest lane.
   static constexpr int most_iterations = budget::first_steps;
 
@@ -59,6 +89,9 @@ class SurfacePack {
     out_.point1 = blend(ends, f.point1, out_.point1);
     out_.point2 = blend(ends, f.point2, out_.point2);
     out_.overlap = blend(ends, f.overlap, out_.overlap);
+    const Vector3<PerBody<P>> chart = chart_of(*here_);
+    out_.chart1 = blend(ends, first(chart), out_.chart1);
+    out_.chart2 = blend(ends, second(chart), out_.chart2);
   }
 
   [[gnu::always_inline]] void step(const P& now) {
@@ -84,13 +117,15 @@ class SurfacePack {
   }
 
   const SuperellipsoidPair<P>& pair_;
+  const PackStart<P>& start_;
+  bool is_yes_or_no_;
   int limit_;
   P tolerance_;
   Surfaces<P> surfaces_, other_surfaces_;
   Surfaces<P>*here_ = &surfaces_, *there_ = &other_surfaces_;
   SurfaceEquations<P> f_, spare_;
   Lanes active_ = Lanes(true);
-  PackContact<P> out_{Lanes(false), {}, {}, {}, P(0.0), P(0.0), P(1.0)};
+  PackContact<P> out_{Lanes(false), {}, absent<P>(), absent<P>(), absent<P>(), absent<P>(), P(0.0), P(0.0), P(1.0)};
 };
 
 }  // namespace plumb

@@ -92,11 +92,7 @@ void Part::press(double time, double time_step) {
   world_.time = time;
   world_.time_step = time_step;
   run_all(movers_);
-  const Round round = solve_contacts(world_, plan_.want, 1, nullptr);
-  totals_.solves += round.solves;
-  totals_.evaluations += round.evaluations;
-  totals_.failed += round.failed;
-  totals_.failed_warm += round.failed_warm;
+  totals_ += solve_contacts(world_, plan_.want, nullptr);
   run_all(contact_passes_);
 }
 

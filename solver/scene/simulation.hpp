@@ -56,7 +56,7 @@ struct Memory {
 /// A run. Not copied; one thread calls it.
 class Simulation {
  public:
-  /// A plan of this scene; `threads` share the solver's calls.
+  /// A plan of this scene; `threads` share the contacts, their list and the motion.
   Simulation(const Scene& scene, Plan plan, int threads = 1);
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -113,7 +113,6 @@ class Simulation {
 
   Plan plan_;
   std::unique_ptr<World> world_;
-  int threads_;
   std::vector<Pass> kicks_, drifts_, forces_;
   std::function<void(std::span<const SolveNote>)> look_;
   std::int64_t step_ = 0;

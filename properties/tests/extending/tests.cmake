@@ -106,7 +106,7 @@ add_executable(test_extending_effect tests/main.cpp ${effect_tests} ${folder}/ne
                ${files_sources} ${decoder_sources} ${PROJECT_SOURCE_DIR}/properties/tests/scene_files/scene_schema.cpp)
 target_include_directories(test_extending_effect BEFORE PRIVATE ${extended} ${folder}/new/effect)
 target_include_directories(test_extending_effect SYSTEM PRIVATE ${Boost_INCLUDE_DIRS})
-target_link_libraries(test_extending_effect PRIVATE plumb_corpus plumb_flags fmt::fmt GTest::gtest)
+target_link_libraries(test_extending_effect PRIVATE plumb_corpus plumb_batch plumb_flags fmt::fmt GTest::gtest)
 target_compile_options(test_extending_effect PRIVATE -O0 -Wno-unknown-pragmas)  # OpenMP's
 set_target_properties(test_extending_effect PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/solver/scene/effects.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

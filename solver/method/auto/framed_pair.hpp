@@ -49,16 +49,17 @@ template <class S>
   return last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
 }
 
-/// The charts of both bodies where they will be if they move on as they did, any length; where they are if they jumped, or if there
-/// was only one.
+/// A chart where it will be if it moves on as it did, any length; where it is if it jumped, or if `before` is NaN.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> chart_ahead(const Vector3<S>& chart, const Vector3<S>& before) {
+  const Vector3<S> step = chart - before;
+  return blend(dot(step, step) < S(tolerance::steady_step * tolerance::steady_step), chart + step, chart);
+}
+
 template <class S>
 [[nodiscard]] Vector3<PerBody<S>> charts_ahead(const Contact<S>& last) {
-  const auto ahead = [](const Vec3<S>& chart, const Vec3<S>& before) -> Vec3<S> {
-    const Vec3<S> step = chart - before;
-    return step.squaredNorm() < S(tolerance::steady_step * tolerance::steady_step) ? Vec3<S>(chart + step) : chart;
-  };
-  return per_body(Vector3<S>::of(ahead(last.chart1, last.last_chart1)),
-                  Vector3<S>::of(ahead(last.chart2, last.last_chart2)));
+  return per_body(chart_ahead(Vector3<S>::of(last.chart1), Vector3<S>::of(last.last_chart1)),
+                  chart_ahead(Vector3<S>::of(last.chart2), Vector3<S>::of(last.last_chart2)));
 }
 
 template <class S>

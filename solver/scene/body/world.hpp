@@ -88,6 +88,7 @@ struct StoredEnergy {
 
 struct World {
   double time = 0, time_step = 0;
+  int threads = 1;
   Bodies bodies;
   Columns columns;
   State state;
@@ -102,6 +103,10 @@ struct World {
   std::vector<std::function<void(const Scene&)>> starts;
 
   [[nodiscard]] bool has_turning() const { return state.torque != nullptr; }
+  /// As the solver takes it: a sphere has none, so that turning it changes no bit.
+  [[nodiscard]] Eigen::Quaterniond solver_orientation(std::size_t body) const {
+    return bodies.is_sphere[body] != 0 ? Eigen::Quaterniond::Identity() : state.orientation_of(body);
+  }
 
   [[nodiscard]] Levers levers(std::size_t contact) const;
   /// The velocity of body 2's point of contact as body 1's sees it, where bodies turn.

@@ -7,6 +7,8 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 
+#include "solver/scene/threads.hpp"
+
 namespace plumb::scene {
 namespace {
 
@@ -50,19 +52,36 @@ double margin_of(const World& world, std::size_t i) {
   return std::clamp(moves, share_of_radius * world.bodies.radius[i], world.bodies.radius[i]);
 }
 
-void add_walls(const World& world, const Column& boxes, Pairs& pairs) {
+using Tree = geometry::index::rtree<Entry, geometry::index::linear<16>>;
+
+Tree tree_of(const Column& boxes, std::size_t bodies) {
+  std::vector<Entry> entries;
+  entries.reserve(bodies);
+  for (std::uint32_t i = 0; i < bodies; ++i) entries.emplace_back(box_of(boxes, i), i);
+  return Tree(entries);  // packed: built at once
+}
+
+/// Bodies after body i whose fat boxes meet its, sorted.
+void add_bodies(const World& world, const Column& boxes, const Tree& tree, std::uint32_t i, Pairs& pairs) {
+  const auto first = static_cast<std::ptrdiff_t>(pairs.size());
+  const auto is_pair = [&](const Entry& other) { return other.second > i && can_meet(world.bodies, i, other.second); };
+  const auto query = geometry::index::intersects(box_of(boxes, i)) && geometry::index::satisfies(is_pair);
+  for (auto met = tree.qbegin(query); met != tree.qend(); ++met) pairs.push_back({i, met->second});
+  std::sort(pairs.begin() + first, pairs.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+}
+
+/// Walls that reach into body i's box.
+void add_walls(const World& world, const Column& boxes, double margin, std::uint32_t i, Pairs& pairs) {
   const Bodies& bodies = world.bodies;
-  const double margin = wall_margin(world);
-  for (std::uint32_t i = 0; i < bodies.count; ++i)
-    for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
-      if (!can_meet(bodies, i, static_cast<std::uint32_t>(bodies.count + wall))) break;
-      const Vec3<double> normal = bodies.wall_normal[wall];
-      const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
-      const double middle = normal.dot((low + high) / 2 - low_of(boxes, bodies.count + wall));
-      const double reach = normal.cwiseAbs().dot((high - low) / 2);
-      if (middle <= reach + world.contacts.range / 2 + margin)
-        pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
-    }
+  for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
+    if (!can_meet(bodies, i, static_cast<std::uint32_t>(bodies.count + wall))) break;
+    const Vec3<double> normal = bodies.wall_normal[wall];
+    const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
+    const double middle = normal.dot((low + high) / 2 - low_of(boxes, bodies.count + wall));
+    const double reach = normal.cwiseAbs().dot((high - low) / 2);
+    if (middle <= reach + world.contacts.range / 2 + margin)
+      pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
+  }
 }
 
 /// How far any point of a body's surface can have moved in the last step, at most: sums of magnitudes spare two roots.
@@ -130,21 +149,19 @@ void fatten(const World& world, Column& boxes) {
 }
 
 Pairs meeting_pairs(const World& world, const Column& boxes) {
-  const Bodies& bodies = world.bodies;
-  std::vector<Entry> entries;
-  entries.reserve(bodies.count);
-  for (std::uint32_t i = 0; i < bodies.count; ++i) entries.emplace_back(box_of(boxes, i), i);
-  const geometry::index::rtree<Entry, geometry::index::linear<16>> tree(entries);  // packed: built at once
+  constexpr std::size_t worth_waking = 256;
+  const std::size_t bodies = world.bodies.count;
+  const Tree tree = tree_of(boxes, bodies);
+  const double margin = wall_margin(world);
+  std::vector<Pairs> parts(bodies / worth_waking + 1);
+  for_each_part(bodies, worth_waking, world.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
+    for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
+      add_bodies(world, boxes, tree, i, parts[part]);
+      add_walls(world, boxes, margin, i, parts[part]);
+    }
+  });
   Pairs pairs;
-  std::vector<Entry> met;
-  for (const auto& [box, i] : entries) {
-    met.clear();
-    tree.query(geometry::index::intersects(box), std::back_inserter(met));
-    for (const auto& [other, j] : met)
-      if (j > i && can_meet(bodies, i, j)) pairs.push_back({i, j});
-  }
-  add_walls(world, boxes, pairs);
-  std::ranges::sort(pairs);
+  for (const Pairs& part : parts) pairs.insert(pairs.end(), part.begin(), part.end());
   return pairs;
 }
 

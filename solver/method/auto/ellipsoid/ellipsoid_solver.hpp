@@ -35,7 +35,7 @@ struct EllipsoidSolver {
   // What `auto` asks (automatic_impl.hpp).
   [[nodiscard]] Answer local(const Pair& /*bodies*/, const Contact<S>* last) const {
     const Vector3<S> warm = warm_direction(last);
-    return is_warm(warm) ? solve(warm) : cold();
+    return is_direction(warm) ? solve(warm) : cold();
   }
   [[nodiscard]] bool is_surely_lowest(const Answer& found) const {
     if (found.status != Status::converged) return false;
@@ -47,7 +47,7 @@ struct EllipsoidSolver {
   }
   /// By the cold start, should `found` be from a warm one, then by a search.
   [[nodiscard]] Answer searched(const Pair& bodies, Answer found, const Contact<S>* last) const {
-    if (is_warm(warm_direction(last))) {
+    if (is_direction(warm_direction(last))) {
       found = or_cold(found);
       if (is_surely_lowest(found)) return found;
     }
@@ -60,13 +60,11 @@ struct EllipsoidSolver {
   [[nodiscard]] static Vector3<S> chart2(const Answer& found) { return second(found.at.touch.u) * S(-1); }
 
  private:
-  /// The mean of the normals at the last points; zero, or short, where there is none.
+  /// Of the last points; zero, or short, where there is none.
   [[nodiscard]] Vector3<S> warm_direction(const Contact<S>* last) const {
     if (!has_charts(last)) return {S(0), S(0), S(0)};
-    const Vector3<PerBody<S>> charts = charts_ahead(*last);
-    return sum(normals_at(pair, per_body(first(charts), second(charts) * S(-1))));
+    return direction_of_charts(pair, charts_ahead(*last));
   }
-  [[nodiscard]] static bool is_warm(const Vector3<S>& direction) { return largest(direction) > S(0.5); }
 
   [[nodiscard]] Answer cold() const {
     Answer out = solve(cold_start(pair, ellipsoid_start(pair)));

@@ -183,4 +183,17 @@ template <class S>
   return v * (PerBody<S>(S(1)) / sqrt(dot(v, v)));
 }
 
+/// The mean of the normals at the points of these charts; short where they are far from opposite.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline Vector3<S> direction_of_charts(const EllipsoidPair<S>& pair,
+                                                                        const Vector3<PerBody<S>>& charts) {
+  return sum(normals_at(pair, per_body(first(charts), second(charts) * S(-1))));
+}
+
+/// Whether a warm start may begin there.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline auto is_direction(const Vector3<S>& v) {
+  return largest(v) > S(0.5);
+}
+
 }  // namespace plumb

@@ -118,9 +118,8 @@ class SurfaceSolver {
   /// Whether the direction separates the bodies; `out` is its answer then.
   [[nodiscard]] bool separates(const Vector3<S>& n, Answer& out) const {
     ++out.evaluations;
-    const S overlap = dot(farthest(n), n),
-            surely_apart = S(tolerance::surely_apart) * pair.greatest_nu * epsilon<S>() * pair.reach;
-    if (!(overlap < -surely_apart)) return false;
+    const S overlap = dot(farthest(n), n);
+    if (!(overlap < -surely_apart(pair))) return false;
     out.point1 = out.point2 = absent<S>();
     out.chart = for_each_body(absent<S>());
     out.status = Status::converged;

@@ -10,6 +10,13 @@
 
 namespace plumb {
 
+/// Along which both surfaces start: the gauge coordinates of their points, or of their normals.
+template <class S>
+struct SurfaceRay {
+  Vector3<PerBody<S>> v;
+  Mask<S> is_normal;
+};
+
 /// What starts need of the ellipsoids of the same semi-axes.
 template <class S>
 struct SurfaceStart {
@@ -42,10 +49,14 @@ struct SurfaceStart {
     if (kind == StartPoint::chart) return surfaces_of_chart<S>(pair, inner, outer, u);
     const Mask<S> by_middle = kind == StartPoint::middle ? Mask<S>(true) : is_blocky();
     if (has_one_pair<S> && none_of(by_middle)) return surfaces_at<S>(pair, inner, outer, q, Mask<S>(true));
-    const Vector3<PerBody<S>> ray = to_middle(u);
-    const Vector3<PerBody<S>> v{select<S>(by_middle, ray.x, u.x), select<S>(by_middle, ray.y, u.y),
-                                select<S>(by_middle, ray.z, u.z)};
-    return surfaces_at<S>(pair, inner, outer, v, !by_middle);
+    const SurfaceRay<S> ray = ray_to_middle(u, by_middle);
+    return surfaces_at<S>(pair, inner, outer, ray.v, ray.is_normal);
+  }
+
+  /// That of StartPoint::mixed.
+  [[nodiscard]] SurfaceRay<S> mixed_ray(const Vector3<S>& n) const {
+    const Vector3<PerBody<S>> q = times(to_body_axes(pair, n), pair.semi_axes);
+    return ray_to_middle(q * inverse_length<S>(q), is_blocky());
   }
 
  private:
@@ -53,6 +64,14 @@ struct SurfaceStart {
     const PerBody<S> inner = select<S>(pair.inner.dual, S(0), pair.inner.nu);
     const PerBody<S> outer = select<S>(pair.outer.dual, S(0), pair.outer.nu);
     return max(inner, outer) > S(tolerance::blocky);
+  }
+
+  /// Of some bodies by the middle, of the others where the ellipsoid's point is u.
+  [[nodiscard, gnu::always_inline]] SurfaceRay<S> ray_to_middle(const Vector3<PerBody<S>>& u,
+                                                                const Mask<S>& by_middle) const {
+    const Vector3<PerBody<S>> ray = to_middle(u);
+    return {{select<S>(by_middle, ray.x, u.x), select<S>(by_middle, ray.y, u.y), select<S>(by_middle, ray.z, u.z)},
+            !by_middle};
   }
 
   /// From each centre to the middle of the ellipsoids' support points, gauge coordinates.

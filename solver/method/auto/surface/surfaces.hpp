@@ -188,6 +188,12 @@ template <class S>
   return first(p) - second(p) - pair.c;
 }
 
+/// Beyond the rounding of o: a direction with o below its negative separates the bodies.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S surely_apart(const SuperellipsoidPair<S>& pair) {
+  return S(tolerance::surely_apart) * pair.greatest_nu * epsilon<S>() * pair.reach;
+}
+
 /// The bodies' support functions.
 template <class S>
 [[nodiscard]] inline std::array<SupportShape<S>, 2> support_shapes(const SuperellipsoidPair<S>& pair) {

@@ -1,0 +1,112 @@
+#include "solver/scene/contact/contact_columns.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "solver/scene/contact/relative_curvature.hpp"
+#include "solver/shape/curvature.hpp"
+
+namespace plumb::scene {
+namespace {
+
+using Index = std::uint32_t;
+
+/// arm = (point - centre) x normal, which is 0 for a sphere whatever rounding says.
+Vec3<double> arm_of(const World& world, Index i, const Vec3<double>& point, const Vec3<double>& normal) {
+  if (world.bodies.is_sphere[i]) return Vec3<double>::Zero();
+  return (point - world.state.position->vector(i)).cross(normal);
+}
+
+/// The inverse inertia, world axes, times an arm.
+Vec3<double> yield_of(const World& world, Index i, const Vec3<double>& arm) {
+  const Eigen::Quaterniond q = world.state.orientation_of(i);
+  return q * Vec3<double>((q.conjugate() * arm).cwiseProduct(world.bodies.inverse_inertia[i]));
+}
+
+/// The arms of the normal, and the mass that it feels: 1 / mass and what turning adds to it, of both bodies.
+void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
+  Contacts& contacts = world.contacts;
+  const auto [i, j] = contacts.pairs[c];
+  const bool is_wall = world.bodies.is_wall(j);
+  double inverse_mass = world.bodies.inverse_mass[i] + world.bodies.inverse_mass[j];
+  if (contacts.arm1 != nullptr) {
+    const Vec3<double> arm1 = arm_of(world, i, answer.contact_point, answer.normal);
+    const Vec3<double> arm2 = is_wall ? Vec3<double>::Zero() : arm_of(world, j, answer.contact_point, answer.normal);
+    contacts.arm1->vector(c) = arm1;
+    contacts.arm2->vector(c) = arm2;
+    if (contacts.yield1 != nullptr) {
+      const Vec3<double> yield1 = yield_of(world, i, arm1);
+      const Vec3<double> yield2 = is_wall ? Vec3<double>::Zero() : yield_of(world, j, arm2);
+      contacts.yield1->vector(c) = yield1;
+      contacts.yield2->vector(c) = yield2;
+      inverse_mass += arm1.dot(yield1) + arm2.dot(yield2);
+    }
+  }
+  if (contacts.inverse_mass != nullptr) (*contacts.inverse_mass)[c] = inverse_mass;
+}
+
+double radius_at(const World& world, std::size_t c, const Vec3<double>& point) {
+  const auto [i, j] = world.contacts.pairs[c];
+  const double inverse = 1 / (point - world.state.position->vector(i)).norm();
+  return 1 / (world.bodies.is_wall(j) ? inverse : inverse + 1 / (point - world.state.position->vector(j)).norm());
+}
+
+/// All but the curvature.
+void keep_first_order(World& world, std::size_t c, const Contact<double>& answer) {
+  Contacts& contacts = world.contacts;
+  if (contacts.overlap != nullptr) (*contacts.overlap)[c] = answer.overlap;
+  if (contacts.normal != nullptr) contacts.normal->vector(c) = answer.normal;
+  if (contacts.point != nullptr) contacts.point->vector(c) = answer.contact_point;
+  if (contacts.radius != nullptr) (*contacts.radius)[c] = radius_at(world, c, answer.contact_point);
+  keep_arms(world, c, answer);
+}
+
+/// Of a body's surface on the ray through a point, world axes.
+Curvatures curvatures_at(const World& world, Index i, const Vec3<double>& point) {
+  const Superellipsoid<double>& shape = world.bodies.shape[i];
+  const Eigen::Quaterniond q = world.solver_orientation(i);
+  PrincipalCurvature<double> at =
+      principal_curvature<double>(shape, Vec3<double>(q.conjugate() * (point - world.state.position->vector(i))));
+  at.direction1 = q * at.direction1;
+  return Curvatures::of(at, shape.semi_axes.maxCoeff());
+}
+
+void keep_curvature(World& world, std::size_t c, const Curvatures& first, const Curvatures& second) {
+  std::ranges::copy(relative_curvature(first, second), world.contacts.curvature->entry(c).begin());
+}
+
+/// The point on the normal through a ball's centre, and two balls' normal through both: there they are up to the solver's tolerance, but
+/// a ball's arm is zero by its shape, and what is left of it would be angular momentum made from nothing.
+void straighten(const World& world, Index i, Index j, Contact<double>& answer) {
+  const bool is_ball1 = world.bodies.is_sphere[i] != 0, is_ball2 = world.bodies.is_sphere[j] != 0;
+  if (!is_ball1 && !is_ball2) return;
+  const Vec3<double> x1 = world.state.position->vector(i), x2 = world.state.position->vector(j);
+  if (is_ball1 && is_ball2 && x1 != x2) answer.normal = (x2 - x1).normalized();
+  const Vec3<double>& centre = is_ball1 ? x1 : x2;
+  answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
+}
+
+}  // namespace
+
+void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answer) {
+  const auto chart = contacts.chart->entry(c);
+  std::copy_n(chart.begin(), 6, chart.begin() + 6);
+  Vec3<double>::Map(chart.data()) = answer.chart1;
+  Vec3<double>::Map(chart.data() + 3) = answer.chart2;
+}
+
+void keep_contact(World& world, std::size_t c, Contact<double> answer) {
+  const auto [i, j] = world.contacts.pairs[c];
+  straighten(world, i, j, answer);
+  keep_first_order(world, c, answer);
+  if (world.contacts.curvature != nullptr)
+    keep_curvature(world, c, curvatures_at(world, i, answer.point1), curvatures_at(world, j, answer.point2));
+}
+
+void keep_wall_contact(World& world, std::size_t c, const Contact<double>& answer) {
+  keep_first_order(world, c, answer);
+  if (world.contacts.curvature != nullptr)
+    keep_curvature(world, c, curvatures_at(world, world.contacts.pairs[c][0], answer.point1), {});
+}
+
+}  // namespace plumb::scene
