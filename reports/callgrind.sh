@@ -26,8 +26,12 @@ per_solve() {
   count_row "$@" --method "$2" "${start[@]}"
 }
 
-# per_batch FILE: the row of a batch by the best instruction set.
-per_batch() { count_row "$1" batch cold --batch; }
+# per_batch FILE START: the row of a batch by the best instruction set.
+per_batch() {
+  local start=()
+  [[ $2 == cold ]] || start=("--$2")
+  count_row "$1" batch "$2" --batch "${start[@]}"
+}
 
 # print_pairs FOLDER SET CASES: the pairs of a set of plumb bench to FOLDER/SET.jsonl.
 print_pairs() { build/release/bin/plumb bench --print --set "$2" --cases "$3" >"$1/$2.jsonl"; }

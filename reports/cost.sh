@@ -6,7 +6,7 @@ source reports/callgrind.sh
 
 cost_pairs=50
 
-# cost_rows FOLDER SET: every method of plumb's own, cold; auto warm and moving as well; the batch. Rows to FOLDER/SET.txt.
+# cost_rows FOLDER SET: every method of plumb's own, cold; auto warm and moving as well; the batch cold and moving. Rows to FOLDER/SET.txt.
 cost_rows() {
   local pairs=$1/$2.jsonl method
   print_pairs "$1" "$2" "$cost_pairs"
@@ -14,7 +14,8 @@ cost_rows() {
     for method in $(build/release/bin/plumb methods | awk '!/^peer_/ { print $1 }'); do
       per_solve "$pairs" "$method" cold
     done
-    per_batch "$pairs"
+    per_batch "$pairs" cold
+    per_batch "$pairs" moving
     per_solve "$pairs" auto warm
     per_solve "$pairs" auto moving
   } >"$1/$2.txt"

@@ -1,24 +1,16 @@
 #include "reports/bench/bench_batch.hpp"
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
 
 #include "corpus/command/interrupt.hpp"
 #include "properties/doors/columns.hpp"
-#include "solver/method/methods.hpp"
 
 namespace plumb::reports {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-void solve_alone(const Pair& pair) {
-  static const SolveFunction<double> solve = find_method("auto")->solve;
-  benchmark::DoNotOptimize(solve(pair, {}, nullptr));
-}
 
 /// ns.
 template <class Work>
@@ -28,36 +20,67 @@ double time_of(const Work& work) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-/// All pairs of a set, as one loop and as one batch.
+std::vector<Pair> pairs_of(const Job& job) {
+  std::vector<Pair> out;
+  for (const Task& task : job.tasks) out.push_back(task.pair);
+  return out;
+}
+
+/// Where each task starts, as a batch has it: the charts of the last contact, or of the one before.
+ContactColumns starts_of(const Job& job, Vec3<double> Contact<double>::* chart1,
+                         Vec3<double> Contact<double>::* chart2) {
+  const Contact<double> none;
+  ContactColumns out(job.tasks.size());
+  for (std::size_t i = 0; i < job.tasks.size(); ++i) {
+    const Contact<double>& last = job.tasks[i].last ? *job.tasks[i].last : none;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      out.chart1[axis][i] = (last.*chart1)[static_cast<Eigen::Index>(axis)];
+      out.chart2[axis][i] = (last.*chart2)[static_cast<Eigen::Index>(axis)];
+    }
+  }
+  return out;
+}
+
+/// All tasks of a job, as one loop and as one batch.
 class Race {
  public:
-  explicit Race(std::span<const Pair> pairs) : pairs_(pairs), columns_(pairs), contacts_(pairs.size()) {}
+  explicit Race(const Job& job)
+      : job_(job), columns_(pairs_of(job)), last_(starts_of(job, &Contact<double>::chart1, &Contact<double>::chart2)),
+        before_last_(starts_of(job, &Contact<double>::last_chart1, &Contact<double>::last_chart2)),
+        contacts_(job.tasks.size()) {}
 
   [[nodiscard]] double loop() const {
-    return time_of([&] { std::ranges::for_each(pairs_, solve_alone); });
+    return time_of([&] {
+      for (const Task& task : job_.tasks) solve(job_.solver, task);
+    });
   }
   double batch(InstructionSet set) {
-    return time_of([&] { report_ = solve_batch(columns_.arrays(), {}, contacts_.arrays(), set); });
+    PairArrays pairs = columns_.arrays();
+    if (job_.start != Start::cold) {
+      pairs.last = last_.charts();
+      pairs.before_last = before_last_.charts();
+    }
+    return time_of([&] { report_ = solve_batch(pairs, {}, contacts_.arrays(), set); });
   }
   [[nodiscard]] double share_alone() const {
-    return static_cast<double>(report_.alone) / static_cast<double>(pairs_.size());
+    return static_cast<double>(report_.alone) / static_cast<double>(job_.tasks.size());
   }
 
  private:
-  std::span<const Pair> pairs_;
+  const Job& job_;
   PairColumns columns_;
-  ContactColumns contacts_;
+  ContactColumns last_, before_last_, contacts_;
   BatchReport report_;
 };
 
 }  // namespace
 
-std::vector<BatchMeasurement> measure_batches(std::span<const Pair> pairs, int repeats) {
-  Race race(pairs);
+std::vector<BatchMeasurement> measure_batches(const Job& job, int repeats) {
+  Race race(job);
   double loop_ns = std::numeric_limits<double>::infinity();
   std::vector<BatchMeasurement> out;
   const std::vector<InstructionSet> sets = available_instruction_sets();
-  for (const InstructionSet set : sets) out.push_back({name(set), loop_ns, 0, 0});
+  for (const InstructionSet set : sets) out.push_back({name(set), job.start, loop_ns, 0, 0});
   // A hundred turns are a tenth of a second or so.
   for (int i = 0; i < 20 * repeats && !interrupted(); ++i) {
     loop_ns = std::min(loop_ns, race.loop());
@@ -66,16 +89,16 @@ std::vector<BatchMeasurement> measure_batches(std::span<const Pair> pairs, int r
       out[k].alone = race.share_alone();
     }
   }
-  if (interrupted() || pairs.empty()) return {};
+  if (interrupted() || job.tasks.empty()) return {};
   for (BatchMeasurement& m : out) {
     m.ratio = loop_ns / m.ns;
-    m.ns /= static_cast<double>(pairs.size());
+    m.ns /= static_cast<double>(job.tasks.size());
   }
   return out;
 }
 
-void solve_batches(std::span<const Pair> pairs, int times) {
-  Race race(pairs);
+void solve_batches(const Job& job, int times) {
+  Race race(job);
   for (int i = 0; i < times && !interrupted(); ++i) race.batch(InstructionSet::best);
 }
 

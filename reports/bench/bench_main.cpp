@@ -195,33 +195,44 @@ void print_table(const Named& set, const std::vector<Measurement>& all) {
 /// The batch beside the loop that it is to beat.
 void print_batches(const std::vector<BatchMeasurement>& all) {
   for (const BatchMeasurement& m : all)
-    print_line(fmt::format("  {:<27}cold{:>9.3f} us a pair, {:.2f} x auto in a loop, {:.1f} % handed to auto",
-                           fmt::format("batch, {}", m.set), m.ns * 1e-3, m.ratio, 100 * m.alone));
+    print_line(fmt::format("  {:<27}{:<6}{:>7.3f} us a pair, {:.2f} x auto in a loop, {:.1f} % handed to auto",
+                           fmt::format("batch, {}", m.set), name(m.start), m.ns * 1e-3, m.ratio, 100 * m.alone));
 }
 
 Json to_json(const Named& set, const BatchMeasurement& m) {
-  return {{"set", set.name},       {"of", set.of}, {"pairs", set.cases.size()}, {"method", "batch"}, {"start", "cold"},
-          {"instructions", m.set}, {"ns", m.ns},   {"ratio_of_auto", m.ratio},  {"alone", m.alone}};
-}
-
-std::vector<Pair> pairs_of(const Named& set) {
-  std::vector<Pair> pairs;
-  for (const Case& c : set.cases) pairs.push_back(c.pair);
-  return pairs;
+  return {{"set", set.name},
+          {"of", set.of},
+          {"pairs", set.cases.size()},
+          {"method", "batch"},
+          {"start", name(m.start)},
+          {"instructions", m.set},
+          {"ns", m.ns},
+          {"ratio_of_auto", m.ratio},
+          {"alone", m.alone}};
 }
 
 /// Only where `auto` is measured as well.
-std::vector<BatchMeasurement> batches(const Named& set, const std::vector<Solver>& solvers, int repeats) {
-  const auto is_auto = [](const Solver& solver) { return solver.name == "auto"; };
-  if (std::none_of(solvers.begin(), solvers.end(), is_auto)) return {};
-  return measure_batches(pairs_of(set), repeats);
+std::vector<BatchMeasurement> batches(const std::vector<Job>& jobs, int repeats) {
+  std::vector<BatchMeasurement> out;
+  for (const Job& job : jobs)
+    if (job.solver.name == "auto" && job.start != Start::warm)
+      std::ranges::copy(measure_batches(job, repeats), std::back_inserter(out));
+  return out;
+}
+
+/// Of the start that was asked for.
+Job job_asked(const Named& set, const Solver& solver, const Options& options) {
+  return options.moving ? moving_job(set, solver, options.seed)
+         : options.warm ? warm_job(set, solver, options.seed)
+                        : cold_job(set, solver);
 }
 
 int count_batch(const Options& options) {
   each_set(options, [&](const Named& set) {
-    solve_batches(pairs_of(set), options.times);
-    print_line(
-        fmt::format("{} x {} solves by batch, {}", options.times, set.cases.size(), name(best_instruction_set())));
+    const Job job = job_asked(set, find_solvers("auto")[0], options);
+    solve_batches(job, options.times);
+    print_line(fmt::format("{} x {} {} solves by batch, {}", options.times, job.tasks.size(), name(job.start),
+                           name(best_instruction_set())));
   });
   return exit_done;
 }
@@ -245,9 +256,7 @@ int count(const Options& options) {
   if (solvers.size() != 1 || options.sets.size() + (options.pairs.empty() ? 0 : 1) != 1)
     throw InputFailure("plumb bench", 0, "--count-only", "needs one --method, and one --set or --pairs");
   each_set(options, [&](const Named& set) {
-    const Job job = options.moving ? moving_job(set, solvers[0], options.seed)
-                    : options.warm ? warm_job(set, solvers[0], options.seed)
-                                   : cold_job(set, solvers[0]);
+    const Job job = job_asked(set, solvers[0], options);
     for (int pass = 0; pass < options.times && !interrupted(); ++pass)
       for (const Task& task : job.tasks) solve(job.solver, task);
     print_line(
@@ -259,8 +268,9 @@ int count(const Options& options) {
 int bench(Options& options) {
   const std::vector<Solver> solvers = solvers_here(options.method);
   each_set(options, [&](const Named& set) {
-    const std::vector<Measurement> all = measure(jobs_of(set, solvers, options.seed), options.repeat);
-    const std::vector<BatchMeasurement> of_batch = batches(set, solvers, options.repeat);
+    const std::vector<Job> jobs = jobs_of(set, solvers, options.seed);
+    const std::vector<Measurement> all = measure(jobs, options.repeat);
+    const std::vector<BatchMeasurement> of_batch = batches(jobs, options.repeat);
     if (interrupted()) return;
     if (!options.lines.is_json()) print_table(set, all);
     if (!options.lines.is_json()) print_batches(of_batch);
