@@ -100,7 +100,7 @@ typedef struct plumb_details {
   double normal_by_turn[2][3][3]; /* d normal = . dw */
 } plumb_details;
 
-/* Bytes of the caller's stack that are enough for plumb_solve and plumb_solve_batch, whatever the pairs and the method: of a release
+/* Bytes of the caller's stack that are enough for plumb_solve and both batches, whatever the pairs and the method: of a release
  * build by g++ for x86-64, which tests hold to them. */
 #define PLUMB_STACK_SOLVE (60 * 1024)
 /* The same for plumb_certify. */
@@ -136,6 +136,10 @@ typedef struct plumb_contact_arrays {
  * Many threads: a range of the arrays each. */
 PLUMB_API int plumb_solve_batch(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
                                 const plumb_contact_arrays* contacts);
+
+/* The same from where each pair's last solve ended: contexts[i] is pair i's, as plumb_solve's. NULL: cold starts. */
+PLUMB_API int plumb_solve_batch_warm(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
+                                     plumb_context* contexts, const plumb_contact_arrays* contacts);
 
 /* Of what a certificate says. */
 enum plumb_claim { PLUMB_OPEN = 0, PLUMB_PROVED = 1, PLUMB_DISPROVED = 2 };

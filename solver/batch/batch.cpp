@@ -87,7 +87,6 @@ template <class Check>
 
 [[nodiscard]] Contact<double> start_at(const PairArrays& from, std::size_t i) {
   Contact<double> out;
-  if (from.last.chart1[0].empty()) return out;
   out.chart1 = vector_at(from.last.chart1, i);
   out.chart2 = vector_at(from.last.chart2, i);
   if (from.before_last.chart1[0].empty()) return out;
@@ -104,10 +103,22 @@ void store(const Vec3<double>& value, const std::array<std::span<double>, 3>& to
   for (int k = 0; k < 3; ++k) store(value[k], to[static_cast<std::size_t>(k)], i);
 }
 
-void solve_alone(const PairArrays& pairs, const Want& want, const ContactArrays& to, std::size_t i) {
+/// With what the arrays ask for.
+[[nodiscard]] Want wanted(Want want, const ContactArrays& contacts) {
+  const auto is_asked_for = [](const auto& spans) {
+    return !spans[0].empty() || !spans[1].empty() || !spans[2].empty();
+  };
+  want.overlap = !contacts.overlap.empty();
+  want.normal = is_asked_for(contacts.normal);
+  want.points = is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
+  want.curvature = want.derivatives = false;
+  return want;
+}
+
+void solve_alone(const PairArrays& pairs, const Want& want, const ContactArrays& to, std::size_t i,
+                 const Contact<double>* last) {
   const Pair pair{body_at(pairs.body1, i), body_at(pairs.body2, i)};
-  const Contact<double> last = start_at(pairs, i);
-  const Contact<double> found = find_method("auto")->solve(pair, want, &last);
+  const Contact<double> found = find_method("auto")->solve(pair, want, last);
   store(found.status, to.status, i);
   store(found.verdict, to.verdict, i);
   store(found.overlap, to.overlap, i);
@@ -119,6 +130,19 @@ void solve_alone(const PairArrays& pairs, const Want& want, const ContactArrays&
   store(found.chart2, to.chart2, i);
   store(found.iterations, to.iterations, i);
   store(found.evaluations, to.evaluations, i);
+}
+
+/// Not inlined: a cold start has no room for an earlier contact on its stack.
+[[gnu::noinline]] void solve_warm(const PairArrays& pairs, const Want& want, const ContactArrays& to, std::size_t i) {
+  const Contact<double> last = start_at(pairs, i);
+  solve_alone(pairs, want, to, i, &last);
+}
+
+void solve_from_start(const PairArrays& pairs, const Want& want, const ContactArrays& to, std::size_t i) {
+  if (pairs.last.chart1[0].empty())
+    solve_alone(pairs, want, to, i, nullptr);
+  else
+    solve_warm(pairs, want, to, i);
 }
 
 }  // namespace
@@ -139,25 +163,21 @@ int lanes(InstructionSet set) {
   return kernel(set).lanes;
 }
 
+Unsettled solve_together(const Chunk& chunk, InstructionSet set) {
+  return kernel(set).solve(chunk);
+}
+
 BatchReport solve_batch(const PairArrays& pairs, const Want& want, const ContactArrays& contacts, InstructionSet set) {
   const StandardArithmetic mode;
   BatchReport report{find_error(pairs, contacts, set), 0};
   if (report.error != BatchError::none) return report;
-  const auto is_asked_for = [](const auto& spans) {
-    return !spans[0].empty() || !spans[1].empty() || !spans[2].empty();
-  };
-  Want wanted = want;
-  wanted.overlap = !contacts.overlap.empty();
-  wanted.normal = is_asked_for(contacts.normal);
-  wanted.points =
-      is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
-  wanted.curvature = wanted.derivatives = false;
+  const Want all = wanted(want, contacts);
   for (std::size_t first = 0; first < pairs.size(); first += Chunk::capacity) {
     const std::size_t count = std::min(Chunk::capacity, pairs.size() - first);
-    for (Unsettled left = kernel(set).solve({pairs, wanted, contacts, first, count}); left != 0; left &= left - 1) {
-      solve_alone(pairs, wanted, contacts, first + static_cast<std::size_t>(std::countr_zero(left)));
+    each_unsettled(solve_together({pairs, all, contacts, first, count}, set), [&](std::size_t k) {
+      solve_from_start(pairs, all, contacts, first + k);
       ++report.alone;
-    }
+    });
   }
   return report;
 }

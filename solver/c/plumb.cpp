@@ -12,7 +12,9 @@
 #include <span>
 
 #include "solver/batch/batch.hpp"
+#include "solver/batch/chunk.hpp"
 #include "solver/c/auto_door.hpp"
+#include "solver/c/contexts.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/standard_arithmetic.hpp"
 
@@ -54,43 +56,6 @@ Want want_of(const plumb_options& options) {
           .derivatives = is_wanted(PLUMB_WANT_DERIVATIVES),
           .iteration_limit = options.iteration_limit,
           .tolerance = options.tolerance};
-}
-
-/// What a context holds.
-constexpr double nothing = 0, points = 1, charts = 2;
-
-/// plumb_context::state: both charts; both points, or, of `auto`, the charts of the solve before; the normal; what there is.
-struct ContextState {
-  Eigen::Map<Eigen::Matrix<double, 3, 5>> vectors;
-  double& holds;
-};
-
-ContextState state_of(plumb_context& context) {
-  return {Eigen::Map<Eigen::Matrix<double, 3, 5>>(context.state), context.state[15]};
-}
-
-/// Where the next solve starts, if anywhere.
-std::optional<Contact<double>> last_of(plumb_context* context) {
-  if (context == nullptr) return std::nullopt;
-  const ContextState state = state_of(*context);
-  if (state.holds != points && state.holds != charts) return std::nullopt;
-  const auto& from = state.vectors;
-  Contact<double> out;
-  out.chart1 = from.col(0);
-  out.chart2 = from.col(1);
-  (state.holds == charts ? out.last_chart1 : out.point1) = from.col(2);
-  (state.holds == charts ? out.last_chart2 : out.point2) = from.col(3);
-  out.normal = from.col(4);
-  return out;
-}
-
-/// Where a solve ended without an answer the next one starts cold.
-void keep(const Contact<double>& found, plumb_context& context) {
-  ContextState state = state_of(context);
-  const bool has_charts = found.chart1.allFinite() && found.chart2.allFinite();
-  state.holds = found.status != Status::converged ? nothing : has_charts ? charts : points;
-  state.vectors << found.chart1, found.chart2, has_charts ? found.last_chart1 : found.point1,
-      has_charts ? found.last_chart2 : found.point2, found.normal;
 }
 
 template <class Matrix, std::size_t N>
@@ -156,7 +121,7 @@ BodyArrays body_part(const plumb_body_arrays& body, std::size_t begin, std::size
 
 /// Status and Verdict are written here first: to C they are int.
 struct Codes {
-  static constexpr std::size_t length = 128;
+  static constexpr std::size_t length = 64;
   std::array<Status, length> status;
   std::array<Verdict, length> verdict;
 
@@ -180,6 +145,33 @@ ContactArrays contact_part(const plumb_contact_arrays& contacts, Codes& codes, s
           .evaluations = part(contacts.evaluations, begin, length)};
 }
 
+Body body_at(const plumb_body_arrays& from, std::size_t i) {
+  const auto vector = [&](const auto& arrays) { return Vec3<double>(arrays[0][i], arrays[1][i], arrays[2][i]); };
+  const auto exponent = [&](const double* array) { return array == nullptr ? 2 : array[i]; };
+  const auto& q = from.quaternion_wxyz;
+  return {{vector(from.semi_axes), exponent(from.exponents[0]), exponent(from.exponents[1])},
+          vector(from.position),
+          {q[0][i], q[1][i], q[2][i], q[3][i]}};
+}
+
+void write_contact(const Contact<double>& found, const plumb_contact_arrays& to, std::size_t i) {
+  const auto write = [&](auto* array, auto value) {
+    if (array != nullptr) array[i] = value;
+  };
+  const auto write_vector = [&](double* const(&arrays)[3], const Vec3<double>& value) {
+    for (int k = 0; k < 3; ++k) write(arrays[k], value[k]);
+  };
+  write(to.status, static_cast<int>(found.status));
+  write(to.verdict, static_cast<int>(found.verdict));
+  write(to.overlap, found.overlap);
+  write_vector(to.normal, found.normal);
+  write_vector(to.points[0], found.point1);
+  write_vector(to.points[1], found.point2);
+  write_vector(to.contact_point, found.contact_point);
+  write(to.iterations, found.iterations);
+  write(to.evaluations, found.evaluations);
+}
+
 template <std::size_t N>
 bool are_all(const double* const (&arrays)[N], bool there) {
   for (const double* array : arrays)
@@ -190,6 +182,74 @@ bool are_all(const double* const (&arrays)[N], bool there) {
 bool is_complete(const plumb_body_arrays& body) {
   return are_all(body.semi_axes, true) && are_all(body.position, true) && are_all(body.quaternion_wxyz, true) &&
          (are_all(body.exponents, true) || are_all(body.exponents, false));
+}
+
+/// What the arrays ask for.
+Want wants_of(Want want, const plumb_contact_arrays& to) {
+  const auto is_any = [](double* const(&arrays)[3]) {
+    return arrays[0] != nullptr || arrays[1] != nullptr || arrays[2] != nullptr;
+  };
+  want.overlap = to.overlap != nullptr;
+  want.normal = is_any(to.normal);
+  want.points = is_any(to.points[0]) || is_any(to.points[1]) || is_any(to.contact_point);
+  want.curvature = want.derivatives = false;
+  return want;
+}
+
+/// All parts of n pairs in turn: work(first pair, pairs).
+template <class Work>
+int each_part(std::size_t n, const Work& work) {
+  for (std::size_t begin = 0; begin < n; begin += Codes::length)
+    if (!work(begin, std::min(Codes::length, n - begin))) return PLUMB_ERROR_ARGUMENT;
+  return PLUMB_OK;
+}
+
+int solve_cold(std::size_t n, const plumb_body_arrays bodies[2], const Want& want,
+               const plumb_contact_arrays& contacts) {
+  Codes codes;
+  return each_part(n, [&](std::size_t begin, std::size_t length) {
+    const PairArrays pairs{body_part(bodies[0], begin, length), body_part(bodies[1], begin, length)};
+    const BatchReport report = solve_batch(pairs, want, contact_part(contacts, codes, begin, length));
+    codes.copy_to(contacts, begin, length);
+    return report.error == BatchError::none;
+  });
+}
+
+/// A part side by side, and their contexts; not inlined, so that all columns are off the stack before a search.
+[[nodiscard, gnu::noinline]] Unsettled solve_together(const plumb_body_arrays bodies[2], const Want& want,
+                                                      std::span<plumb_context> contexts,
+                                                      const plumb_contact_arrays& contacts, std::size_t begin) {
+  const std::size_t length = contexts.size();
+  Codes codes;
+  ContextColumns<Codes::length> charts;
+  charts.load(contexts);
+  ContactArrays to = contact_part(contacts, codes, begin, length);
+  charts.set_outputs(to, length);
+  const PairArrays pairs{body_part(bodies[0], begin, length), body_part(bodies[1], begin, length), charts.last(length),
+                         charts.before_last(length)};
+  const Unsettled unsettled = solve_together({pairs, want, to, 0, length}, InstructionSet::best);
+  charts.store(unsettled, contexts);
+  codes.copy_to(contacts, begin, length);
+  return unsettled;
+}
+
+/// One that is left.
+void solve_alone(const plumb_body_arrays bodies[2], const Want& want, plumb_context& context,
+                 const plumb_contact_arrays& contacts, std::size_t i) {
+  const std::optional<Contact<double>> last = last_of(&context);
+  const Pair pair{body_at(bodies[0], i), body_at(bodies[1], i)};
+  const Contact<double> found = find_method("auto")->solve(pair, want, last ? &*last : nullptr);
+  write_contact(found, contacts, i);
+  keep(found, context);
+}
+
+int solve_warm(std::size_t n, const plumb_body_arrays bodies[2], const Want& want, plumb_context* contexts,
+               const plumb_contact_arrays& contacts) {
+  return each_part(n, [&](std::size_t begin, std::size_t length) {
+    const Unsettled left = solve_together(bodies, want, {contexts + begin, length}, contacts, begin);
+    each_unsettled(left, [&](std::size_t k) { solve_alone(bodies, want, contexts[begin + k], contacts, begin + k); });
+    return true;
+  });
 }
 
 const char* c_text(std::string_view literal) {
@@ -260,20 +320,18 @@ int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_cont
 
 int plumb_solve_batch(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
                       const plumb_contact_arrays* contacts) {
+  return plumb_solve_batch_warm(n, bodies, options, nullptr, contacts);
+}
+
+int plumb_solve_batch_warm(size_t n, const plumb_body_arrays bodies[2], const plumb_options* options,
+                           plumb_context* contexts, const plumb_contact_arrays* contacts) {
   const StandardArithmetic mode;
   const plumb_options chosen = options_of(options);
   if (bodies == nullptr || contacts == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
   if (n > 0 && !(is_complete(bodies[0]) && is_complete(bodies[1]))) return PLUMB_ERROR_ARGUMENT;
   if (chosen.method != nullptr && std::string_view(chosen.method) != "auto") return PLUMB_ERROR_METHOD;
-  Codes codes;
-  for (std::size_t begin = 0; begin < n; begin += Codes::length) {
-    const std::size_t length = std::min(Codes::length, n - begin);
-    const PairArrays pairs{body_part(bodies[0], begin, length), body_part(bodies[1], begin, length)};
-    if (solve_batch(pairs, want_of(chosen), contact_part(*contacts, codes, begin, length)).error != BatchError::none)
-      return PLUMB_ERROR_ARGUMENT;
-    codes.copy_to(*contacts, begin, length);
-  }
-  return PLUMB_OK;
+  return contexts == nullptr ? solve_cold(n, bodies, want_of(chosen), *contacts)
+                             : solve_warm(n, bodies, wants_of(want_of(chosen), *contacts), contexts, *contacts);
 }
 
 // The library is itself a solver behind the C door: plumb campaign --solver libplumb.so.

@@ -93,6 +93,42 @@ TEST(CApi, AContextIsTheLastContact) {
   EXPECT_EQ(found.overlap, find_method("auto")->solve(pair, {}, nullptr).overlap);
 }
 
+plumb_body_arrays c_arrays(const BodyArrays& b) {
+  return {{b.semi_axes[0].data(), b.semi_axes[1].data(), b.semi_axes[2].data()},
+          {b.n1.data(), b.n2.data()},
+          {b.position[0].data(), b.position[1].data(), b.position[2].data()},
+          {b.quaternion[0].data(), b.quaternion[1].data(), b.quaternion[2].data(), b.quaternion[3].data()}};
+}
+
+/// From contexts of single solves a batch goes on as they do, and single solves from its own.
+TEST_P(CSolve, AWarmBatchIsWarmSolves) {
+  std::vector<Pair> pairs;
+  for (std::uint64_t i = 0; i < 150; ++i) pairs.push_back(generate(GetParam(), 6, i).pair);
+  std::vector<plumb_context> alone(pairs.size()), together(pairs.size());
+  for (int step = 0; step < 5; ++step) {
+    for (Pair& pair : pairs) pair.body2.position += Vec3<double>::Constant(1e-3 * size_of(pair));
+    const PairColumns columns(pairs);
+    const plumb_body_arrays bodies[2] = {c_arrays(columns.arrays().body1), c_arrays(columns.arrays().body2)};
+    std::vector<int> status(pairs.size());
+    std::vector<double> overlap(pairs.size());
+    plumb_contact_arrays contacts{};
+    contacts.status = status.data();
+    contacts.overlap = overlap.data();
+    ASSERT_EQ(plumb_solve_batch_warm(pairs.size(), bodies, nullptr, together.data(), &contacts), PLUMB_OK);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const plumb_pair pair = door::c_pair(pairs[i]);
+      plumb_contact found;
+      ASSERT_EQ(plumb_solve(&pair, nullptr, &alone[i], &found, nullptr), PLUMB_OK);
+      EXPECT_EQ(status[i], found.status) << i;
+      const double reach = std::max(size_of(pairs[i]), (pairs[i].body2.position - pairs[i].body1.position).norm());
+      if (found.status == PLUMB_CONVERGED) {
+        EXPECT_NEAR(overlap[i], found.overlap, 1e-14 * reach) << i;
+      }
+      if (i % 2 == 0) std::swap(alone[i], together[i]);
+    }
+  }
+}
+
 TEST_P(CSolve, BatchIsSolve) {
   std::vector<Pair> pairs;
   for (std::uint64_t i = 0; i < 1300; ++i) pairs.push_back(generate(GetParam(), 6, i).pair);
@@ -100,14 +136,7 @@ TEST_P(CSolve, BatchIsSolve) {
   const PairArrays arrays = columns.arrays();
   ContactColumns expected(pairs.size()), found(pairs.size());
   ASSERT_EQ(solve_batch(arrays, {}, expected.arrays()).error, BatchError::none);
-  const auto body = [](const BodyArrays& b) {
-    return plumb_body_arrays{
-        {b.semi_axes[0].data(), b.semi_axes[1].data(), b.semi_axes[2].data()},
-        {b.n1.data(), b.n2.data()},
-        {b.position[0].data(), b.position[1].data(), b.position[2].data()},
-        {b.quaternion[0].data(), b.quaternion[1].data(), b.quaternion[2].data(), b.quaternion[3].data()}};
-  };
-  const plumb_body_arrays bodies[2] = {body(arrays.body1), body(arrays.body2)};
+  const plumb_body_arrays bodies[2] = {c_arrays(arrays.body1), c_arrays(arrays.body2)};
   const ContactArrays to = found.arrays();
   std::vector<int> status(pairs.size()), verdict(pairs.size());
   plumb_contact_arrays contacts{};

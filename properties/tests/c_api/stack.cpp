@@ -87,6 +87,9 @@ void solve_as_batch(const Pairs& pairs) {
   for (std::size_t k = 0; k < 3; ++k) contacts.contact_point[k] = to.contact_point[k].data();
   const plumb_body_arrays bodies[2] = {arrays_of(from.body1), arrays_of(from.body2)};
   EXPECT_EQ(plumb_solve_batch(pairs.size(), bodies, nullptr, &contacts), PLUMB_OK);
+  std::vector<plumb_context> contexts(pairs.size());
+  for (int step = 0; step < 2; ++step)
+    EXPECT_EQ(plumb_solve_batch_warm(pairs.size(), bodies, nullptr, contexts.data(), &contacts), PLUMB_OK);
 }
 
 void certify(const Pairs& pairs) {

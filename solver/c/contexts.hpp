@@ -1,0 +1,103 @@
+// plumb_context: where a contact's last solve ended.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "solver/batch/chunk.hpp"
+#include "solver/plumb.h"
+
+namespace plumb {
+
+/// What a context holds.
+inline constexpr double nothing = 0, points = 1, charts = 2;
+
+/// plumb_context::state: both charts; both points, or, of `auto`, the charts of the solve before; the normal; what there is.
+struct ContextState {
+  Eigen::Map<Eigen::Matrix<double, 3, 5>> vectors;
+  double& holds;
+};
+
+[[nodiscard]] inline ContextState state_of(plumb_context& context) {
+  return {Eigen::Map<Eigen::Matrix<double, 3, 5>>(context.state), context.state[15]};
+}
+
+/// Where the next solve starts, if anywhere.
+[[nodiscard]] inline std::optional<Contact<double>> last_of(plumb_context* context) {
+  if (context == nullptr) return std::nullopt;
+  const ContextState state = state_of(*context);
+  if (state.holds != points && state.holds != charts) return std::nullopt;
+  const auto& from = state.vectors;
+  Contact<double> out;
+  out.chart1 = from.col(0);
+  out.chart2 = from.col(1);
+  (state.holds == charts ? out.last_chart1 : out.point1) = from.col(2);
+  (state.holds == charts ? out.last_chart2 : out.point2) = from.col(3);
+  out.normal = from.col(4);
+  return out;
+}
+
+/// Where a solve ended without an answer the next one starts cold.
+inline void keep(const Contact<double>& found, plumb_context& context) {
+  ContextState state = state_of(context);
+  const bool has_charts = found.chart1.allFinite() && found.chart2.allFinite();
+  state.holds = found.status != Status::converged ? nothing : has_charts ? charts : points;
+  state.vectors << found.chart1, found.chart2, has_charts ? found.last_chart1 : found.point1,
+      has_charts ? found.last_chart2 : found.point2, found.normal;
+}
+
+/// The charts of a part of a batch, from its contexts and back. A context that another method filled has none: NaN.
+template <std::size_t capacity>
+class ContextColumns {
+ public:
+  void load(std::span<plumb_context> contexts) {
+    for (std::size_t i = 0; i < contexts.size(); ++i) {
+      const Contact<double> none;
+      const ContextState state = state_of(contexts[i]);
+      const std::optional<Contact<double>> last = last_of(&contexts[i]);
+      put(0, i, last ? last->chart1 : none.chart1);
+      put(1, i, last ? last->chart2 : none.chart2);
+      put(2, i, state.holds == charts ? last->last_chart1 : none.chart1);
+      put(3, i, state.holds == charts ? last->last_chart2 : none.chart2);
+    }
+  }
+  /// Of the pairs that are settled.
+  void store(Unsettled unsettled, std::span<plumb_context> contexts) const {
+    for (std::size_t i = 0; i < contexts.size(); ++i) {
+      if ((unsettled >> i & 1U) != 0) continue;
+      Contact<double> found;
+      found.status = Status::converged;
+      found.chart1 = at(4, i);
+      found.chart2 = at(5, i);
+      found.last_chart1 = at(0, i);
+      found.last_chart2 = at(1, i);
+      keep(found, contexts[i]);
+    }
+  }
+
+  [[nodiscard]] ChartArrays last(std::size_t count) const { return {spans(0, count), spans(1, count)}; }
+  [[nodiscard]] ChartArrays before_last(std::size_t count) const { return {spans(2, count), spans(3, count)}; }
+  void set_outputs(ContactArrays& to, std::size_t count) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      to.chart1[axis] = std::span(columns_[4][axis]).first(count);
+      to.chart2[axis] = std::span(columns_[5][axis]).first(count);
+    }
+  }
+
+ private:
+  void put(std::size_t vector, std::size_t i, const Vec3<double>& from) {
+    for (std::size_t axis = 0; axis < 3; ++axis) columns_[vector][axis][i] = from[static_cast<Eigen::Index>(axis)];
+  }
+  [[nodiscard]] Vec3<double> at(std::size_t vector, std::size_t i) const {
+    return {columns_[vector][0][i], columns_[vector][1][i], columns_[vector][2][i]};
+  }
+  [[nodiscard]] std::array<std::span<const double>, 3> spans(std::size_t vector, std::size_t count) const {
+    const auto& of = columns_[vector];
+    return {std::span(of[0]).first(count), std::span(of[1]).first(count), std::span(of[2]).first(count)};
+  }
+
+  std::array<std::array<std::array<double, capacity>, 3>, 6> columns_;  ///< of last, before it, and found: both charts
+};
+
+}  // namespace plumb
