@@ -56,11 +56,14 @@ class Race {
   }
   double batch(InstructionSet set) {
     PairArrays pairs = columns_.arrays();
-    if (job_.start != Start::cold) {
+    ContactArrays contacts = contacts_.arrays();
+    if (job_.start == Start::cold) {
+      contacts.chart1 = contacts.chart2 = {};
+    } else {
       pairs.last = last_.charts();
       pairs.before_last = before_last_.charts();
     }
-    return time_of([&] { report_ = solve_batch(pairs, {}, contacts_.arrays(), set); });
+    return time_of([&] { report_ = solve_batch(pairs, {}, contacts, set); });
   }
   [[nodiscard]] double share_alone() const {
     return static_cast<double>(report_.alone) / static_cast<double>(job_.tasks.size());
