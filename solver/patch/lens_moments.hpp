@@ -1,0 +1,58 @@
+// What is summed over the surface of the lens, the part that two bodies have in common, about a point inside it.
+//
+// With y from that point and dA the outward area vector, for f homogeneous of degree k in y: int f dV = 1/(k+3) oint f (y . dA).
+// All terms of V are positive: the lens is convex and the point inside.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "solver/patch/lens.hpp"
+
+namespace plumb::detail {
+
+struct LensMoments {
+  double volume = 0;
+  Vec3<double> first = Vec3<double>::Zero();              ///< int y dV
+  Mat3<double> second = Mat3<double>::Zero();             ///< int y y' dV
+  std::array<Vec3<double>, 2> area = {Vec3<double>::Zero(), Vec3<double>::Zero()};    ///< int dA over each body's part
+  std::array<Vec3<double>, 2> moment = {Vec3<double>::Zero(), Vec3<double>::Zero()};  ///< int y x dA
+
+  /// A piece of body `owner`'s surface.
+  void add(const Vec3<double>& y, const Vec3<double>& piece, std::size_t owner) {
+    const double height = y.dot(piece);
+    volume += height / 3;
+    first += (height / 4) * y;
+    second += y * (height / 5 * y).transpose();
+    area[owner] += piece;
+    moment[owner] += y.cross(piece);
+  }
+  LensMoments& operator+=(const LensMoments& more) {
+    volume += more.volume;
+    first += more.first;
+    second += more.second;
+    for (std::size_t i = 0; i < 2; ++i) area[i] += more.area[i], moment[i] += more.moment[i];
+    return *this;
+  }
+  /// All of it times a number.
+  [[nodiscard]] LensMoments scaled(double by) const {
+    LensMoments out = *this;
+    out.volume *= by, out.first *= by, out.second *= by;
+    for (std::size_t i = 0; i < 2; ++i) out.area[i] *= by, out.moment[i] *= by;
+    return out;
+  }
+};
+
+/// The largest relative difference of two sums over one lens, each number by what it is measured with: a volume, an area, half axes.
+[[nodiscard]] inline double difference(const LensMoments& a, const LensMoments& b, const LensFrame& frame) {
+  const Mat3<double> to_frame = frame.axes.inverse();
+  const double width = frame.axes.leftCols<2>().colwise().norm().maxCoeff();
+  const double by_volume = std::max({std::abs(b.volume - a.volume), (to_frame * (b.first - a.first)).norm(),
+                                     (to_frame * (b.second - a.second) * to_frame.transpose()).norm()});
+  // Of an inner body the area vector is zero: its own measure is the area of what encloses the lens.
+  const double by_area = std::max((b.area[0] - a.area[0]).norm(), (b.moment[0] - a.moment[0]).norm() / width);
+  const double area = std::max(b.area[0].norm(), b.volume / width);
+  return std::max(by_volume / b.volume, by_area / area);
+}
+
+}  // namespace plumb::detail

@@ -1,0 +1,95 @@
+#include "solver/patch/patch.hpp"
+
+#include "solver/patch/patch_quadrature.hpp"
+
+namespace plumb {
+namespace {
+
+using detail::Caps;
+using detail::Lens;
+using detail::LensFrame;
+using detail::Meridians;
+using detail::Quadrature;
+
+/// What rounding leaves of a lens's thickness: of coordinates as large as the pair, in two gauges and the middle of two points.
+double rounding_error(const PlacedPair<double>& placed, const LensFrame& frame) {
+  const double roundings = 8;
+  const double reach = std::max(placed.size(), placed.body2.centre.norm());
+  return roundings * epsilon<double>() * reach / frame.thickness();
+}
+
+/// Newton's last step, relative; it leaves about its square.
+double last_step(double tolerance, double rounding) {
+  const double share = 0.1;
+  return std::max(share * std::sqrt(tolerance), rounding);
+}
+
+Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, double rounding, bool are_ellipsoids) {
+  const double accuracy = last_step(tolerance, rounding);
+  Caps caps(lens, frame, accuracy);
+  const int least = are_ellipsoids ? 8 : 16;
+  if (const auto found = detail::quadrature::by_caps<3, 4, 6, 8, 12, 16>(caps, frame, tolerance, least)) return *found;
+  return detail::quadrature::by_meridians(Meridians(lens, frame, accuracy), frame, tolerance);
+}
+
+/// Columns right-handed, the third on the side of `normal`, and the first's largest component positive.
+Mat3<double> oriented(const Mat3<double>& ascending, const Vec3<double>& normal) {
+  Mat3<double> axes;
+  axes << ascending.col(2), ascending.col(1), ascending.col(0);
+  Eigen::Index largest = 0;
+  axes.col(0).cwiseAbs().maxCoeff(&largest);
+  if (axes(largest, 0) < 0) axes.col(0) *= -1;
+  if (axes.col(2).dot(normal) < 0) axes.col(2) *= -1;
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return axes;
+}
+
+/// Both bodies' parts give the area vector, of opposite signs.
+Vec3<double> mean_of_sides(const std::array<Vec3<double>, 2>& sides) {
+  return (sides[0] - sides[1]) / 2;
+}
+
+Patch patch_of(const detail::LensMoments& sum, const LensFrame& frame, const PlacedPair<double>& placed, const Pair& pair) {
+  Patch out;
+  const auto length = [&](double x) { return placed.to_world_length(x); };
+  const auto area = [&](double x) { return length(length(x)); };
+  const Vec3<double> middle = sum.first / sum.volume, vector = mean_of_sides(sum.area);
+  const Mat3<double> spread = sum.second / sum.volume - middle * middle.transpose();
+  const double size = vector.norm();
+  Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(spread);
+  out.volume = area(length(sum.volume));
+  out.area = area(size);
+  out.normal = vector / size;
+  out.centre = placed.to_world_point(frame.origin + middle, pair);
+  out.area_moment = (mean_of_sides(sum.moment) - middle.cross(vector)).unaryExpr([&](double x) { return area(length(x)); });
+  out.second_moments = solver.eigenvalues().reverse().cwiseMax(0).unaryExpr(area);
+  out.axes = oriented(solver.eigenvectors(), out.normal);
+  return out;
+}
+
+}  // namespace
+
+Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1, const Vec3<double>& point2,
+               double tolerance) {
+  const PlacedPair<double> placed = place<double>(pair);
+  const Lens lens(placed);
+  const Vec3<double> inside = detail::point_inside(lens, (point1 + point2) / 2);
+  if (!(lens.gauge(inside) < 1)) return {};
+  const LensFrame frame = detail::lens_frame(lens, inside, normal, placed.size());
+  const double rounding = rounding_error(placed, frame);
+  const bool are_ellipsoids = lens.bodies[0].is_ellipsoid() && lens.bodies[1].is_ellipsoid();
+  const Quadrature found = moments(lens, frame, tolerance, rounding, are_ellipsoids);
+  Patch out = patch_of(found.moments, frame, placed, pair);
+  out.error = found.error + rounding;
+  return out;
+}
+
+std::array<Vec3<double>, 4> points_of(const Patch& patch) {
+  const Mat3<double> offsets = patch.axes * patch.second_moments.cwiseSqrt().asDiagonal();
+  const auto corner = [&](double x, double y, double z) -> Vec3<double> {
+    return patch.centre + offsets * Vec3<double>(x, y, z);
+  };
+  return {corner(1, 1, 1), corner(1, -1, -1), corner(-1, 1, -1), corner(-1, -1, 1)};
+}
+
+}  // namespace plumb
