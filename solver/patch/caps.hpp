@@ -29,7 +29,7 @@ struct RimPoint {
   const int limit = 30;
   for (int i = 0; i < limit; ++i) {
     at.x = frame.origin + at.rho * d + at.z * e3;
-    const GaugeAt one = lens.bodies[0].at(at.x), two = lens.bodies[1].at(at.x);
+    const auto [one, two] = lens.gauges(at.x, at.x);
     const double a = one.gradient.dot(d), b = one.gradient.dot(e3), c = two.gradient.dot(d), e = two.gradient.dot(e3);
     const double determinant = a * e - b * c;
     const auto solve = [&](double r1, double r2) -> Eigen::Vector2d {
@@ -57,11 +57,10 @@ struct RimPoint {
 class Caps {
  public:
   Caps(const Lens& lens, const LensFrame& frame, double accuracy)
-      : lens_(lens), frame_(frame), accuracy_(accuracy),
-        slack_(accuracy * accuracy * (1 - lens.gauge(frame.origin))) {
+      : lens_(lens), frame_(frame), accuracy_(accuracy), slack_(accuracy * accuracy * (1 - lens.gauge(frame.origin))) {
     const Vec3<double> e3 = frame.axes.col(2);
-    apex_[0] = frame.origin + lens.bodies[0].exit(frame.origin, e3, 1, accuracy).t * e3;
-    apex_[1] = frame.origin - lens.bodies[1].exit(frame.origin, -e3, 1, accuracy).t * e3;
+    apex_[0] = frame.origin + lens.exits(frame.origin, e3, accuracy)[0].t * e3;
+    apex_[1] = frame.origin - lens.exits(frame.origin, -e3, accuracy)[1].t * e3;
   }
 
   /// The rim at an azimuth, from that of the last one.
@@ -73,26 +72,36 @@ class Caps {
   /// Adds both caps' fans to a rim point, n points each; `share`: of the circle. False where a fan leaves the other body, so that
   /// the lens is not one of two caps.
   template <std::size_t n>
-  [[nodiscard]] bool add(LensMoments& sum, const RimPoint& rim, double share) const {
-    return add_fan<n>(sum, rim, 0, share) && add_fan<n>(sum, rim, 1, share);
+  [[nodiscard]] bool add(LensMoments& sum, const RimPoint& rim, double share, bool is_checked) const {
+    static constexpr GaussRule<n> rule = gauss_rule<n, 1>();
+    std::array<const PlacedGauge*, 2 * n> own, other;
+    std::array<Vec3<double>, 2 * n> from_own, from_other, y;
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const std::size_t owner = i < n ? 0 : 1;
+      own[i] = &lens_.bodies[owner], other[i] = &lens_.bodies[1 - owner];
+      from_own[i] = apex_[owner] - own[i]->centre + rule.nodes[i % n] * (rim.x - apex_[owner]);
+    }
+    const auto at = gauges_from_centres<2 * n>(own, from_own);
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const Vec3<double> x = own[i]->centre + from_own[i] / at[i].value;
+      y[i] = x - frame_.origin;
+      from_other[i] = x - other[i]->centre;
+    }
+    if (is_checked)
+      for (const GaugeAt& of_other : gauges_from_centres<2 * n>(other, from_other))
+        if (of_other.value > 1 + slack_) return false;
+    const std::array widths{share * fan_width(rim, 0), -share * fan_width(rim, 1)};
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const double width = rule.weights[i % n] * widths[i / n], g = at[i].value;
+      sum.add(y[i], width / (g * g * g) * at[i].gradient, i / n);
+    }
+    return true;
   }
 
  private:
-  template <std::size_t n>
-  [[nodiscard]] bool add_fan(LensMoments& sum, const RimPoint& rim, std::size_t owner, double share) const {
-    static constexpr GaussRule<n> rule = gauss_rule<n, 1>();
-    const PlacedGauge &body = lens_.bodies[owner], &other = lens_.bodies[1 - owner];
-    const Vec3<double> apex = apex_[owner] - body.centre(), spoke = rim.x - apex_[owner];
-    const double outward = owner == 0 ? 1 : -1;
-    const double width = outward * share * apex.dot(spoke.cross(rim.slope));
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3<double> v = apex + rule.nodes[i] * spoke;
-      const GaugeAt at = body.from_centre(v);
-      const Vec3<double> x = body.centre() + v / at.value;
-      if (other.at(x).value > 1 + slack_) return false;
-      sum.add(x - frame_.origin, rule.weights[i] * width / (at.value * at.value * at.value) * at.gradient, owner);
-    }
-    return true;
+  /// det(P, X - P, X').
+  [[nodiscard]] double fan_width(const RimPoint& rim, std::size_t owner) const {
+    return (apex_[owner] - lens_.bodies[owner].centre).dot((rim.x - apex_[owner]).cross(rim.slope));
   }
 
   const Lens& lens_;

@@ -16,27 +16,71 @@ struct Lens {
 
   explicit Lens(const PlacedPair<double>& placed) : bodies{PlacedGauge(placed.body1), PlacedGauge(placed.body2)} {}
 
-  /// Below 1 inside, 1 on the surface.
-  [[nodiscard]] double gauge(const Vec3<double>& x) const {
-    return std::max(bodies[0].at(x).value, bodies[1].at(x).value);
+  [[nodiscard]] bool is_of_ellipsoids() const { return bodies[0].is_ellipsoid && bodies[1].is_ellipsoid; }
+  /// Whether the normals follow the points: below 2 an exponent makes ridges.
+  [[nodiscard]] bool has_smooth_normals() const {
+    return std::min({bodies[0].n1, bodies[0].n2, bodies[1].n1, bodies[1].n2}) >= 2;
   }
-  /// Where a ray from inside leaves the lens, and through whose surface.
+  /// Of both bodies, at a point each.
+  [[nodiscard]] std::array<GaugeAt, 2> gauges(const Vec3<double>& x1, const Vec3<double>& x2) const {
+    return gauges_from_centres<2>({&bodies[0], &bodies[1]}, {x1 - bodies[0].centre, x2 - bodies[1].centre});
+  }
+  /// The larger of both: below 1 inside, 1 on the lens's surface.
+  [[nodiscard]] double gauge(const Vec3<double>& x) const {
+    const auto both = gauges(x, x);
+    return std::max(both[0].value, both[1].value);
+  }
+  /// Where a ray from inside leaves a body, at from + t along, and the gradient of the gauge there.
   struct Exit {
     double t;
     Vec3<double> gradient;
-    std::size_t owner;
   };
-  [[nodiscard]] Exit exit(const Vec3<double>& from, const Vec3<double>& along, double start, double accuracy) const {
-    const auto one = bodies[0].exit(from, along, start, accuracy), two = bodies[1].exit(from, along, start, accuracy);
-    return one.t <= two.t ? Exit{one.t, one.gauge.gradient, 0} : Exit{two.t, two.gauge.gradient, 1};
-  }
+  /// Of both. The gauges are convex: Newton's steps come from outside from the second on. One of `accuracy`, relative, is the
+  /// last, which leaves about its square.
+  [[nodiscard]] std::array<Exit, 2> exits(const Vec3<double>& from, const Vec3<double>& along, double accuracy) const;
 };
+
+namespace exits {
+
+/// g^2 of an ellipsoid is a quadratic form.
+[[nodiscard]] inline Lens::Exit of_ellipsoid(const PlacedGauge& body, const Vec3<double>& from, const Vec3<double>& along) {
+  const Vec3<double> u = body.to_gauge * (from - body.centre), d = body.to_gauge * along;
+  const double dd = d.squaredNorm(), ud = u.dot(d), inside = 1 - u.squaredNorm();
+  const double root = std::sqrt(std::max(ud * ud + dd * inside, 0.0));
+  const double t = ud > 0 ? inside / (ud + root) : (root - ud) / dd;
+  return {t, body.to_gauge.transpose() * (u + t * d)};
+}
+
+/// By how much t has to change.
+[[nodiscard]] inline double step(const GaugeAt& at, const Vec3<double>& along, double t) {
+  const double slope = at.gradient.dot(along);
+  const double longest = 3 * t;  // far inside, the slope may be as small as one likes
+  return slope > 0 ? std::min((1 - at.value) / slope, longest) : longest;
+}
+
+}  // namespace exits
+
+inline std::array<Lens::Exit, 2> Lens::exits(const Vec3<double>& from, const Vec3<double>& along, double accuracy) const {
+  if (is_of_ellipsoids())
+    return {exits::of_ellipsoid(bodies[0], from, along), exits::of_ellipsoid(bodies[1], from, along)};
+  double t1 = 1, t2 = 1;
+  std::array<GaugeAt, 2> at;
+  const int limit = 60;
+  for (int i = 0; i < limit; ++i) {
+    at = gauges(from + t1 * along, from + t2 * along);
+    const double step1 = exits::step(at[0], along, t1), step2 = exits::step(at[1], along, t2);
+    t1 += step1, t2 += step2;
+    if (std::abs(step1) <= accuracy * t1 && std::abs(step2) <= accuracy * t2) break;
+  }
+  return {Exit{t1, at[0].gradient}, Exit{t2, at[1].gradient}};
+}
 
 /// A point inside both bodies, as deep as three guesses find it: the middle of the contact points, which suits a thin lens, and on the
 /// line of centres the point of equal gauges, which suits a deep one. Its gauge is 1 or more where neither is inside.
 [[nodiscard]] inline Vec3<double> point_inside(const Lens& lens, const Vec3<double>& middle) {
-  const Vec3<double>&c1 = lens.bodies[0].centre(), &c2 = lens.bodies[1].centre();
-  const double g1 = lens.bodies[0].at(c2).value, g2 = lens.bodies[1].at(c1).value;  // along the line both are linear
+  const Vec3<double>&c1 = lens.bodies[0].centre, &c2 = lens.bodies[1].centre;
+  const auto at = lens.gauges(c2, c1);
+  const double g1 = at[0].value, g2 = at[1].value;  // along the line both are linear
   const Vec3<double> between = g1 + g2 > 0 ? Vec3<double>(c1 + (g2 / (g1 + g2)) * (c2 - c1)) : c1;
   const double deep = lens.gauge(between);
   return deep < lens.gauge(middle) ? between : middle;
@@ -58,10 +102,16 @@ namespace detail_frame {
 inline constexpr int rays = 8;
 inline constexpr double ray_accuracy = 0.1;  // relative: a frame need not be exact
 
+/// How far a ray goes inside the lens.
+[[nodiscard]] inline double reach(const Lens& lens, const Vec3<double>& from, const Vec3<double>& along) {
+  const auto both = lens.exits(from, along, ray_accuracy);
+  return std::min(both[0].t, both[1].t);
+}
+
 /// Origin to the middle of the lens along e3, and e3 to half its height there.
 inline void centre_height(const Lens& lens, LensFrame& frame) {
   const Vec3<double> e3 = frame.axes.col(2);
-  const double up = lens.exit(frame.origin, e3, 1, ray_accuracy).t, down = lens.exit(frame.origin, -e3, 1, ray_accuracy).t;
+  const double up = reach(lens, frame.origin, e3), down = reach(lens, frame.origin, -e3);
   frame.origin += (up - down) / 2 * e3;
   frame.axes.col(2) *= (up + down) / 2;
 }
@@ -74,7 +124,7 @@ inline void centre_height(const Lens& lens, LensFrame& frame) {
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
   for (int k = 0; k < rays; ++k) {
     const double azimuth = 2 * std::numbers::pi / rays * k;
-    const double r = lens.exit(frame.origin, frame.across(azimuth), 1, ray_accuracy).t;
+    const double r = reach(lens, frame.origin, frame.across(azimuth));
     const Eigen::Vector2d at(r * std::cos(azimuth), r * std::sin(azimuth));
     area += r * r / 2, first += r * r / 3 * at, second += r * r / 4 * at * at.transpose();
   }

@@ -42,8 +42,15 @@ class Meridians {
     [[nodiscard]] Vec3<double> at(double latitude) const { return std::cos(latitude) * across + std::sin(latitude) * up; }
   };
 
-  [[nodiscard]] Lens::Exit exit(const Ray& ray, double latitude) const {
-    return lens_.exit(frame_.origin, ray.at(latitude), 1, accuracy_);
+  struct Exit {
+    double t;
+    Vec3<double> gradient;
+    std::size_t owner;
+  };
+  [[nodiscard]] Exit exit(const Ray& ray, double latitude) const {
+    const auto both = lens_.exits(frame_.origin, ray.at(latitude), accuracy_);
+    const std::size_t owner = both[0].t <= both[1].t ? 0 : 1;
+    return {both[owner].t, both[owner].gradient, owner};
   }
   /// Where the surface is no longer that of `owner`, by halving.
   [[nodiscard]] double crossing(const Ray& ray, double low, double high, std::size_t owner) const {
@@ -58,7 +65,7 @@ class Meridians {
     static constexpr GaussRule<points> rule = gauss_rule<points, 0>();
     for (std::size_t i = 0; i < points; ++i) {
       const double latitude = low + rule.nodes[i] * (high - low);
-      const Lens::Exit at = exit(ray, latitude);
+      const Exit at = exit(ray, latitude);
       const Vec3<double> y = at.t * ray.at(latitude);
       const double height = determinant_ * at.t * at.t * at.t * std::cos(latitude) * rule.weights[i] * (high - low) * share;
       sum.add(y, height / at.gradient.dot(y) * at.gradient, at.owner);

@@ -18,18 +18,24 @@ double rounding_error(const PlacedPair<double>& placed, const LensFrame& frame) 
   return roundings * epsilon<double>() * reach / frame.thickness();
 }
 
-/// Newton's last step, relative; it leaves about its square.
-double last_step(double tolerance, double rounding) {
-  const double share = 0.1;
-  return std::max(share * std::sqrt(tolerance), rounding);
-}
+/// Newton's last step, relative, and what it leaves: about its square, times what the surfaces curve.
+struct NewtonsEnd {
+  double step, error;
 
-Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, double rounding, bool are_ellipsoids) {
-  const double accuracy = last_step(tolerance, rounding);
-  Caps caps(lens, frame, accuracy);
-  const int least = are_ellipsoids ? 8 : 16;
-  if (const auto found = detail::quadrature::by_caps<3, 4, 6, 8, 12, 16>(caps, frame, tolerance, least)) return *found;
-  return detail::quadrature::by_meridians(Meridians(lens, frame, accuracy), frame, tolerance);
+  [[nodiscard]] static NewtonsEnd of(double tolerance, double rounding) {
+    const double share = 0.1, curving = 10;
+    const double step = std::max(share * std::sqrt(tolerance), rounding);
+    return {step, curving * step * step};
+  }
+};
+
+Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, double step) {
+  const int least = lens.is_of_ellipsoids() ? 8 : 16;
+  if (lens.has_smooth_normals()) {
+    Caps caps(lens, frame, step);
+    if (const auto found = detail::quadrature::by_caps<4, 6, 8, 12>(caps, frame, tolerance, least)) return *found;
+  }
+  return detail::quadrature::by_meridians(Meridians(lens, frame, step), frame, tolerance);
 }
 
 /// Columns right-handed, the third on the side of `normal`, and the first's largest component positive.
@@ -77,10 +83,10 @@ Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>&
   if (!(lens.gauge(inside) < 1)) return {};
   const LensFrame frame = detail::lens_frame(lens, inside, normal, placed.size());
   const double rounding = rounding_error(placed, frame);
-  const bool are_ellipsoids = lens.bodies[0].is_ellipsoid() && lens.bodies[1].is_ellipsoid();
-  const Quadrature found = moments(lens, frame, tolerance, rounding, are_ellipsoids);
+  const NewtonsEnd newton = NewtonsEnd::of(tolerance, rounding);
+  const Quadrature found = moments(lens, frame, tolerance - newton.error, newton.step);
   Patch out = patch_of(found.moments, frame, placed, pair);
-  out.error = found.error + rounding;
+  out.error = found.error + newton.error + rounding;
   return out;
 }
 

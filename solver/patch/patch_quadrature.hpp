@@ -29,7 +29,17 @@ template <class Add>
   return true;
 }
 
-/// The trapezoidal rule over the azimuth with n points a fan, its sum doubled until `tolerance`. Unless both bodies are ellipsoids,
+/// Adds the new azimuths of a level; false where the lens has not two caps, for which the first levels look.
+template <std::size_t n>
+[[nodiscard]] bool add_level(Caps& caps, LensMoments& sum, int count) {
+  const int last_checked = 2 * first_count;
+  return each_new_azimuth(count, [&](double azimuth) {
+    const RimPoint rim = caps.rim(azimuth);
+    return rim.is_found && caps.add<n>(sum, rim, 2 * std::numbers::pi, count <= last_checked);
+  });
+}
+
+/// The trapezoidal rule over the azimuth with n points a fan, doubled until `tolerance`. Unless both bodies are ellipsoids,
 /// 16 azimuths are the least: two squares turned by 45 degrees look the same to 4 and to 8.
 template <std::size_t n>
 [[nodiscard]] std::optional<Quadrature> by_azimuths(Caps& caps, const LensFrame& frame, double tolerance, int least) {
@@ -37,39 +47,22 @@ template <std::size_t n>
   Refinement levels;
   LensMoments sum;
   for (int count = first_count; count <= most; count *= 2) {
-    const bool is_whole =
-        each_new_azimuth(count, [&](double azimuth) {
-          const RimPoint rim = caps.rim(azimuth);
-          return rim.is_found && caps.add<n>(sum, rim, 2 * std::numbers::pi);
-        });
-    if (!is_whole) return {};
+    if (!add_level<n>(caps, sum, count)) return {};
     levels.add(sum.scaled(1.0 / count), frame);
     if (count >= least && levels.error() <= tolerance) break;
   }
   return Quadrature{levels.finest(), levels.error()};
 }
 
-/// What rules of n and m points differ by at the first azimuths; infinite where there are not two caps.
-template <std::size_t n, std::size_t m>
-[[nodiscard]] double radial_error(Caps& caps, const LensFrame& frame) {
-  LensMoments coarse, fine;
-  const bool is_whole = each_new_azimuth(first_count, [&](double azimuth) {
-    const RimPoint rim = caps.rim(azimuth);
-    return rim.is_found && caps.add<n>(coarse, rim, 1) && caps.add<m>(fine, rim, 1);
-  });
-  return is_whole ? difference(coarse, fine, frame) : std::numeric_limits<double>::infinity();
-}
-
-/// The first of the rules whose difference from the next is small enough.
-template <std::size_t n, std::size_t m, std::size_t... more>
+/// The first of the rules with which the caps close to within the tolerance.
+template <std::size_t n, std::size_t... more>
 [[nodiscard]] std::optional<Quadrature> by_caps(Caps& caps, const LensFrame& frame, double tolerance, int least) {
-  const double share = 0.25;  // of the tolerance, left to the fans
-  const double radial = radial_error<n, m>(caps, frame);
+  auto out = by_azimuths<n>(caps, frame, tolerance / 2, least);
+  if (!out) return {};
+  const double gap = closure_error(out->moments, frame);
   if constexpr (sizeof...(more) > 0)
-    if (radial > share * tolerance && std::isfinite(radial)) return by_caps<m, more...>(caps, frame, tolerance, least);
-  if (!std::isfinite(radial)) return {};
-  auto out = by_azimuths<n>(caps, frame, (1 - share) * tolerance, least);
-  if (out) out->error += radial;
+    if (gap > tolerance / 2) return by_caps<more...>(caps, frame, tolerance, least);
+  out->error += gap;
   return out;
 }
 
@@ -84,7 +77,7 @@ template <std::size_t n, std::size_t m, std::size_t... more>
     levels.add(sum, frame);
     if (levels.error() <= tolerance) break;
   }
-  return {levels.finest(), levels.error()};
+  return {levels.finest(), levels.error() + closure_error(levels.finest(), frame)};
 }
 
 }  // namespace quadrature

@@ -21,7 +21,7 @@ class Refinement {
   [[nodiscard]] const LensMoments& finest() const { return finest_; }
   [[nodiscard]] double error() const {
     if (levels_ < 3) return infinity;
-    const double steepest = 0.1;  // what is gained at the next level is at most ten times what was
+    const double steepest = 0.2;  // what the next level gains is at most as much again
     const double ratio = std::max(step_ / last_step_, steepest);
     return ratio < 0.5 ? step_ * ratio / (1 - ratio) : step_;
   }
