@@ -75,15 +75,40 @@ inline std::array<Lens::Exit, 2> Lens::exits(const Vec3<double>& from, const Vec
   return {Exit{t1, at[0].gradient}, Exit{t2, at[1].gradient}};
 }
 
-/// A point inside both bodies, as deep as three guesses find it: the middle of the contact points, which suits a thin lens, and on the
-/// line of centres the point of equal gauges, which suits a deep one. Its gauge is 1 or more where neither is inside.
-[[nodiscard]] inline Vec3<double> point_inside(const Lens& lens, const Vec3<double>& middle) {
+namespace inside {
+
+/// On the line of centres, where both gauges are linear, the point where they are equal.
+[[nodiscard]] inline Vec3<double> between_centres(const Lens& lens) {
   const Vec3<double>&c1 = lens.bodies[0].centre, &c2 = lens.bodies[1].centre;
   const auto at = lens.gauges(c2, c1);
-  const double g1 = at[0].value, g2 = at[1].value;  // along the line both are linear
-  const Vec3<double> between = g1 + g2 > 0 ? Vec3<double>(c1 + (g2 / (g1 + g2)) * (c2 - c1)) : c1;
-  const double deep = lens.gauge(between);
-  return deep < lens.gauge(middle) ? between : middle;
+  const double g1 = at[0].value, g2 = at[1].value;
+  return g1 + g2 > 0 ? Vec3<double>(c1 + (g2 / (g1 + g2)) * (c2 - c1)) : c1;
+}
+
+/// From x to the tangent plane of the level set that is aimed at, of whichever body holds it less, over and over (Agmon and Motzkin's
+/// relaxation): it ends where the levels have a point in common, and they rise towards the surfaces until they have.
+[[nodiscard]] inline Vec3<double> relaxed(const Lens& lens, Vec3<double> x) {
+  const int limit = 240, steps_a_level = 20;
+  double depth = 0.5;
+  for (int i = 0; i < limit; ++i) {
+    const auto at = lens.gauges(x, x);
+    const GaugeAt& worse = at[0].value > at[1].value ? at[0] : at[1];
+    if (worse.value < 1 - depth / 2) break;
+    x -= (worse.value - (1 - depth)) / worse.gradient.squaredNorm() * worse.gradient;
+    if ((i + 1) % steps_a_level == 0) depth /= 2;
+  }
+  return x;
+}
+
+}  // namespace inside
+
+/// A point inside both bodies: the middle of the contact points suits a thin lens, the line of centres a deep one. Its gauge is 1 or more
+/// where none was found.
+[[nodiscard]] inline Vec3<double> point_inside(const Lens& lens, const Vec3<double>& middle) {
+  const Vec3<double> between = inside::between_centres(lens);
+  const double deep = lens.gauge(between), thin = lens.gauge(middle);
+  const Vec3<double> better = deep < thin ? between : middle;
+  return std::min(deep, thin) < 1 ? better : inside::relaxed(lens, better);
 }
 
 /// Columns e1, e2, e3: half axes of the lens, e1 x e2 along e3, which is along the contact's normal.
@@ -92,6 +117,7 @@ struct LensFrame {
   Mat3<double> axes;
 
   [[nodiscard]] double thickness() const { return axes.col(2).norm(); }
+  [[nodiscard]] double width() const { return std::max(axes.col(0).norm(), axes.col(1).norm()); }
   [[nodiscard]] Vec3<double> across(double azimuth) const {
     return std::cos(azimuth) * axes.col(0) + std::sin(azimuth) * axes.col(1);
   }
@@ -148,7 +174,7 @@ inline void centre_height(const Lens& lens, LensFrame& frame) {
   LensFrame frame{inside, {}};
   frame.axes << size * tangent_basis<double>(normal), size * normal;
   const int limit = 8;
-  const double round_enough = 1.5;
+  const double round_enough = lens.is_of_ellipsoids() ? 1.05 : 1.5;  // their rays cost little, and the rounder the fewer azimuths
   for (int i = 0; i < limit; ++i) {
     detail_frame::centre_height(lens, frame);
     if (i == 0) frame.axes.leftCols<2>() *= std::sqrt(frame.thickness() / size);  // as of two spheres

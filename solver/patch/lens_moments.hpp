@@ -46,26 +46,40 @@ struct LensMoments {
   }
 };
 
+/// A sum in units of the frame.
+struct InFrame {
+  Vec3<double> centre;
+  Mat3<double> spread;  ///< second moments about the centre, by the volume
+
+  [[nodiscard]] static InFrame of(const LensMoments& sum, const Mat3<double>& to_frame) {
+    const Vec3<double> centre = to_frame * sum.first / sum.volume;
+    return {centre, to_frame * sum.second * to_frame.transpose() / sum.volume - centre * centre.transpose()};
+  }
+};
+
 /// The largest relative difference of two sums over one lens, each number by what it is measured with: a volume, an area, half axes.
 [[nodiscard]] inline double difference(const LensMoments& a, const LensMoments& b, const LensFrame& frame) {
   const Mat3<double> to_frame = frame.axes.inverse();
-  const double width = frame.axes.leftCols<2>().colwise().norm().maxCoeff();
-  const double by_volume = std::max({std::abs(b.volume - a.volume), (to_frame * (b.first - a.first)).norm(),
-                                     (to_frame * (b.second - a.second) * to_frame.transpose()).norm()});
+  const InFrame before = InFrame::of(a, to_frame), after = InFrame::of(b, to_frame);
+  const double spread = after.spread.norm();
+  const double by_volume = std::max({std::abs(b.volume - a.volume) / b.volume,
+                                     (after.centre - before.centre).norm() / std::sqrt(spread),
+                                     (after.spread - before.spread).norm() / spread});
   // Of an inner body the area vector is zero: its own measure is the area of what encloses the lens.
+  const double width = frame.width(), area = std::max(b.area[0].norm(), b.volume / width);
   const double by_area = std::max((b.area[0] - a.area[0]).norm(), (b.moment[0] - a.moment[0]).norm() / width);
-  const double area = std::max(b.area[0].norm(), b.volume / width);
-  return std::max(by_volume / b.volume, by_area / area);
+  return std::max(by_volume, by_area / area);
 }
 
 /// By how much the surface fails to be closed: oint dA = 0, oint y x dA = 0, oint y dA' = V. What a quadrature misses shows here, however
-/// steadily it does so.
+/// steadily it does so; `highest`: the second moments miss more than these, as measured.
 [[nodiscard]] inline double closure_error(const LensMoments& sum, const LensFrame& frame) {
-  const double width = frame.axes.leftCols<2>().colwise().norm().maxCoeff();
+  const double width = frame.width();
   const double area = std::max(sum.area[0].norm(), sum.volume / width);
   const double open = std::max((sum.area[0] + sum.area[1]).norm(), (sum.moment[0] + sum.moment[1]).norm() / width);
   const Mat3<double> identity = frame.axes.inverse() * sum.identity * frame.axes / sum.volume;
-  return std::max(open / area / 2, (identity - Mat3<double>::Identity()).norm());
+  const double highest = 4;
+  return highest * std::max(open / area / 2, (identity - Mat3<double>::Identity()).norm());
 }
 
 }  // namespace plumb::detail

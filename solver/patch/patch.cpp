@@ -23,17 +23,20 @@ struct NewtonsEnd {
   double step, error;
 
   [[nodiscard]] static NewtonsEnd of(double tolerance, double rounding) {
-    const double share = 0.1, curving = 10;
+    const double share = 0.03, curving = 10;
     const double step = std::max(share * std::sqrt(tolerance), rounding);
     return {step, curving * step * step};
   }
 };
 
 Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, double step) {
-  const int least = lens.is_of_ellipsoids() ? 8 : 16;
+  // Two squares turned by 45 degrees look the same to 4 azimuths and to 8; ellipses have no more than two axes each.
+  const detail::quadrature::Azimuths of_ellipsoids{2, 8, detail::Convergence::geometric},
+      of_all{4, 16, detail::Convergence::power};
+  const auto& azimuths = lens.is_of_ellipsoids() ? of_ellipsoids : of_all;
   if (lens.has_smooth_normals()) {
     Caps caps(lens, frame, step);
-    if (const auto found = detail::quadrature::by_caps<4, 6, 8, 12>(caps, frame, tolerance, least)) return *found;
+    if (const auto found = detail::quadrature::by_caps<4, 6, 8, 12>(caps, frame, tolerance, azimuths)) return *found;
   }
   return detail::quadrature::by_meridians(Meridians(lens, frame, step), frame, tolerance);
 }

@@ -7,10 +7,17 @@
 
 namespace plumb::detail {
 
-/// The error of the finest of several levels, from how the last differences fell: the rest of a geometric series. Where they fall as a
-/// power of the spacing that is the error, where faster it is above it. Infinite before the third level.
+/// How the differences of levels fall, each with half the spacing of the one before.
+enum class Convergence {
+  power,     ///< of the spacing: by one ratio from level to level
+  geometric  ///< in the count, as of the trapezoidal rule for a periodic analytic function: by a ratio that is squared each time
+};
+
+/// The error of the finest of several levels, from how the last differences fell. Infinite before the third.
 class Refinement {
  public:
+  explicit Refinement(Convergence convergence) : convergence_(convergence) {}
+
   /// The next finer level.
   void add(const LensMoments& level, const LensFrame& frame) {
     last_step_ = step_;
@@ -21,14 +28,16 @@ class Refinement {
   [[nodiscard]] const LensMoments& finest() const { return finest_; }
   [[nodiscard]] double error() const {
     if (levels_ < 3) return infinity;
-    const double steepest = 0.2;  // what the next level gains is at most as much again
+    const double steepest = 0.2;  // a ratio may be small by chance
     const double ratio = std::max(step_ / last_step_, steepest);
-    return ratio < 0.5 ? step_ * ratio / (1 - ratio) : step_;
+    if (!(ratio < 0.5)) return step_;
+    return convergence_ == Convergence::power ? step_ * ratio / (1 - ratio) : step_ * ratio * ratio;
   }
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
+  Convergence convergence_;
   LensMoments finest_;
   double step_ = infinity, last_step_ = infinity;
   int levels_ = 0;
