@@ -56,8 +56,8 @@ struct RimPoint {
 
 class Caps {
  public:
-  Caps(const Lens& lens, const LensFrame& frame, double accuracy)
-      : lens_(lens), frame_(frame), accuracy_(accuracy), slack_(accuracy * accuracy * (1 - lens.gauge(frame.origin))) {
+  Caps(const Lens& lens, const LensFrame& frame, double accuracy, double tolerance)
+      : lens_(lens), frame_(frame), accuracy_(accuracy), slack_(tolerance * (1 - lens.gauge(frame.origin))) {
     const Vec3<double> e3 = frame.axes.col(2);
     apex_[0] = frame.origin + lens.exits(frame.origin, e3, accuracy)[0].t * e3;
     apex_[1] = frame.origin - lens.exits(frame.origin, -e3, accuracy)[1].t * e3;
@@ -93,7 +93,9 @@ class Caps {
     const std::array widths{share * fan_width(rim, 0), -share * fan_width(rim, 1)};
     for (std::size_t i = 0; i < 2 * n; ++i) {
       const double width = rule.weights[i % n] * widths[i / n], g = at[i].value;
-      sum.add(y[i], width / (g * g * g) * at[i].gradient, i / n);
+      const Vec3<double> piece = width / (g * g * g) * at[i].gradient;
+      sum.add_column(frame_.coordinates(y[i]), piece.dot(frame_.axes.col(2)));
+      sum.add_area(y[i], piece, i / n);
     }
     return true;
   }
@@ -106,7 +108,7 @@ class Caps {
 
   const Lens& lens_;
   const LensFrame& frame_;
-  double accuracy_, slack_;
+  double accuracy_, slack_;  // of what sticks out by so little the volume is below the tolerance
   std::array<Vec3<double>, 2> apex_;
   RimPoint last_;
 };

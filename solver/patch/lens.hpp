@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <numbers>
 
@@ -115,7 +116,10 @@ namespace inside {
 struct LensFrame {
   Vec3<double> origin;
   Mat3<double> axes;
+  Mat3<double> inverse = Mat3<double>::Zero();  ///< of the axes, where they are final
 
+  /// Of a point, in units of the half axes.
+  [[nodiscard]] Vec3<double> coordinates(const Vec3<double>& from_origin) const { return inverse * from_origin; }
   [[nodiscard]] double thickness() const { return axes.col(2).norm(); }
   [[nodiscard]] double width() const { return std::max(axes.col(0).norm(), axes.col(1).norm()); }
   [[nodiscard]] Vec3<double> across(double azimuth) const {
@@ -171,7 +175,7 @@ inline void centre_height(const Lens& lens, LensFrame& frame) {
 
 /// `inside` in the lens, `normal` unit. `size`: of the pair.
 [[nodiscard]] inline LensFrame lens_frame(const Lens& lens, const Vec3<double>& inside, const Vec3<double>& normal, double size) {
-  LensFrame frame{inside, {}};
+  LensFrame frame{inside, {}, {}};
   frame.axes << size * tangent_basis<double>(normal), size * normal;
   const int limit = 8;
   const double round_enough = lens.is_of_ellipsoids() ? 1.05 : 1.5;  // their rays cost little, and the rounder the fewer azimuths
@@ -181,6 +185,7 @@ inline void centre_height(const Lens& lens, LensFrame& frame) {
     if (detail_frame::centre_section(lens, frame) < round_enough) break;
   }
   detail_frame::centre_height(lens, frame);
+  frame.inverse = frame.axes.inverse();
   return frame;
 }
 

@@ -68,7 +68,8 @@ class Meridians {
       const Exit at = exit(ray, latitude);
       const Vec3<double> y = at.t * ray.at(latitude);
       const double height = determinant_ * at.t * at.t * at.t * std::cos(latitude) * rule.weights[i] * (high - low) * share;
-      sum.add(y, height / at.gradient.dot(y) * at.gradient, at.owner);
+      sum.add_cone(frame_.coordinates(y), height);
+      sum.add_area(y, height / at.gradient.dot(y) * at.gradient, at.owner);
     }
   }
 

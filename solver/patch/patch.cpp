@@ -5,7 +5,6 @@
 namespace plumb {
 namespace {
 
-using detail::Caps;
 using detail::Lens;
 using detail::LensFrame;
 using detail::Meridians;
@@ -31,14 +30,12 @@ struct NewtonsEnd {
 
 Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, double step) {
   // Two squares turned by 45 degrees look the same to 4 azimuths and to 8; ellipses have no more than two axes each.
-  const detail::quadrature::Azimuths of_ellipsoids{2, 8, detail::Convergence::geometric},
-      of_all{4, 16, detail::Convergence::power};
-  const auto& azimuths = lens.is_of_ellipsoids() ? of_ellipsoids : of_all;
+  const detail::Azimuths of_ellipsoids{8, detail::Convergence::geometric}, of_all{16, detail::Convergence::power};
   if (lens.has_smooth_normals()) {
-    Caps caps(lens, frame, step);
-    if (const auto found = detail::quadrature::by_caps<4, 6, 8, 12>(caps, frame, tolerance, azimuths)) return *found;
+    detail::CapQuadrature caps(lens, frame, step, tolerance, lens.is_of_ellipsoids() ? of_ellipsoids : of_all);
+    if (const auto found = caps.moments<4, 6, 8, 12, 16>()) return *found;
   }
-  return detail::quadrature::by_meridians(Meridians(lens, frame, step), frame, tolerance);
+  return detail::moments_by_meridians(Meridians(lens, frame, step), frame, tolerance);
 }
 
 /// Columns right-handed, the third on the side of `normal`, and the first's largest component positive.
@@ -58,21 +55,22 @@ Vec3<double> mean_of_sides(const std::array<Vec3<double>, 2>& sides) {
   return (sides[0] - sides[1]) / 2;
 }
 
-Patch patch_of(const detail::LensMoments& sum, const LensFrame& frame, const PlacedPair<double>& placed, const Pair& pair) {
+Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair<double>& placed, const Pair& pair) {
   Patch out;
   const auto length = [&](double x) { return placed.to_world_length(x); };
   const auto area = [&](double x) { return length(length(x)); };
-  const Vec3<double> middle = sum.first / sum.volume, vector = mean_of_sides(sum.area);
-  const Mat3<double> spread = sum.second / sum.volume - middle * middle.transpose();
+  const auto volume = [&](double x) { return area(length(x)); };
+  const detail::LensMoments& sum = found.moments;
+  const Vec3<double> middle = frame.axes * sum.centre(), vector = mean_of_sides(sum.area);
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> principal(frame.axes * sum.spread() * frame.axes.transpose());
   const double size = vector.norm();
-  Eigen::SelfAdjointEigenSolver<Mat3<double>> solver(spread);
-  out.volume = area(length(sum.volume));
+  out.volume = volume(sum.volume);
   out.area = area(size);
-  out.normal = vector / size;
+  if (size > found.error * sum.area_scale(frame)) out.normal = vector / size;
   out.centre = placed.to_world_point(frame.origin + middle, pair);
-  out.area_moment = (mean_of_sides(sum.moment) - middle.cross(vector)).unaryExpr([&](double x) { return area(length(x)); });
-  out.second_moments = solver.eigenvalues().reverse().cwiseMax(0).unaryExpr(area);
-  out.axes = oriented(solver.eigenvectors(), out.normal);
+  out.area_moment = (mean_of_sides(sum.moment) - middle.cross(vector)).unaryExpr(volume);
+  out.second_moments = principal.eigenvalues().reverse().cwiseMax(0).unaryExpr(area);
+  out.axes = oriented(principal.eigenvectors(), out.normal);
   return out;
 }
 
@@ -88,7 +86,7 @@ Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>&
   const double rounding = rounding_error(placed, frame);
   const NewtonsEnd newton = NewtonsEnd::of(tolerance, rounding);
   const Quadrature found = moments(lens, frame, tolerance - newton.error, newton.step);
-  Patch out = patch_of(found.moments, frame, placed, pair);
+  Patch out = patch_of(found, frame, placed, pair);
   out.error = found.error + newton.error + rounding;
   return out;
 }
