@@ -123,7 +123,7 @@ BatchReport solve_batch(const PairArrays& pairs, const Want& want, const Contact
   alone.overlap = !contacts.overlap.empty();
   alone.normal = is_asked_for(contacts.normal);
   alone.points = is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
-  alone.curvature = alone.derivatives = false;
+  alone.curvature = alone.derivatives = alone.patch = false;
   for (std::size_t first = 0; first < pairs.size(); first += Chunk::capacity) {
     const std::size_t count = std::min(Chunk::capacity, pairs.size() - first);
     for (Unsettled left = kernel(set).solve({pairs, want, contacts, first, count}); left != 0; left &= left - 1) {

@@ -54,7 +54,8 @@ class Meridians {
   }
   /// Where the surface is no longer that of `owner`, by halving.
   [[nodiscard]] double crossing(const Ray& ray, double low, double high, std::size_t owner) const {
-    while (high - low > accuracy_ * accuracy_) {
+    const double fine = std::max(accuracy_ * accuracy_, 4 * epsilon<double>());
+    while (high - low > fine) {
       const double middle = (low + high) / 2;
       (exit(ray, middle).owner == owner ? low : high) = middle;
     }
