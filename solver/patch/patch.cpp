@@ -74,6 +74,12 @@ Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair
   return out;
 }
 
+/// Not the cube of a length beyond 1e102, nor below 1e-102.
+bool is_representable(const Patch& patch) {
+  return patch.volume >= std::numeric_limits<double>::min() && std::isfinite(patch.volume) && std::isfinite(patch.area) &&
+         patch.centre.allFinite() && patch.area_moment.allFinite() && patch.second_moments.allFinite();
+}
+
 }  // namespace
 
 Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1, const Vec3<double>& point2,
@@ -88,7 +94,7 @@ Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>&
   const Quadrature found = moments(lens, frame, tolerance - newton.error, newton.step);
   Patch out = patch_of(found, frame, placed, pair);
   out.error = found.error + newton.error + rounding;
-  return out;
+  return is_representable(out) ? out : Patch{};
 }
 
 std::array<Vec3<double>, 4> points_of(const Patch& patch) {
