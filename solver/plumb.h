@@ -119,7 +119,7 @@ typedef struct plumb_details {
 
 /* Bytes of the caller's stack that are enough for plumb_solve and plumb_solve_batch, whatever the pairs and the method: of a release
  * build by g++ for x86-64, which tests hold to them. */
-#define PLUMB_STACK_SOLVE (60 * 1024)
+#define PLUMB_STACK_SOLVE (64 * 1024)
 /* The same for plumb_certify. */
 #define PLUMB_STACK_CERTIFY (192 * 1024)
 

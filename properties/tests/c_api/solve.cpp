@@ -216,7 +216,7 @@ TEST(CApi, WhatCannotBeIsAnError) {
     change(bad);
     return plumb_solve(&pair, &bad, nullptr, &contact, nullptr) == PLUMB_ERROR_ARGUMENT;
   };
-  EXPECT_TRUE(refused([](plumb_options& o) { o.want = 32; }));
+  EXPECT_TRUE(refused([](plumb_options& o) { o.want = 64; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.iteration_limit = 0; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.tolerance = NAN; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.motion[1] = INFINITY; }));
