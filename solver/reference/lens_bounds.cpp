@@ -18,7 +18,7 @@ using I = DoubleInterval;
 using Vector = Vec3<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr LensBounds unknown_lens() {
+LensBounds unknown_lens() {
   return {0, infinity, Vector::Constant(-infinity), Vector::Constant(infinity)};
 }
 

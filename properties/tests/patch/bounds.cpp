@@ -30,7 +30,7 @@ TEST(LensBounds, HoldTheLensOfTwoSpheresAndCloseQuadratically) {
     const double height = (2 - pair.body2.position[0]) / 2;
     const double volume = 2 * std::numbers::pi * height * height * (1 - height / 3);
     const Contact<double> contact = find_method("auto")->solve(pair, {}, nullptr);
-    double last = 0;
+    double last = 10;
     for (const int level : {2, 3, 4}) {
       const auto bounds = reference::bound_lens(pair, contact, level);
       EXPECT_LE(bounds.volume_lower, volume * (1 + 1e-12)) << overlap;
@@ -38,7 +38,7 @@ TEST(LensBounds, HoldTheLensOfTwoSpheresAndCloseQuadratically) {
       EXPECT_LE(bounds.centre_lower[0], pair.body2.position[0] / 2 + 1e-15);
       EXPECT_GE(bounds.centre_upper[0], pair.body2.position[0] / 2 - 1e-15);
       const double gap = (bounds.volume_upper - bounds.volume_lower) / volume;
-      if (last > 0) EXPECT_LT(gap, last / 2.5) << overlap << ' ' << level;
+      EXPECT_LT(gap, last / 2.5) << overlap << ' ' << level;
       last = gap;
     }
     EXPECT_LT(last, 0.03) << overlap;
@@ -59,7 +59,7 @@ class PatchIsJudged : public testing::TestWithParam<std::string> {};
 
 TEST_P(PatchIsJudged, WithinTheBounds) {
   int judged = 0;
-  for (std::uint64_t i = 0; i < 40; ++i) {
+  for (std::uint64_t i = 0; i < 20; ++i) {
     const Pair pair = generate(GetParam(), 34, i).pair;
     const Contact<double> contact = solve_to(pair, 1e-3);
     if (contact.verdict != Verdict::overlapping || !contact.patch || !std::isfinite(contact.patch->error)) continue;
@@ -76,7 +76,7 @@ TEST_P(PatchIsJudged, WithinTheBounds) {
     EXPECT_LT(bounds.volume_upper, 1.5 * bounds.volume_lower) << GetParam() << ' ' << i;
     ++judged;
   }
-  EXPECT_GT(judged, 10);
+  EXPECT_GT(judged, 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, PatchIsJudged, testing::Values("spheroid", "ellipsoid", "superquadric", "hard"),
