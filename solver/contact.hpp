@@ -62,12 +62,15 @@ struct Want {
   bool points = true;
   bool curvature = false;
   bool derivatives = false;
+  bool patch = false;
+  /// Relative error at which a patch may stop; see Patch::error.
+  double patch_tolerance = 1e-3;
   int iteration_limit = 100;  ///< of each local solve: the last resorts of `auto` are several; see Status::stalled
   /// Residual, relative to the pair's size, at which a method may stop; 0 asks for all that rounding allows.
   double tolerance = 0;
 
   /// Nothing but the verdict, which may end at the first proof of it.
-  [[nodiscard]] bool is_yes_or_no() const { return !(overlap || normal || points || curvature || derivatives); }
+  [[nodiscard]] bool is_yes_or_no() const { return !(overlap || normal || points || curvature || derivatives || patch); }
 };
 
 /// Each value says which inequality ended the solve; only `converged` vouches for the residual (in a yes
@@ -103,6 +106,24 @@ struct PoseDerivative {
   Mat3<S> normal_by_turn;    ///< d normal = . dw
 };
 
+/// The part that two overlapping bodies have in common, and what it exerts under a pressure: no number of it depends on the contact's
+/// point or normal, and all follow the poses without a jump. World frame. Bodies apart have volume and area 0, and the rest NaN.
+struct Patch {
+  double volume = std::numeric_limits<double>::quiet_NaN();  ///< V, length^3
+  double area = std::numeric_limits<double>::quiet_NaN();    ///< |a|, a the area vector of body 1's surface inside body 2
+  /// a/|a|: from body 1 to body 2. dV = -a . dx where body 2 is shifted by dx; NaN where a = 0, a body inside the other.
+  Vec3<double> normal = not_valid<double>();
+  Vec3<double> centre = not_valid<double>();  ///< of the volume, so also of the depth along any direction
+  /// int (x - centre) x dA over body 1's surface inside body 2, length^3: where body 2 is turned by dw about the centre, dV = -. dw
+  Vec3<double> area_moment = not_valid<double>();
+  Vec3<double> second_moments = not_valid<double>();  ///< principal, int (x - centre)^2 dV / V, length^2, the largest first
+  /// Columns: their axes, right-handed, the third from body 1 to body 2. Any in their plane where two moments are equal.
+  Mat3<double> axes = Mat3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// Estimate of the largest relative error: of V, of |a|, of the centre and the moments by the lens's own widths. Above
+  /// Want::patch_tolerance where that was not reached; infinite where there is no answer.
+  double error = std::numeric_limits<double>::infinity();
+};
+
 /// The answer to a pair. Only with Status::converged are its numbers an answer; world frame, the caller's unit.
 template <class S = double>
 struct Contact {
@@ -121,7 +142,8 @@ struct Contact {
   Vec3<S> last_chart1 = not_valid<S>(), last_chart2 = not_valid<S>();
   std::array<PrincipalCurvature<S>, 2> curvature;
   std::optional<std::array<PoseDerivative<S>, 2>> derivatives;  ///< by the pose of body 1 and of body 2
-  int iterations = 0;   ///< steps of the outer loop, of the local solve that answered (all its attempts)
+  std::optional<Patch> patch;  ///< of `auto`, where it was asked for and the contact converged
+  int iterations = 0;          ///< steps of the outer loop, of the local solve that answered (all its attempts)
   int evaluations = 0;  ///< of the residual, over all there was: line searches, other attempts, the guard
 };
 

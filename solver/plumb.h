@@ -62,6 +62,7 @@ enum plumb_want {
   PLUMB_WANT_POINTS = 4,
   PLUMB_WANT_CURVATURE = 8, /* into plumb_details; by `auto` alone, as derivatives */
   PLUMB_WANT_DERIVATIVES = 16,
+  PLUMB_WANT_PATCH = 32,
   PLUMB_WANT_CONTACT = 7 /* overlap, normal and points */
 };
 
@@ -73,16 +74,31 @@ typedef struct plumb_options {
   int iteration_limit; /* of each local solve, > 0 */
   double tolerance; /* residual, relative to the pair's size, at which a method may stop; 0: all that rounding allows */
   double motion[3]; /* of body 2 relative to body 1, any unit and length, for method first_touch; 0, 0, 0: not known */
+  double patch_tolerance; /* relative error at which a patch may stop, > 0 */
 } plumb_options;
 
 /* What a null pointer to options stands for, and where to start from: plumb_options options = PLUMB_OPTIONS; */
-#define PLUMB_OPTIONS {sizeof(plumb_options), NULL, PLUMB_WANT_CONTACT, 100, 0, {0, 0, 0}}
+#define PLUMB_OPTIONS {sizeof(plumb_options), NULL, PLUMB_WANT_CONTACT, 100, 0, {0, 0, 0}, 1e-3}
 
 /* Where a contact's last solve ended, for the next one to start from when the bodies have moved a little: numbers to be kept and
  * copied, not to be read. All zero: not solved yet. The answer is the same to rounding, cold or warm. */
 typedef struct plumb_context {
   double state[16];
 } plumb_context;
+
+/* The part that two overlapping bodies have in common: no number of it jumps, whatever the contact's point and normal do. Of bodies apart
+ * volume and area are 0 and the rest NaN. a: the area vector of body 1's surface inside body 2. */
+typedef struct plumb_patch {
+  double volume;            /* V, length^3 */
+  double area;              /* |a| */
+  double normal[3];         /* a/|a|, from body 1 to body 2; dV = -a . dx, body 2 shifted by dx. NaN where a is 0 */
+  double centre[3];         /* of the volume */
+  double area_moment[3];    /* dV = -. dw, body 2 turned by dw about the centre; length^3 */
+  double second_moments[3]; /* principal, about the centre, divided by V: length^2, the largest first */
+  double axes[3][3];        /* theirs: unit, right-handed, the third from body 1 to body 2 */
+  double points[4][3];      /* a quarter of the weight each: together the centre and the second moments of the patch */
+  double error;             /* estimate of the largest relative error; above patch_tolerance where that was not reached */
+} plumb_patch;
 
 /* NaN where it was not wanted; body 1's first. Matrices by rows. */
 typedef struct plumb_details {
@@ -98,11 +114,12 @@ typedef struct plumb_details {
       normal_by_shift[2][3]
                      [3]; /* d normal = . dx, 1 / length; NaN, as the next, where it has none: on a ring of normals */
   double normal_by_turn[2][3][3]; /* d normal = . dw */
+  plumb_patch patch;
 } plumb_details;
 
 /* Bytes of the caller's stack that are enough for plumb_solve and both batches, whatever the pairs and the method: of a release
  * build by g++ for x86-64, which tests hold to them. */
-#define PLUMB_STACK_SOLVE (60 * 1024)
+#define PLUMB_STACK_SOLVE (64 * 1024)
 /* The same for plumb_certify. */
 #define PLUMB_STACK_CERTIFY (192 * 1024)
 

@@ -6,6 +6,7 @@
 #include "solver/contact.cpp"
 #include "solver/least_squares_impl.hpp"
 #include "solver/method/auto/automatic_impl.hpp"
+#include "solver/patch/patch.cpp"
 #include "solver/pose_impl.hpp"
 
 namespace plumb {

@@ -111,7 +111,7 @@ void store(const Vec3<double>& value, const std::array<std::span<double>, 3>& to
   want.overlap = !contacts.overlap.empty();
   want.normal = is_asked_for(contacts.normal);
   want.points = is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
-  want.curvature = want.derivatives = false;
+  want.curvature = want.derivatives = want.patch = false;
   return want;
 }
 

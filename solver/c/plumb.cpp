@@ -16,6 +16,7 @@
 #include "solver/c/auto_door.hpp"
 #include "solver/c/contexts.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/patch/patch.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
@@ -32,19 +33,20 @@ plumb_options options_of(const plumb_options* given) {
   return out;
 }
 
-constexpr unsigned all_wants = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES;
+constexpr unsigned all_wants = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES | PLUMB_WANT_PATCH;
 
 /// A size that ends within a field is no header's: of a pointer a part would be left.
 bool is_of_a_header(std::size_t size) {
   constexpr std::array ends{offsetof(plumb_options, method), offsetof(plumb_options, want),
                             offsetof(plumb_options, iteration_limit), offsetof(plumb_options, tolerance),
-                            offsetof(plumb_options, motion)};
+                            offsetof(plumb_options, motion), offsetof(plumb_options, patch_tolerance)};
   return size >= sizeof(plumb_options) || std::find(ends.begin(), ends.end(), size) != ends.end();
 }
 
 bool are_legal(const plumb_options& options) {
   return is_of_a_header(options.size) && (options.want & ~all_wants) == 0 && options.iteration_limit > 0 &&
-         options.tolerance >= 0 && std::isfinite(options.tolerance) && Vec3<double>::Map(options.motion).allFinite();
+         options.tolerance >= 0 && std::isfinite(options.tolerance) && options.patch_tolerance > 0 &&
+         std::isfinite(options.patch_tolerance) && Vec3<double>::Map(options.motion).allFinite();
 }
 
 Want want_of(const plumb_options& options) {
@@ -54,6 +56,8 @@ Want want_of(const plumb_options& options) {
           .points = is_wanted(PLUMB_WANT_POINTS),
           .curvature = is_wanted(PLUMB_WANT_CURVATURE),
           .derivatives = is_wanted(PLUMB_WANT_DERIVATIVES),
+          .patch = is_wanted(PLUMB_WANT_PATCH),
+          .patch_tolerance = options.patch_tolerance,
           .iteration_limit = options.iteration_limit,
           .tolerance = options.tolerance};
 }
@@ -76,6 +80,21 @@ PoseDerivative<double> no_derivative() {
   return {not_valid<double>(), not_valid<double>(), Mat3<double>::Constant(nan), Mat3<double>::Constant(nan)};
 }
 
+plumb_patch patch_of(const Patch& found) {
+  plumb_patch out{};
+  out.volume = found.volume;
+  out.area = found.area;
+  Vec3<double>::Map(out.normal) = found.normal;
+  Vec3<double>::Map(out.centre) = found.centre;
+  Vec3<double>::Map(out.area_moment) = found.area_moment;
+  Vec3<double>::Map(out.second_moments) = found.second_moments;
+  write_rows(Mat3<double>(found.axes.transpose()), out.axes);
+  const auto points_of_patch = points_of(found);
+  for (std::size_t i = 0; i < points_of_patch.size(); ++i) Vec3<double>::Map(out.points[i]) = points_of_patch[i];
+  out.error = found.error;
+  return out;
+}
+
 plumb_details details_of(const Contact<double>& found, std::size_t size) {
   plumb_details out{};
   out.size = size;
@@ -88,6 +107,7 @@ plumb_details details_of(const Contact<double>& found, std::size_t size) {
     write_rows(derivatives[body].normal_by_shift, out.normal_by_shift[body]);
     write_rows(derivatives[body].normal_by_turn, out.normal_by_turn[body]);
   }
+  out.patch = patch_of(found.patch.value_or(Patch{}));
   return out;
 }
 
@@ -192,7 +212,7 @@ Want wants_of(Want want, const plumb_contact_arrays& to) {
   want.overlap = to.overlap != nullptr;
   want.normal = is_any(to.normal);
   want.points = is_any(to.points[0]) || is_any(to.points[1]) || is_any(to.contact_point);
-  want.curvature = want.derivatives = false;
+  want.curvature = want.derivatives = want.patch = false;
   return want;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solver/diagnosis.hpp"
+#include "solver/patch/patch.hpp"
 #include "solver/python/arguments.hpp"
 #include "solver/python/bindings.hpp"
 
@@ -10,6 +11,7 @@ namespace {
 
 using Answer = Contact<double>;
 using Derivative = PoseDerivative<double>;
+using Axes = std::array<double, 9>;
 
 /// Members of the package's own enumeration, by the numbers of the library's; they live as long as the process.
 template <class Word, std::size_t N>
@@ -68,6 +70,23 @@ Words<Verdict, 3> verdict_words;
   return py::make_tuple((*answer.derivatives)[0], (*answer.derivatives)[1]);
 }
 
+[[nodiscard]] py::array_t<double> axes(const Patch& patch) {
+  Axes out{};
+  std::ranges::copy_n(patch.axes.data(), 9, out.begin());  // by columns: an axis after the other
+  return array_of(out, {3, 3});
+}
+
+[[nodiscard]] py::array_t<double> patch_points(const Patch& patch) {
+  std::array<double, 12> out{};
+  auto to = out.begin();
+  for (const Vec3<double>& point : points_of(patch)) to = std::ranges::copy_n(point.data(), 3, to).out;
+  return array_of(out, {4, 3});
+}
+
+[[nodiscard]] py::object patch(const Answer& answer) {
+  return answer.patch ? py::cast(*answer.patch) : py::object(py::none());
+}
+
 [[nodiscard]] py::str contact_text_of(const Answer& answer) {
   return py::str("<Contact {}: {}, {}, overlap {:.6g}>")
       .format(std::string(answer.method), status(answer), verdict(answer), answer.overlap);
@@ -115,12 +134,35 @@ void add_derivative(py::module_& module) {
   derivative.attr("__module__") = "plumb";
 }
 
+void add_patch(py::module_& module) {
+  py::class_<Patch> patch(module, "Patch",
+                          "The part that two overlapping bodies have in common: no number of it jumps, whatever the "
+                          "contact's point and normal do. Of bodies apart volume and area are 0 and the rest NaN.");
+  const auto vector = [&](const char* name, Vec3<double> Patch::* member, const char* text) {
+    patch.def_property_readonly(name, [member](const Patch& self) { return array_of(self.*member); }, text);
+  };
+  patch.def_readonly("volume", &Patch::volume, "V, length^3");
+  patch.def_readonly("area", &Patch::area, "|a|, a the area vector of body 1's surface inside body 2; length^2");
+  vector("normal", &Patch::normal, "(3,) a/|a|, from body 1 to body 2: dV = -a . dx, body 2 shifted; NaN where a is 0");
+  vector("centre", &Patch::centre, "(3,) of the volume, world frame");
+  vector("area_moment", &Patch::area_moment, "(3,) dV = -. dw, body 2 turned by dw about the centre; length^3");
+  vector("second_moments", &Patch::second_moments,
+         "(3,) principal, about the centre, divided by V: length^2, the largest first");
+  patch.def_property_readonly("axes", &axes, "(3, 3) theirs by rows: unit, the third from body 1 to body 2");
+  patch.def_property_readonly("points", &patch_points,
+                              "(4, 3) a quarter of the weight each: together the patch's centre and second moments");
+  patch.def_readonly("error", &Patch::error,
+                     "estimate of the largest relative error; above patch_tolerance where that was not reached");
+  patch.attr("__module__") = "plumb";
+}
+
 }  // namespace
 
 void add_contact(py::module_& module) {
   status_words.load("Status");
   verdict_words.load("Verdict");
   add_derivative(module);
+  add_patch(module);
   py::class_<Answer> contact(module, "Contact", contact_text);
   contact.def_property_readonly(
       "method", [](const Answer& answer) { return std::string(answer.method); }, "the method that answered");
@@ -129,6 +171,7 @@ void add_contact(py::module_& module) {
   add_numbers(contact);
   contact.def_property_readonly("derivatives", &derivatives,
                                 "two PoseDerivative, by the pose of body 1 and of body 2; None if not asked for");
+  contact.def_property_readonly("patch", &patch, "the Patch; None if not asked for");
   contact.def_readonly("iterations", &Answer::iterations, "steps of the solve that answered");
   contact.def_readonly("evaluations", &Answer::evaluations, "of the residual, over all there was");
   contact.def("__repr__", &contact_text_of);

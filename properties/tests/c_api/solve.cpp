@@ -183,6 +183,29 @@ TEST(CApi, DetailsAreCurvatureAndDerivatives) {
   EXPECT_TRUE(std::isnan(details.radii[0][0]) && std::isnan(details.normal_by_turn[1][2][2]));
 }
 
+TEST(CApi, APatchIsOneOfTheDetails) {
+  const plumb_pair pair = unit_spheres();
+  plumb_options options = PLUMB_OPTIONS;
+  options.want |= PLUMB_WANT_PATCH;
+  plumb_contact contact{};
+  plumb_details details{};
+  details.size = sizeof details;
+  ASSERT_EQ(plumb_solve(&pair, &options, nullptr, &contact, &details), PLUMB_OK);
+  const plumb_patch& patch = details.patch;
+  const double height = 0.25;  // of each cap, of radius 1
+  EXPECT_NEAR(patch.volume, 2 * M_PI * height * height * (3 - height) / 3, 1e-3 * patch.volume);
+  EXPECT_NEAR(patch.area, M_PI * height * (2 - height), 1e-3 * patch.area);
+  EXPECT_NEAR(patch.normal[0], 1, 1e-6);
+  EXPECT_NEAR(patch.centre[0], 0.75, 1e-4);
+  EXPECT_NEAR(std::abs(patch.axes[2][0]), 1, 1e-6);
+  double mean = 0;
+  for (const auto& point : patch.points) mean += point[0] / 4;
+  EXPECT_NEAR(mean, patch.centre[0], 1e-15);
+  EXPECT_LE(patch.error, 1e-3);
+  ASSERT_EQ(plumb_solve(&pair, nullptr, nullptr, &contact, &details), PLUMB_OK);
+  EXPECT_TRUE(std::isnan(patch.volume) && std::isinf(patch.error));
+}
+
 TEST(CApi, ACallerOfAnOlderHeaderHasFewerFields) {
   const plumb_pair pair = unit_spheres();
   plumb_options options = PLUMB_OPTIONS;
@@ -222,7 +245,7 @@ TEST(CApi, WhatCannotBeIsAnError) {
     change(bad);
     return plumb_solve(&pair, &bad, nullptr, &contact, nullptr) == PLUMB_ERROR_ARGUMENT;
   };
-  EXPECT_TRUE(refused([](plumb_options& o) { o.want = 32; }));
+  EXPECT_TRUE(refused([](plumb_options& o) { o.want = 64; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.iteration_limit = 0; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.tolerance = NAN; }));
   EXPECT_TRUE(refused([](plumb_options& o) { o.motion[1] = INFINITY; }));

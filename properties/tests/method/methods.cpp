@@ -117,7 +117,7 @@ TEST(Methods, NoHeapInASolve) {
       const Pair pair = generate(family, 3, i).pair;
       for (const Method& method : methods()) {
         Want all;
-        all.curvature = all.derivatives = true;
+        all.curvature = all.derivatives = all.patch = true;
         const long before = allocations;
         const Contact<double> c = method.solve(pair, all, nullptr);
         (void)find_method_in<float>(method.name)->solve(pair, all, nullptr);

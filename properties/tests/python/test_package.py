@@ -20,8 +20,8 @@ import plumb
 FOLDER = pathlib.Path(plumb.__file__).absolute().parent
 
 # pybind11 gives its classes a metaclass of its own, and those that only the module makes an __init__ that refuses.
-ALLOWED = r"""plumb._native.(Body|Contact|PoseDerivative)
-plumb._native.(Contact|PoseDerivative).__init__
+ALLOWED = r"""plumb._native.(Body|Contact|Patch|PoseDerivative)
+plumb._native.(Contact|Patch|PoseDerivative).__init__
 """
 
 

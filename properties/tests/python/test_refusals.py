@@ -42,7 +42,7 @@ class Refusals(unittest.TestCase):
     def test_solve(self):
         ball = plumb.Body((1, 1, 1), (0, 0, 0))
         names = ", ".join(method.name for method in plumb.methods())
-        wanted = "overlap, normal, points, curvature, derivatives"
+        wanted = "overlap, normal, points, curvature, derivatives, patch"
         for kind, text, named in (
             (TypeError, "body2: must be a plumb.Body, not NoneType", {"body2": None}),
             (ValueError, f"method: no 'best' among {names}", {"method": "best"}),
@@ -55,6 +55,7 @@ class Refusals(unittest.TestCase):
             (TypeError, "iteration_limit: must be a whole number, not float", {"iteration_limit": 1.5}),
             (ValueError, "tolerance: must be 0 or more", {"tolerance": np.nan}),
             (TypeError, "tolerance: must be a number, not str", {"tolerance": "small"}),
+            (ValueError, "patch_tolerance: must be above 0", {"patch_tolerance": 0}),
         ):
             with self.subTest(text):
                 self.expect(kind, text, plumb.solve, **{"body1": ball, "body2": ball, **named})

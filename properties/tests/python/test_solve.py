@@ -86,6 +86,7 @@ class OnePair(unittest.TestCase):
         for field in ("overlap", "normal", "points", "curvature_radii", "curvature_directions"):
             self.assertTrue(np.all(np.isnan(getattr(contact, field))), field)
         self.assertIsNone(contact.derivatives)
+        self.assertIsNone(contact.patch)
 
     def test_derivatives_are_those_of_the_overlap(self):
         contact = plumb.solve(self.body1, self.body2, want="overlap,derivatives")
@@ -95,6 +96,22 @@ class OnePair(unittest.TestCase):
             ends = [plumb.solve(self.body1, self.body2.moved(self.body2.position + s * shift)).overlap for s in (-1, 1)]
             slope = (ends[1] - ends[0]) / (2 * step)
             self.assertAlmostEqual(slope, contact.derivatives[1].overlap_by_shift[axis], delta=1e-8)
+
+    def test_the_area_of_a_patch_is_the_derivative_of_its_volume(self):
+        def patch_at(shift):
+            moved = self.body2.moved(self.body2.position + shift)
+            return plumb.solve(self.body1, moved, want="patch", patch_tolerance=1e-7).patch
+
+        patch, step = patch_at(0), 1e-4
+        self.assertLess(patch.error, 1e-7)
+        for axis in range(3):
+            shift = step * np.eye(3)[axis]
+            slope = (patch_at(shift).volume - patch_at(-shift).volume) / (2 * step)
+            self.assertAlmostEqual(slope, -patch.area * patch.normal[axis], delta=1e-3 * patch.area)
+        offsets = patch.points - patch.centre
+        spread = patch.axes.T @ np.diag(patch.second_moments) @ patch.axes
+        np.testing.assert_allclose(offsets.mean(axis=0), 0, atol=1e-12)
+        np.testing.assert_allclose(offsets.T @ offsets / 4, spread, rtol=0, atol=1e-12)
 
     def test_limits_of_the_solve(self):
         one = plumb.solve(self.body1, self.body2, "new_cn", iteration_limit=1)

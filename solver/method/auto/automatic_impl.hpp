@@ -6,6 +6,7 @@
 #include "solver/method/automatic.hpp"
 #include "solver/method/common.hpp"
 #include "solver/method/derivatives.hpp"
+#include "solver/patch/patch.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
@@ -49,6 +50,18 @@ void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, 
   }
 }
 
+/// In doubles, whatever the scalar. Bodies apart have an empty patch, those that may touch none.
+template <class S>
+[[nodiscard]] Patch patch_of(const Found<S>& found, const Contact<S>& contact, const Want& want, const Pair& pair) {
+  const auto in_double = [](const Vector3<S>& v) -> Vec3<double> {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+  };
+  Patch out;
+  if (contact.verdict == Verdict::separated) out.volume = out.area = out.error = 0;
+  if (contact.verdict != Verdict::overlapping) return out;
+  return patch_at(pair, in_double(found.normal), in_double(found.point1), in_double(found.point2), want.patch_tolerance);
+}
+
 /// Whether the scalar has lengths like the pair's: float has no 1e100, and no 1e-100.
 template <class S>
 [[nodiscard]] bool has_length(const PairFrame<S>& frame, const S& size) {
@@ -88,6 +101,7 @@ template <class S>
   }
   if ((want.curvature || want.derivatives) && found.status == Status::converged)
     set_second_order<S>(out, found, want, pair);
+  if (want.patch && out.status == Status::converged) out.patch = patch_of<S>(found, out, want, pair);
   if (want.curvature || want.derivatives || !is_surely_finite(out)) finish<S>(out, want);
   return out;
 }

@@ -27,7 +27,7 @@ from ._batch import Bodies, Contacts, solve_batch
 from ._case import bodies_of, case
 from ._certify import Bounds, Certificate, certify, certify_all
 from ._harness import Campaign, Replay, campaign, check, named_scene, replay, scene, scene_plan, shrink
-from ._native import Body, Contact, PoseDerivative, __version__
+from ._native import Body, Contact, Patch, PoseDerivative, __version__
 from ._program import find_program
 from ._solve import Diagnosis, Method, diagnose, methods, solve
 from ._words import Status, Verdict
@@ -42,6 +42,7 @@ __all__ = [
     "Contacts",
     "Diagnosis",
     "Method",
+    "Patch",
     "PoseDerivative",
     "Replay",
     "Status",

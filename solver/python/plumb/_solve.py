@@ -49,17 +49,19 @@ def solve(
     last: Contact | None = None,
     iteration_limit: int = 100,
     tolerance: float = 0.0,
+    patch_tolerance: float = 1e-3,
 ) -> Contact:
     """Solves the contact of a pair.
 
     body1, body2     lengths in one unit, world frame
     method           a name of ``methods()``
-    want             of overlap, normal, points, curvature, derivatives, or all of them as "overlap,normal"; none: the
-                     verdict alone. Curvature and derivatives are of ``auto`` only.
+    want             of overlap, normal, points, curvature, derivatives, patch, or all of them as "overlap,normal"; none: the
+                     verdict alone. Curvature, derivatives and patch are of ``auto`` only.
     motion           (3,) velocity of body 2 relative to body 1, any unit; ``first_touch`` goes back along it
     last             an earlier answer for bodies of these shapes nearby: where the search starts (a warm start)
     iteration_limit  of each local solve
     tolerance        residual relative to the size at which a method may stop; 0: all that rounding allows
+    patch_tolerance  relative error at which a patch may stop
 
     The answer's ``status`` says how the solve ended: no method raises because it found nothing. ValueError and TypeError
     name an argument that is not legal.
@@ -71,7 +73,9 @@ def solve(
     >>> contact.normal
     array([1., 0., 0.])
     """
-    return _native.solve(body1, body2, method, words_of(want, "want"), motion, last, iteration_limit, tolerance)
+    return _native.solve(
+        body1, body2, method, words_of(want, "want"), motion, last, iteration_limit, tolerance, patch_tolerance
+    )
 
 
 def diagnose(body1: Body, body2: Body, contact: Contact) -> Diagnosis:

@@ -52,6 +52,9 @@ template <class I>
 /// Whether a point in body axes is proved to lie in the body, its surface included.
 template <class I>
 [[nodiscard]] bool is_inside(const EnclosedBody<I>& body, const Vec3<double>& x);
+/// The same of every point of a box.
+template <class I>
+[[nodiscard]] bool is_inside(const EnclosedBody<I>& body, const IVec3<I>& x);
 
 /// Support function and its gradient at a direction of any length in body axes, multiplied by the semi-axes:
 /// q = (a ux, b uy, c uz). The gradient is by u (the support point, body axes).

@@ -141,12 +141,17 @@ EnclosedPair<I> enclose(const Pair& pair) {
 }
 
 template <class I>
-bool is_inside(const EnclosedBody<I>& body, const Vec3<double>& x) {
+bool is_inside(const EnclosedBody<I>& body, const IVec3<I>& x) {
   IVec3<I> v;
-  for (int i = 0; i < 3; ++i) v[i] = magnitude<I>(I(I(x[i]) / body.semi_axes[i]));
+  for (int i = 0; i < 3; ++i) v[i] = magnitude<I>(I(x[i] / body.semi_axes[i]));
   I inner = power_from_above<I>(v[0], body.n2) + power_from_above<I>(v[1], body.n2);
   if (body.n1 != body.n2) inner = power_from_above<I>(inner, I(I(body.n1) / I(body.n2)));
   return high(I(inner + power_from_above<I>(v[2], body.n1))) <= 1;
+}
+
+template <class I>
+bool is_inside(const EnclosedBody<I>& body, const Vec3<double>& x) {
+  return is_inside<I>(body, enclosed<I>(x));
 }
 
 template <class I>
@@ -242,6 +247,7 @@ HessianTerms<I> hessian_floor(const EnclosedBody<I>& body, const IVec3<I>& q, co
 #define PLUMB_INSTANTIATE_ENCLOSURE(I)                                                                 \
   template EnclosedPair<I> enclose(const Pair&);                                                       \
   template bool is_inside(const EnclosedBody<I>&, const Vec3<double>&);                                \
+  template bool is_inside(const EnclosedBody<I>&, const IVec3<I>&);                                    \
   template I support_value(const EnclosedBody<I>&, const IVec3<I>&);                                   \
   template SupportEnclosure<I> support(const EnclosedBody<I>&, const IVec3<I>&);                       \
   template HessianTerms<I> hessian_terms(const EnclosedBody<I>&, const IVec3<I>&, const ChartMap<I>&); \

@@ -1,0 +1,38 @@
+// What must be true of a patch (contact.hpp): each law once, for the tests, the seeded bugs and whoever else asks.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "properties/laws/laws.hpp"
+
+namespace plumb {
+
+/// A patch of a pair that overlaps, and how to have others.
+struct PatchEvidence {
+  const Pair& pair;
+  const Patch& patch;
+  double tolerance;  ///< to which it was asked for
+  /// The patch of a related pair to a tolerance.
+  std::function<Patch(const Pair&, double tolerance)> solve;
+};
+
+struct PatchLaw {
+  std::string_view name;
+  std::string_view statement;
+  Finding (*check)(const PatchEvidence&);
+};
+[[nodiscard]] std::span<const PatchLaw> patch_laws();
+
+/// The first law that is broken.
+[[nodiscard]] Finding judge_patch(const PatchEvidence& evidence);
+
+/// The largest relative difference of two patches, each number by what it is measured with: a volume, an area, a width. `side` -1: seen from
+/// the other body.
+[[nodiscard]] double difference(const Patch& a, const Patch& b, int side = 1);
+
+/// Whether doubles hold a volume of the pair's size with all its digits.
+[[nodiscard]] bool has_volumes(const Pair& pair);
+
+}  // namespace plumb

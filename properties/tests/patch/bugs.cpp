@@ -1,0 +1,61 @@
+// Each seeded bug of the patch (fuzz/bugs/patch) is found by a law, and without a bug none finds anything.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include "properties/generators/families.hpp"
+#include "properties/laws/laws_patch.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+namespace {
+
+/// The library that holds them.
+struct SeededPatch {
+  using Solve = void(int, const Pair*, const Contact<double>*, double, Patch*);
+  Solve* solve;
+  int (*bugs)();
+  const char* (*name)(int);
+
+  [[nodiscard]] static SeededPatch load() {
+    void* library = dlopen(PLUMB_SEEDED_PATCH, RTLD_NOW | RTLD_LOCAL);
+    EXPECT_NE(library, nullptr) << dlerror();
+    return {reinterpret_cast<Solve*>(dlsym(library, "seeded_patch")),
+            reinterpret_cast<int (*)()>(dlsym(library, "seeded_patch_bugs")),
+            reinterpret_cast<const char* (*)(int)>(dlsym(library, "seeded_patch_name"))};
+  }
+};
+
+constexpr double asked = 1e-3;
+
+/// The first finding of a bug in pairs of all families; "" for none.
+std::string killer_of(const SeededPatch& library, int bug, std::uint64_t pairs) {
+  const auto solve = [&](const Pair& pair, double tolerance) {
+    const Contact<double> contact = find_method("auto")->solve(pair, {}, nullptr);
+    Patch out;
+    if (contact.verdict == Verdict::overlapping) library.solve(bug, &pair, &contact, tolerance, &out);
+    return out;
+  };
+  for (std::uint64_t i = 0; i < pairs; ++i)
+    for (const char* family : {"ellipsoid", "superquadric", "spheroid"}) {
+      const Pair pair = generate(family, 34, i).pair;
+      const Contact<double> contact = find_method("auto")->solve(pair, {}, nullptr);
+      if (contact.status != Status::converged || contact.verdict != Verdict::overlapping) continue;
+      const Finding found = judge_patch({pair, solve(pair, asked), asked, solve});
+      if (found.kind != FindingKind::none) return found.law + ": " + found.detail;
+    }
+  return "";
+}
+
+TEST(SeededPatchBugs, AreAllKilledByTheLaws) {
+  const SeededPatch library = SeededPatch::load();
+  ASSERT_TRUE(library.solve && library.bugs && library.name);
+  EXPECT_EQ(killer_of(library, -1, 10), "");
+  for (int bug = 0; bug < library.bugs(); ++bug) {
+    const std::string killer = killer_of(library, bug, 60);
+    EXPECT_NE(killer, "") << library.name(bug);
+    if (!killer.empty()) RecordProperty(library.name(bug), killer);
+  }
+}
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,165 @@
+// The patch: closed forms, and what must be true of it whatever the bodies.
+#include "solver/patch/patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "properties/generators/draft.hpp"
+#include "properties/generators/families.hpp"
+#include "properties/generators/stream.hpp"
+#include "solver/method/methods.hpp"
+
+namespace plumb {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Contact<double> solve_for_patch(const Pair& pair, double tolerance = 1e-3) {
+  Want want;
+  want.patch = true;
+  want.patch_tolerance = tolerance;
+  return find_method("auto")->solve(pair, want, nullptr);
+}
+
+Patch patch_of(const Pair& pair, double tolerance = 1e-3) {
+  return solve_for_patch(pair, tolerance).patch.value_or(Patch{});
+}
+
+Body ball(double radius, double x) {
+  Body out;
+  out.shape.semi_axes.setConstant(radius);
+  out.position[0] = x;
+  return out;
+}
+
+/// A cap of a sphere on the plane z = 0, its pole at z = height: the integrals of 1, z, z^2 and x^2. With rho^2 = a^2 - 2 b z - z^2,
+/// pi rho^2 z^k and pi rho^4 / 4 are integrated as polynomials.
+struct SphereCap {
+  long double volume, first, second, across;
+
+  [[nodiscard]] static SphereCap of(long double radius, long double height) {
+    const long double circle = std::numbers::pi_v<long double>, b = radius - height, a2 = height * (radius + b);
+    const auto power = [&](int k) { return std::pow(height, k) / static_cast<long double>(k); };
+    const auto moment = [&](int k) { return circle * (a2 * power(k + 1) - 2 * b * power(k + 2) - power(k + 3)); };
+    return {moment(0), moment(1), moment(2),
+            circle / 4 * (a2 * a2 * power(1) - 4 * a2 * b * power(2) + (4 * b * b - 2 * a2) * power(3) +
+                          4 * b * power(4) + power(5))};
+  }
+};
+
+struct SphereLens {
+  double volume, area, centre, along, across;
+
+  /// Of spheres at 0 and at `distance` on x.
+  [[nodiscard]] static SphereLens of(double radius1, double radius2, double distance) {
+    const long double r1 = radius1, r2 = radius2, d = distance, overlap = r1 + r2 - d;
+    const long double h1 = overlap * (2 * r2 - overlap) / (2 * d), h2 = overlap - h1;
+    const SphereCap one = SphereCap::of(r1, h1), two = SphereCap::of(r2, h2);
+    const long double v = one.volume + two.volume, from_plane = (one.first - two.first) / v;
+    return {static_cast<double>(v), static_cast<double>(std::numbers::pi_v<long double> * h1 * (2 * r1 - h1)),
+            static_cast<double>(r1 - h1 + from_plane),
+            static_cast<double>((one.second + two.second) / v - from_plane * from_plane),
+            static_cast<double>((one.across + two.across) / v)};
+  }
+};
+
+void expect_lens(const Patch& patch, const SphereLens& lens, double error) {
+  EXPECT_NEAR(patch.volume, lens.volume, error * lens.volume);
+  EXPECT_NEAR(patch.area, lens.area, error * lens.area);
+  EXPECT_NEAR(patch.normal[0], 1, error);
+  EXPECT_NEAR(patch.centre[0], lens.centre, error * std::sqrt(lens.along));
+  const double widest = std::max(lens.along, lens.across);
+  EXPECT_NEAR(patch.second_moments.sum(), lens.along + 2 * lens.across, 3 * error * widest);
+  EXPECT_NEAR(patch.second_moments[1], lens.across, error * widest);
+  EXPECT_LT(patch.area_moment.norm(), error * lens.area * std::sqrt(lens.across));
+}
+
+TEST(Patch, IsTheLensOfTwoSpheres) {
+  for (const double radius : {1.0, 0.3, 7.0})
+    for (const double overlap : {1e-6, 1e-3, 0.05, 0.2})
+      for (const double tolerance : {1e-2, 1e-3, 1e-6}) {
+        const double distance = 1 + radius - overlap;
+        const Patch patch = patch_of({ball(1, 0), ball(radius, distance)}, tolerance);
+        ASSERT_LE(patch.error, tolerance + 1e-15 / overlap * 32 * (1 + radius)) << radius << ' ' << overlap;
+        expect_lens(patch, SphereLens::of(1, radius, distance), patch.error);
+      }
+}
+
+TEST(Patch, OfABodyInsideTheOtherIsTheInnerBody) {
+  Pair pair{ball(1, 0), ball(1, 0.2)};
+  pair.body2.shape.semi_axes = {0.4, 0.3, 0.2};
+  pair.body2.quaternion = {0.7, 0.1, -0.4, 0.5};
+  const Patch patch = patch_of(pair);
+  EXPECT_LE(patch.error, 1e-3);
+  EXPECT_NEAR(patch.volume, 4 * pi / 3 * 0.4 * 0.3 * 0.2, 1e-3 * patch.volume);
+  EXPECT_LT(patch.area, 1e-3 * patch.volume / 0.4);
+  EXPECT_NEAR(patch.centre[0], 0.2, 1e-4);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(patch.second_moments[i], std::pow(0.4 - 0.1 * i, 2) / 5, 1e-3 * 0.16 / 5);
+  EXPECT_TRUE(patch.normal.array().isNaN().all());
+}
+
+/// Superellipsoids whose exponents make them boxes to a relative error of about log(2)/n at an edge.
+Body box(const Vec3<double>& half, const Vec3<double>& at, double exponent = 4000) {
+  Body out;
+  out.shape = {half, exponent, exponent};
+  out.position = at;
+  return out;
+}
+
+TEST(Patch, OfBoxesIsABox) {
+  const double depth = 0.05, offset = 0.7;
+  const Patch patch = patch_of({box({1, 1, 1}, {0, 0, 0}), box({1, 1, 1}, {offset, 0, 2 - depth})});
+  const double width = 2 - offset, of_edges = 5e-3;
+  EXPECT_NEAR(patch.volume, 2 * width * depth, std::max(of_edges, patch.error) * patch.volume);
+  EXPECT_NEAR(patch.centre[0], offset / 2, std::max(of_edges, patch.error) * width);
+  EXPECT_NEAR(patch.second_moments[0], 1.0 / 3, 2 * std::max(of_edges, patch.error) / 3);
+  EXPECT_NEAR(patch.second_moments[1], width * width / 12, 2 * std::max(of_edges, patch.error) / 3);
+}
+
+TEST(Patch, IsOnlyThereWhereItWasAskedFor) {
+  const Pair pair{ball(1, 0), ball(1, 1.9)};
+  EXPECT_FALSE(find_method("auto")->solve(pair, {}, nullptr).patch);
+  Want alone{.overlap = false, .normal = false, .points = false, .patch = true};
+  const Contact<double> c = find_method("auto")->solve(pair, alone, nullptr);
+  EXPECT_TRUE(std::isnan(c.overlap) && c.normal.array().isNaN().all());
+  ASSERT_TRUE(c.patch);
+  EXPECT_LE(c.patch->error, 1e-3);
+}
+
+TEST(Patch, OfBodiesApartIsEmpty) {
+  const Patch patch = patch_of({ball(1, 0), ball(1, 2.1)});
+  EXPECT_EQ(patch.volume, 0);
+  EXPECT_EQ(patch.area, 0);
+  EXPECT_EQ(patch.error, 0);
+  EXPECT_TRUE(patch.centre.array().isNaN().all());
+}
+
+TEST(Patch, OfBodiesThatMayTouchIsNone) {
+  const Patch patch = patch_of({ball(1, 0), ball(1, 2)});
+  EXPECT_TRUE(std::isnan(patch.volume));
+  EXPECT_TRUE(std::isinf(patch.error));
+}
+
+TEST(Patch, PointsHaveItsMoments) {
+  const Patch patch = patch_of(generate("superquadric", 5, 3).pair);
+  const auto points = points_of(patch);
+  Vec3<double> mean = Vec3<double>::Zero();
+  Mat3<double> spread = Mat3<double>::Zero();
+  for (const Vec3<double>& x : points) {
+    mean += (x - patch.centre) / 4;
+    spread += (x - patch.centre) * (x - patch.centre).transpose() / 4;
+  }
+  const double size = patch.second_moments[0], rounding = 1e-15 * patch.centre.norm();  // of the points' coordinates
+  EXPECT_LT(mean.norm(), rounding);
+  EXPECT_LT((spread - patch.axes * patch.second_moments.asDiagonal() * patch.axes.transpose()).norm(),
+            4 * rounding * std::sqrt(size));
+  EXPECT_NEAR(patch.axes.determinant(), 1, 1e-14);
+  EXPECT_GT(patch.axes.col(2).dot(patch.normal), 0);
+}
+
+}  // namespace
+}  // namespace plumb

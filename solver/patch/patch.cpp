@@ -1,0 +1,108 @@
+#include "solver/patch/patch.hpp"
+
+#include "solver/patch/patch_quadrature.hpp"
+
+namespace plumb {
+namespace {
+
+using detail::Lens;
+using detail::LensFrame;
+using detail::Meridians;
+using detail::Quadrature;
+
+/// What rounding leaves of a lens's thickness: of coordinates as large as the pair, in two gauges and the middle of two points.
+double rounding_error(const PlacedPair<double>& placed, const LensFrame& frame) {
+  const double roundings = 8;
+  const double reach = std::max(placed.size(), placed.body2.centre.norm());
+  return roundings * epsilon<double>() * reach / frame.thickness();
+}
+
+/// Newton's last step, relative, and what it leaves: about its square, times what the surfaces curve.
+struct NewtonsEnd {
+  double step, error;
+
+  [[nodiscard]] static NewtonsEnd of(double tolerance, double rounding) {
+    const double share = 0.03, curving = 10;
+    const double step = std::max(share * std::sqrt(tolerance), rounding);
+    return {step, curving * step * step};
+  }
+};
+
+Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, double step) {
+  // Two squares turned by 45 degrees look the same to 4 azimuths and to 8; ellipses have no more than two axes each.
+  const detail::Azimuths of_ellipsoids{8, detail::Convergence::geometric}, of_all{16, detail::Convergence::power};
+  if (lens.has_smooth_normals()) {
+    detail::CapQuadrature caps(lens, frame, step, tolerance, lens.is_of_ellipsoids() ? of_ellipsoids : of_all);
+    if (const auto found = caps.moments<4, 6, 8, 12, 16>()) return *found;
+  }
+  return detail::moments_by_meridians(Meridians(lens, frame, step), frame, tolerance);
+}
+
+/// Columns right-handed, the third on the side of `normal`, and the first's largest component positive.
+Mat3<double> oriented(const Mat3<double>& ascending, const Vec3<double>& normal) {
+  Mat3<double> axes;
+  axes << ascending.col(2), ascending.col(1), ascending.col(0);
+  Eigen::Index largest = 0;
+  axes.col(0).cwiseAbs().maxCoeff(&largest);
+  if (axes(largest, 0) < 0) axes.col(0) *= -1;
+  if (axes.col(2).dot(normal) < 0) axes.col(2) *= -1;
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return axes;
+}
+
+/// Both bodies' parts give the area vector, of opposite signs.
+Vec3<double> mean_of_sides(const std::array<Vec3<double>, 2>& sides) {
+  return (sides[0] - sides[1]) / 2;
+}
+
+Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair<double>& placed, const Pair& pair) {
+  Patch out;
+  const auto length = [&](double x) { return placed.to_world_length(x); };
+  const auto area = [&](double x) { return length(length(x)); };
+  const auto volume = [&](double x) { return area(length(x)); };
+  const detail::LensMoments& sum = found.moments;
+  const Vec3<double> middle = frame.axes * sum.centre(), vector = mean_of_sides(sum.area);
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> principal(frame.axes * sum.spread() * frame.axes.transpose());
+  const double size = vector.norm();
+  out.volume = volume(sum.volume);
+  out.area = area(size);
+  if (size > found.error * sum.area_scale(frame)) out.normal = vector / size;
+  out.centre = placed.to_world_point(frame.origin + middle, pair);
+  out.area_moment = (mean_of_sides(sum.moment) - middle.cross(vector)).unaryExpr(volume);
+  out.second_moments = principal.eigenvalues().reverse().cwiseMax(0).unaryExpr(area);
+  out.axes = oriented(principal.eigenvectors(), out.normal);
+  return out;
+}
+
+/// Not the cube of a length beyond 1e102, nor below 1e-102.
+bool is_representable(const Patch& patch) {
+  return patch.volume >= std::numeric_limits<double>::min() && std::isfinite(patch.volume) && std::isfinite(patch.area) &&
+         patch.centre.allFinite() && patch.area_moment.allFinite() && patch.second_moments.allFinite();
+}
+
+}  // namespace
+
+Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1, const Vec3<double>& point2,
+               double tolerance) {
+  const PlacedPair<double> placed = place<double>(pair);
+  const Lens lens(placed);
+  const Vec3<double> inside = detail::point_inside(lens, (point1 + point2) / 2);
+  if (!(lens.gauge(inside) < 1)) return {};
+  const LensFrame frame = detail::lens_frame(lens, inside, normal, placed.size());
+  const double rounding = rounding_error(placed, frame);
+  const NewtonsEnd newton = NewtonsEnd::of(tolerance, rounding);
+  const Quadrature found = moments(lens, frame, tolerance - newton.error, newton.step);
+  Patch out = patch_of(found, frame, placed, pair);
+  out.error = found.error + newton.error + rounding;
+  return is_representable(out) ? out : Patch{};
+}
+
+std::array<Vec3<double>, 4> points_of(const Patch& patch) {
+  const Mat3<double> offsets = patch.axes * patch.second_moments.cwiseSqrt().asDiagonal();
+  const auto corner = [&](double x, double y, double z) -> Vec3<double> {
+    return patch.centre + offsets * Vec3<double>(x, y, z);
+  };
+  return {corner(1, 1, 1), corner(1, -1, -1), corner(-1, 1, -1), corner(-1, -1, 1)};
+}
+
+}  // namespace plumb

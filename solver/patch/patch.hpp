@@ -1,0 +1,18 @@
+// The patch of a contact: what two overlapping bodies have in common.
+#pragma once
+
+#include "solver/contact.hpp"
+
+namespace plumb {
+
+/// Of a contact of `auto` in the pair's frame (pose.hpp), with its unit normal and its two points; see Patch. Never throws,
+/// never allocates.
+[[nodiscard]] Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1,
+                             const Vec3<double>& point2, double tolerance);
+
+/// Four points, each with a quarter of the weight, that have a patch's centre and second moments in all directions: a force of four equal parts
+/// there has its resultant, and a field of velocities that is linear has its mean and mean square. They are the corners of a
+/// tetrahedron, across the normal those of a rectangle.
+[[nodiscard]] std::array<Vec3<double>, 4> points_of(const Patch& patch);
+
+}  // namespace plumb
