@@ -50,6 +50,7 @@ double in_range(std::uint32_t v, Range range) {
     case Range::fraction: return pick(v, kFractions, 1e-6, 1);
     case Range::restitution: return std::max(pick(v, kFractions, 1e-6, 1), 1e-12);
     case Range::poissons_ratio: return pick(v, kFractions, 1e-6, 1) / 2;
+    case Range::one_to_two: return 1 + pick(v, kFractions, 1e-6, 1);
   }
   return 0;
 }
@@ -85,20 +86,32 @@ void drop_what_needs_elastic_force(Effects& effects) {
   effects.cohesion.reset();
 }
 
+/// Linear before volume before hertz, and what needs one where there is one.
+void keep_one_elastic_law(Effects& effects) {
+  if (effects.linear) effects.volume.reset();
+  if (effects.linear || effects.volume) effects.hertz.reset();
+  if (!effects.linear && !effects.volume && !effects.hertz) drop_what_needs_elastic_force(effects);
+  const double elastic = effects.linear   ? effects.linear->stiffness
+                         : effects.volume ? effects.volume->stiffness
+                                          : effects.hertz.value_or(Hertz{}).youngs_modulus;
+  if (elastic == 0) effects.cohesion.reset();
+}
+
 Effects read_scene_effects(Bytes bytes, std::size_t walls) {
   Effects effects;
   Cursor numbers(bytes, kEffects);
   std::uint32_t asked = read(bytes, 8, 2);
-  each_effect(effects, [&](auto& slot) {
+  const auto fill = [&](auto& slot) {
     auto& parameters = slot.emplace();
     std::remove_cvref_t<decltype(parameters)>::each_field(parameters, FillField{numbers, walls});
     if ((asked & 1) == 0) slot.reset();
     asked >>= 1;
+  };
+  each_effect(effects, [&](auto& slot) {
+    if constexpr (!std::is_same_v<decltype(slot), std::optional<Volume>&>) fill(slot);
   });
-  if (effects.linear) effects.hertz.reset();
-  if (!effects.linear && !effects.hertz) drop_what_needs_elastic_force(effects);
-  const double elastic = effects.linear ? effects.linear->stiffness : effects.hertz.value_or(Hertz{}).youngs_modulus;
-  if (elastic == 0) effects.cohesion.reset();
+  fill(effects.volume);
+  keep_one_elastic_law(effects);
   return effects;
 }
 

@@ -16,7 +16,8 @@ namespace plumb::detail {
 struct Lens {
   std::array<PlacedGauge, 2> bodies;
 
-  explicit Lens(const PlacedPair<double>& placed) : bodies{PlacedGauge(placed.body1), PlacedGauge(placed.body2)} {}
+  Lens(const PlacedGauge& body1, const PlacedGauge& body2) : bodies{body1, body2} {}
+  explicit Lens(const PlacedPair<double>& placed) : Lens(PlacedGauge(placed.body1), PlacedGauge(placed.body2)) {}
 
   [[nodiscard]] bool is_of_ellipsoids() const { return bodies[0].is_ellipsoid && bodies[1].is_ellipsoid; }
   /// Whether the normals follow the points: below 2 an exponent makes ridges.
@@ -44,12 +45,13 @@ struct Lens {
 
 namespace exits {
 
-/// g^2 of an ellipsoid is a quadratic form.
-[[nodiscard]] inline Lens::Exit of_ellipsoid(const PlacedGauge& body, const Vec3<double>& from, const Vec3<double>& along) {
+/// g^2 of an ellipsoid is a quadratic form; a ray along a slab never leaves it.
+[[nodiscard]] inline Lens::Exit of_ellipsoid(const PlacedGauge& body, const Vec3<double>& from,
+                                             const Vec3<double>& along) {
   const Vec3<double> u = body.to_gauge * (from - body.centre), d = body.to_gauge * along;
   const double dd = d.squaredNorm(), ud = u.dot(d), inside = 1 - u.squaredNorm();
   const double root = std::sqrt(std::max(ud * ud + dd * inside, 0.0));
-  const double t = ud > 0 ? inside / (ud + root) : (root - ud) / dd;
+  const double t = ud > 0 ? inside / (ud + root) : dd > 0 ? (root - ud) / dd : std::numeric_limits<double>::infinity();
   return {t, body.to_gauge.transpose() * (u + t * d)};
 }
 
@@ -62,19 +64,30 @@ namespace exits {
 
 }  // namespace exits
 
-inline std::array<Lens::Exit, 2> Lens::exits(const Vec3<double>& from, const Vec3<double>& along, double accuracy) const {
-  if (is_of_ellipsoids())
-    return {exits::of_ellipsoid(bodies[0], from, along), exits::of_ellipsoid(bodies[1], from, along)};
+/// Of those bodies that are no ellipsoids.
+[[nodiscard]] inline std::array<Lens::Exit, 2> exits_by_newton(const Lens& lens, const Vec3<double>& from,
+                                                               const Vec3<double>& along, double accuracy) {
   double t1 = 1, t2 = 1;
   std::array<GaugeAt, 2> at;
+  const bool is_known1 = lens.bodies[0].is_ellipsoid, is_known2 = lens.bodies[1].is_ellipsoid;
   const int limit = 60;
   for (int i = 0; i < limit; ++i) {
-    at = gauges(from + t1 * along, from + t2 * along);
-    const double step1 = exits::step(at[0], along, t1), step2 = exits::step(at[1], along, t2);
+    at = lens.gauges(from + t1 * along, from + t2 * along);
+    const double step1 = is_known1 ? 0 : exits::step(at[0], along, t1),
+                 step2 = is_known2 ? 0 : exits::step(at[1], along, t2);
     t1 += step1, t2 += step2;
     if (std::abs(step1) <= accuracy * t1 && std::abs(step2) <= accuracy * t2) break;
   }
-  return {Exit{t1, at[0].gradient}, Exit{t2, at[1].gradient}};
+  return {Lens::Exit{t1, at[0].gradient}, Lens::Exit{t2, at[1].gradient}};
+}
+
+inline std::array<Lens::Exit, 2> Lens::exits(const Vec3<double>& from, const Vec3<double>& along,
+                                             double accuracy) const {
+  std::array<Exit, 2> out;
+  if (!is_of_ellipsoids()) out = exits_by_newton(*this, from, along, accuracy);
+  for (std::size_t k = 0; k < 2; ++k)
+    if (bodies[k].is_ellipsoid) out[k] = exits::of_ellipsoid(bodies[k], from, along);
+  return out;
 }
 
 namespace inside {
@@ -175,11 +188,13 @@ inline void centre_height(const Lens& lens, LensFrame& frame) {
 }  // namespace detail_frame
 
 /// `inside` in the lens, `normal` unit. `size`: of the pair.
-[[nodiscard]] inline LensFrame lens_frame(const Lens& lens, const Vec3<double>& inside, const Vec3<double>& normal, double size) {
+[[nodiscard]] inline LensFrame lens_frame(const Lens& lens, const Vec3<double>& inside, const Vec3<double>& normal,
+                                          double size) {
   LensFrame frame{inside, {}, {}};
   frame.axes << size * tangent_basis<double>(normal), size * normal;
   const int limit = 8;
-  const double round_enough = lens.is_of_ellipsoids() ? 1.05 : 1.5;  // their rays cost little, and the rounder the fewer azimuths
+  const double round_enough =
+      lens.is_of_ellipsoids() ? 1.05 : 1.5;  // their rays cost little, and the rounder the fewer azimuths
   for (int i = 0; i < limit; ++i) {
     detail_frame::centre_height(lens, frame);
     if (i == 0) frame.axes.leftCols<2>() *= std::sqrt(frame.thickness() / size);  // as of two spheres

@@ -1,6 +1,7 @@
 #include "solver/patch/patch.hpp"
 
 #include "solver/patch/patch_quadrature.hpp"
+#include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
 namespace {
@@ -76,17 +77,15 @@ Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair
 
 /// Not the cube of a length beyond 1e102, nor below 1e-102.
 bool is_representable(const Patch& patch) {
-  return patch.volume >= std::numeric_limits<double>::min() && std::isfinite(patch.volume) && std::isfinite(patch.area) &&
-         patch.centre.allFinite() && patch.area_moment.allFinite() && patch.second_moments.allFinite();
+  return patch.volume >= std::numeric_limits<double>::min() && std::isfinite(patch.volume) &&
+         std::isfinite(patch.area) && patch.centre.allFinite() && patch.area_moment.allFinite() &&
+         patch.second_moments.allFinite();
 }
 
-}  // namespace
-
-Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1, const Vec3<double>& point2,
-               double tolerance) {
-  const PlacedPair<double> placed = place<double>(pair);
-  const Lens lens(placed);
-  const Vec3<double> inside = detail::point_inside(lens, (point1 + point2) / 2);
+/// The lens of a placed pair, or of its first body and something else.
+Patch patch_of_lens(const Lens& lens, const PlacedPair<double>& placed, const Pair& pair, const Vec3<double>& normal,
+                    const Vec3<double>& middle, double tolerance) {
+  const Vec3<double> inside = detail::point_inside(lens, middle);
   if (!(lens.gauge(inside) < 1)) return {};
   const LensFrame frame = detail::lens_frame(lens, inside, normal, placed.size());
   const double rounding = rounding_error(placed, frame);
@@ -95,6 +94,27 @@ Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>&
   Patch out = patch_of(found, frame, placed, pair);
   out.error = found.error + newton.error + rounding;
   return is_representable(out) ? out : Patch{};
+}
+
+}  // namespace
+
+Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1, const Vec3<double>& point2,
+               double tolerance) {
+  const PlacedPair<double> placed = place<double>(pair);
+  return patch_of_lens(Lens(placed), placed, pair, normal, (point1 + point2) / 2, tolerance);
+}
+
+Patch patch_at_wall(const Body& body, const Vec3<double>& into_wall, const Vec3<double>& wall_point, double tolerance) {
+  const Pair pair{body, body};
+  const PlacedPair<double> placed = place<double>(pair);
+  const PlacedBody<double>& own = placed.body1;
+  const NormValue<double> deepest = support_point<double>(own.shape, own.to_body_direction(into_wall));
+  const double distance = into_wall.dot(placed.to_pair_point(wall_point, pair));
+  const double overlap = deepest.value - distance, half = 4 * placed.size();  // so thick that nothing comes out behind
+  if (!(overlap > 0)) return {.volume = 0, .area = 0, .error = 0};
+  const Lens lens(detail::PlacedGauge(own), detail::PlacedGauge::slab((distance + half) * into_wall, -into_wall, half));
+  const Vec3<double> middle = own.to_pair_direction(deepest.gradient) - overlap / 2 * into_wall;
+  return patch_of_lens(lens, placed, pair, into_wall, middle, tolerance);
 }
 
 std::array<Vec3<double>, 4> points_of(const Patch& patch) {

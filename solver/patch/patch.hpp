@@ -10,6 +10,10 @@ namespace plumb {
 [[nodiscard]] Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1,
                              const Vec3<double>& point2, double tolerance);
 
+/// The same of a body and of all that lies behind a plane: body 2 is the wall. `into_wall` unit.
+[[nodiscard]] Patch patch_at_wall(const Body& body, const Vec3<double>& into_wall, const Vec3<double>& wall_point,
+                                  double tolerance);
+
 /// Four points, each with a quarter of the weight, that have a patch's centre and second moments in all directions: a force of four equal parts
 /// there has its resultant, and a field of velocities that is linear has its mean and mean square. They are the corners of a
 /// tetrahedron, across the normal those of a rectangle.

@@ -53,10 +53,20 @@ struct PlacedGauge {
       : to_gauge(body.shape.semi_axes.cwiseInverse().asDiagonal() * body.rotation.transpose()), centre(body.centre),
         n1(body.shape.n1), n2(body.shape.n2), is_ellipsoid(n1 == 2 && n2 == 2) {}
 
+  /// All within `half` of a plane, of which the face on the side of the unit `normal` is meant: an ellipsoid with two axes without end.
+  [[nodiscard]] static PlacedGauge slab(const Vec3<double>& centre, const Vec3<double>& normal, double half) {
+    return PlacedGauge(centre, normal / half);
+  }
+
   Mat3<double> to_gauge;
   Vec3<double> centre;
-  double n1, n2;
-  bool is_ellipsoid;
+  double n1 = 2, n2 = 2;
+  bool is_ellipsoid = true;
+
+ private:
+  PlacedGauge(const Vec3<double>& at, const Vec3<double>& row) : to_gauge(Mat3<double>::Zero()), centre(at) {
+    to_gauge.row(2) = row;
+  }
 };
 
 namespace gauges {

@@ -20,6 +20,7 @@ struct Needs {
   bool contacts = false;                                     ///< which bodies touch, how deep, in which direction
   bool points = false;                                       ///< where
   bool curvature = false;                                    ///< of both surfaces there
+  bool patch = false;                                        ///< what both bodies have in common: patch.hpp
   bool spin = false;                                         ///< every movable body's angular velocity, also a sphere's
   bool normal_force = false;                                 ///< the column of forces along the normals
   bool normal_mass = false;                                  ///< the mass that an impulse along the normal feels

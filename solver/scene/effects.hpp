@@ -17,11 +17,13 @@
 #include "solver/scene/effect/moving_walls.hpp"
 #include "solver/scene/effect/rolling.hpp"
 #include "solver/scene/effect/twisting.hpp"
+#include "solver/scene/effect/volume.hpp"
 
 #define PLUMB_EFFECTS(ROW)    \
   ROW(Gravity, gravity)       \
   ROW(Linear, linear)         \
   ROW(Hertz, hertz)           \
+  ROW(Volume, volume)         \
   ROW(Damping, damping)       \
   ROW(Friction, friction)     \
   ROW(Rolling, rolling)       \

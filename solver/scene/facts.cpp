@@ -66,6 +66,25 @@ double slip_time(const Scene& scene) {
   return 2 * least_contact_mass(scene) / slowing;
 }
 
+/// About what is flat of a cross-section as wide as the longest axis: nothing of ellipsoids.
+double flat_area(const Scene& scene) {
+  double exponent = 2;
+  for (const SceneBody& b : scene.bodies) exponent = std::max({exponent, b.body.shape.n1, b.body.shape.n2});
+  const double size = longest_axis(scene);
+  return (1 - 2 / exponent) * std::numbers::pi * size * size;
+}
+
+/// Half a period of the stiffer of two contacts, of balls, V = pi R overlap^2, and of flats, at the volume that stops the greatest speed.
+double volume_time(const Scene& scene, const Volume& law) {
+  const double mass = least_contact_mass(scene), size = longest_axis(scene), m = law.exponent, flat = flat_area(scene);
+  const double slow = 1e-3 * std::sqrt(law.energy(size * size * size) / mass);  // of a speed of sound
+  const double speed = std::max(greatest_speed(scene), slow);
+  const double volume = std::pow(mass * speed * speed / (2 * law.stiffness), 1 / m), pressure = law.pressure(volume);
+  const double of_balls = pressure * 2 * std::numbers::pi * shortest_axis(scene) * (2 * m - 1);
+  const double of_flats = pressure * (m - 1) / volume * flat * flat;
+  return std::numbers::pi * std::sqrt(mass / std::max(of_balls, of_flats));
+}
+
 /// Beyond so many bodies nobody would ask.
 constexpr std::size_t most_bodies = 1000;
 
@@ -94,12 +113,20 @@ bool can_touch(const Scene& scene) {
 
 bool has_elastic_force(const Scene& scene) {
   const Effects& effects = scene.effects;
-  return (effects.linear && effects.linear->stiffness > 0) || (effects.hertz && effects.hertz->youngs_modulus > 0);
+  return (effects.linear && effects.linear->stiffness > 0) || (effects.hertz && effects.hertz->youngs_modulus > 0) ||
+         (effects.volume && effects.volume->stiffness > 0);
 }
 
 void require_elastic_force(const Scene& scene, std::string_view effect, const char* why) {
-  if (scene.effects.linear || scene.effects.hertz) return;
-  throw SceneError("effects." + std::string(effect), std::string(why) + ", and there is none: add linear or hertz");
+  if (scene.effects.linear || scene.effects.hertz || scene.effects.volume) return;
+  throw SceneError("effects." + std::string(effect),
+                   std::string(why) + ", and there is none: add linear, hertz or volume");
+}
+
+void require_one_elastic_law(const Scene& scene, std::string_view effect) {
+  const Effects& effects = scene.effects;
+  if (effects.linear.has_value() + effects.hertz.has_value() + effects.volume.has_value() > 1)
+    throw SceneError("effects." + std::string(effect), "there is one elastic law: linear, hertz or volume");
 }
 
 double collision_time(const Scene& scene) {
@@ -107,6 +134,7 @@ double collision_time(const Scene& scene) {
   const std::optional<Hertz>& hertz = scene.effects.hertz;
   const double mass = least_contact_mass(scene);
   if (linear && linear->stiffness > 0) return std::numbers::pi * std::sqrt(mass / linear->stiffness);
+  if (scene.effects.volume && scene.effects.volume->stiffness > 0) return volume_time(scene, *scene.effects.volume);
   if (!hertz || hertz->youngs_modulus == 0) return std::numeric_limits<double>::infinity();
   const double size = longest_axis(scene), modulus = hertz->contact_modulus();
   const double sound = std::sqrt(modulus * size * size * size / mass);

@@ -13,12 +13,15 @@ namespace plumb::scene {
 /// (|v| + |u|) T + |g| T^2 / 2 about its start, u being the fluid's velocity, for as long as nothing touches.
 [[nodiscard]] bool can_touch(const Scene& scene);
 
-/// A linear or Hertz's force that is not 0.
+/// Of linear, hertz and volume, one that is not 0.
 [[nodiscard]] bool has_elastic_force(const Scene& scene);
 /// Throws SceneError where the scene asks for none; `effect` needs one.
 void require_elastic_force(const Scene& scene, std::string_view effect, const char* why);
+/// Throws SceneError where there is another than `effect`, an elastic law.
+void require_one_elastic_law(const Scene& scene, std::string_view effect);
 /// Of the fastest collision there can be: half a period of the linear force; of Hertz's, that of spheres (Johnson 1985, eq. 11.24) at
-/// the greatest speed, or at a thousandth of the speed of sound. Infinite without such a force.
+/// the greatest speed, or at a thousandth of the speed of sound; of a volume's, that of the stiffer of balls and flat faces at the
+/// volume that stops the greatest speed. Infinite without such a force.
 [[nodiscard]] double collision_time(const Scene& scene);
 
 /// In which a lonely body's slip dies, m / (6 pi viscosity r), or its spin, 3/10 of that: the kicks take it as constant. Infinite

@@ -40,8 +40,8 @@ PlanOptions all_of(const Effects& effects) {
 Scene checked(Scene probe) {
   if (probe.effects.conduction)
     throw SceneError("effects.conduction", "a part of a scene keeps no temperatures: run the scene by itself");
-  if (!probe.effects.linear && !probe.effects.hertz)
-    throw SceneError("effects", "an elastic law is required: linear or hertz");
+  if (!probe.effects.linear && !probe.effects.hertz && !probe.effects.volume)
+    throw SceneError("effects", "an elastic law is required: linear, hertz or volume");
   return probe;
 }
 

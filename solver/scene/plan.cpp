@@ -21,6 +21,8 @@ constexpr std::size_t few_pairs = 16;
 constexpr double least_steps = 8;
 /// Steps where nothing happens that has a time of its own.
 constexpr double quiet_steps = 100;
+/// That of a patch, whose volume is an energy.
+constexpr double patch_share = 1e-1;
 /// The solver's tolerance is this part of the accuracy: overlaps are about a hundredth of a body, their error far below.
 constexpr double contact_share = 1e-6;
 
@@ -56,6 +58,7 @@ void add_needs(Needs& all, const Needs& one) {
   all.contacts |= one.contacts;
   all.points |= one.points;
   all.curvature |= one.curvature;
+  all.patch |= one.patch;
   all.spin |= one.spin;
   all.normal_force |= one.normal_force;
   all.normal_mass |= one.normal_mass;
@@ -109,7 +112,8 @@ void plan_turning(Plan& plan, const Scene& scene) {
   else if (any_spin)
     plan.turning_why = "bodies that spin";
   // A body that does not turn has its torque too, where bodies have any.
-  plan.needs.points |= (plan.has_turning() && any_arm) || (plan.needs.normal_force && plan.needs.spin);
+  plan.needs.points |=
+      (plan.has_turning() && any_arm) || (plan.needs.normal_force && plan.needs.spin) || plan.needs.patch;
 }
 
 void plan_solver(Plan& plan, const Scene& scene) {
@@ -120,6 +124,7 @@ void plan_solver(Plan& plan, const Scene& scene) {
   plan.want.normal = plan.needs.normal_force || plan.needs.points;
   plan.want.points = plan.needs.points;
   plan.want.curvature = plan.needs.curvature;
+  plan.want.patch_tolerance = patch_share * scene.run.accuracy;
   plan.want.tolerance = contact_share * scene.run.accuracy;
 }
 

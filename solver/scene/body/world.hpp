@@ -55,8 +55,12 @@ struct Contacts {
   Column* overlap = nullptr;      ///< 1
   Column* normal = nullptr;       ///< 3, from body 1 to body 2
   Column* point = nullptr;        ///< 3: where the force acts
-  Column* curvature = nullptr;    ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
-  Column* arm1 = nullptr;         ///< 3: (point - centre) x normal, exactly 0 for spheres
+  Column* volume = nullptr;       ///< 1: of the patch, as the next two; the normal and the point are the patch's then
+  Column* area = nullptr;         ///< 1
+  Column* area_moment = nullptr;  ///< 3: about the point; 0 of a ball
+  double patch_tolerance = 0;
+  Column* curvature = nullptr;  ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
+  Column* arm1 = nullptr;       ///< 3: (point - centre) x normal, exactly 0 for spheres
   Column* arm2 = nullptr;
   Column* yield1 =
       nullptr;  ///< 3: the inverse inertia, world axes, times the arm: how a body turns by an impulse along the normal

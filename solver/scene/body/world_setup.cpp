@@ -50,6 +50,12 @@ void add_contacts(World& world, const Plan& plan) {
   if (plan.want.normal) contacts.normal = pair("normal", "solver", 3);
   if (plan.want.points) contacts.point = pair("point", "solver", 3);
   if (plan.want.curvature) contacts.curvature = pair("curvature", "solver", 2);
+  if (plan.needs.patch) {
+    contacts.volume = pair("volume", "patch", 1);
+    contacts.area = pair("area", "patch", 1);
+    contacts.area_moment = pair("area_moment", "patch", 3);
+    contacts.patch_tolerance = plan.want.patch_tolerance;
+  }
   if (plan.needs.normal_force) {
     contacts.normal_force = pair("normal_force", "contacts", 1);
     contacts.stiffness = pair("stiffness", "contacts", 1);

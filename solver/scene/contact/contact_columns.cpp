@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "solver/patch/patch.hpp"
+#include "solver/pose.hpp"
+#include "solver/scene/contact/narrow_phase.hpp"
 #include "solver/scene/contact/relative_curvature.hpp"
 #include "solver/shape/curvature.hpp"
 
@@ -86,6 +89,20 @@ void straighten(const World& world, Index i, Index j, Contact<double>& answer) {
   answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
 }
 
+/// The patch's columns; normal and point become its own, which no face makes jump. A body within another has no area, and so no force.
+void keep_patch(World& world, std::size_t c, const Patch& patch, Contact<double>& answer) {
+  Contacts& contacts = world.contacts;
+  const auto [i, j] = contacts.pairs[c];
+  const bool has_ball = world.bodies.is_sphere[i] != 0 || world.bodies.is_sphere[j] != 0;
+  const bool has_area = patch.area > 0 && patch.normal.allFinite();
+  (*contacts.volume)[c] = patch.volume > 0 ? patch.volume : 0;
+  (*contacts.area)[c] = has_area ? patch.area : 0;
+  contacts.area_moment->vector(c) = has_area && !has_ball ? patch.area_moment : Vec3<double>(Vec3<double>::Zero());
+  if (!has_area) return;
+  answer.normal = patch.normal;
+  answer.contact_point = patch.centre;
+}
+
 }  // namespace
 
 void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answer) {
@@ -97,16 +114,31 @@ void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answe
 
 void keep_contact(World& world, std::size_t c, Contact<double> answer) {
   const auto [i, j] = world.contacts.pairs[c];
+  if (world.contacts.volume != nullptr) {
+    const Pair pair{solver_body(world, i), solver_body(world, j)};
+    const PlacedPair<double> placed = place<double>(pair);
+    keep_patch(world, c,
+               patch_at(pair, answer.normal, placed.to_pair_point(answer.point1, pair),
+                        placed.to_pair_point(answer.point2, pair), world.contacts.patch_tolerance),
+               answer);
+  }
   straighten(world, i, j, answer);
   keep_first_order(world, c, answer);
   if (world.contacts.curvature != nullptr)
     keep_curvature(world, c, curvatures_at(world, i, answer.point1), curvatures_at(world, j, answer.point2));
 }
 
-void keep_wall_contact(World& world, std::size_t c, const Contact<double>& answer) {
+void keep_wall_contact(World& world, std::size_t c, Contact<double> answer) {
+  const auto [i, j] = world.contacts.pairs[c];
+  if (world.contacts.volume != nullptr) {
+    keep_patch(world, c,
+               patch_at_wall(solver_body(world, i), answer.normal, world.state.position->vector(j),
+                             world.contacts.patch_tolerance),
+               answer);
+    straighten(world, i, j, answer);
+  }
   keep_first_order(world, c, answer);
-  if (world.contacts.curvature != nullptr)
-    keep_curvature(world, c, curvatures_at(world, world.contacts.pairs[c][0], answer.point1), {});
+  if (world.contacts.curvature != nullptr) keep_curvature(world, c, curvatures_at(world, i, answer.point1), {});
 }
 
 }  // namespace plumb::scene

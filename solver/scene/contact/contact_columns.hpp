@@ -12,6 +12,6 @@ void keep_charts(Contacts& contacts, std::size_t contact, const Contact<double>&
 void keep_contact(World& world, std::size_t contact, Contact<double> answer);
 
 /// The same of a body and a wall, and the body's curvature at the point.
-void keep_wall_contact(World& world, std::size_t contact, const Contact<double>& answer);
+void keep_wall_contact(World& world, std::size_t contact, Contact<double> answer);
 
 }  // namespace plumb::scene

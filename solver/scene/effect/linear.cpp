@@ -18,7 +18,7 @@ void press_linear(const Linear& linear, Contacts& contacts) {
 
 Role role(const Linear& linear, const Scene& scene) {
   Role out;
-  if (scene.effects.hertz) throw SceneError("effects.linear", "there is one elastic law: linear or hertz, not both");
+  require_one_elastic_law(scene, Linear::name);
   if (linear.stiffness == 0) out.off = "the stiffness is 0";
   out.needs = {.contacts = true, .normal_force = true};
   out.needs.fastest = collision_time(scene);

@@ -27,6 +27,7 @@ enum class Range {
   fraction,        ///< 0..1
   restitution,     ///< above 0, up to 1
   poissons_ratio,  ///< above -1, up to 1/2
+  one_to_two,
 };
 
 /// What an error says of a number that is not.
@@ -38,6 +39,7 @@ enum class Range {
     case Range::fraction: return "must be a number from 0 to 1";
     case Range::restitution: return "must be a number above 0, at most 1";
     case Range::poissons_ratio: return "must be a number above -1, at most 0.5";
+    case Range::one_to_two: return "must be a number from 1 to 2";
   }
   return "must be a finite number";
 }
@@ -51,6 +53,7 @@ enum class Range {
     case Range::fraction: return x >= 0 && x <= 1;
     case Range::restitution: return x > 0 && x <= 1;
     case Range::poissons_ratio: return x > -1 && x <= 0.5;
+    case Range::one_to_two: return x >= 1 && x <= 2;
   }
   return false;
 }
