@@ -86,14 +86,17 @@ void drop_what_needs_elastic_force(Effects& effects) {
   effects.cohesion.reset();
 }
 
-/// Linear before volume before hertz, and what needs one where there is one.
+/// Linear before volume before foundation before hertz, and what needs one where there is one.
 void keep_one_elastic_law(Effects& effects) {
   if (effects.linear) effects.volume.reset();
-  if (effects.linear || effects.volume) effects.hertz.reset();
-  if (!effects.linear && !effects.volume && !effects.hertz) drop_what_needs_elastic_force(effects);
-  const double elastic = effects.linear   ? effects.linear->stiffness
-                         : effects.volume ? effects.volume->stiffness
-                                          : effects.hertz.value_or(Hertz{}).youngs_modulus;
+  if (effects.linear || effects.volume) effects.foundation.reset();
+  if (effects.linear || effects.volume || effects.foundation) effects.hertz.reset();
+  if (!effects.linear && !effects.volume && !effects.foundation && !effects.hertz)
+    drop_what_needs_elastic_force(effects);
+  const double elastic = effects.linear       ? effects.linear->stiffness
+                         : effects.volume     ? effects.volume->stiffness
+                         : effects.foundation ? effects.foundation->stiffness
+                                              : effects.hertz.value_or(Hertz{}).youngs_modulus;
   if (elastic == 0) effects.cohesion.reset();
 }
 
@@ -108,9 +111,12 @@ Effects read_scene_effects(Bytes bytes, std::size_t walls) {
     asked >>= 1;
   };
   each_effect(effects, [&](auto& slot) {
-    if constexpr (!std::is_same_v<decltype(slot), std::optional<Volume>&>) fill(slot);
+    constexpr bool is_new = std::is_same_v<decltype(slot), std::optional<Volume>&> ||
+                            std::is_same_v<decltype(slot), std::optional<Foundation>&>;
+    if constexpr (!is_new) fill(slot);
   });
   fill(effects.volume);
+  fill(effects.foundation);
   keep_one_elastic_law(effects);
   return effects;
 }

@@ -10,6 +10,7 @@
 #include "solver/scene/effect/conduction.hpp"
 #include "solver/scene/effect/damping.hpp"
 #include "solver/scene/effect/drag.hpp"
+#include "solver/scene/effect/foundation.hpp"
 #include "solver/scene/effect/friction.hpp"
 #include "solver/scene/effect/gravity.hpp"
 #include "solver/scene/effect/hertz.hpp"
@@ -24,6 +25,7 @@
   ROW(Linear, linear)         \
   ROW(Hertz, hertz)           \
   ROW(Volume, volume)         \
+  ROW(Foundation, foundation) \
   ROW(Damping, damping)       \
   ROW(Friction, friction)     \
   ROW(Rolling, rolling)       \

@@ -85,6 +85,16 @@ double volume_time(const Scene& scene, const Volume& law) {
   return std::numbers::pi * std::sqrt(mass / std::max(of_balls, of_flats));
 }
 
+/// The same of a foundation, whose slope is stiffness * area; of balls, the energy is stiffness * pi R overlap^3 / 3.
+double foundation_time(const Scene& scene, double stiffness) {
+  const double mass = least_contact_mass(scene), size = longest_axis(scene);
+  const double slow = 1e-3 * std::sqrt(stiffness * size * size * size * size / mass);
+  const double speed = std::max(greatest_speed(scene), slow);
+  const double overlap = std::cbrt(1.5 * mass * speed * speed / (stiffness * std::numbers::pi * shortest_axis(scene)));
+  const double area = std::max(2 * std::numbers::pi * size * std::min(overlap, size), flat_area(scene));
+  return std::numbers::pi * std::sqrt(mass / (stiffness * area));
+}
+
 /// Beyond so many bodies nobody would ask.
 constexpr std::size_t most_bodies = 1000;
 
@@ -114,19 +124,25 @@ bool can_touch(const Scene& scene) {
 bool has_elastic_force(const Scene& scene) {
   const Effects& effects = scene.effects;
   return (effects.linear && effects.linear->stiffness > 0) || (effects.hertz && effects.hertz->youngs_modulus > 0) ||
-         (effects.volume && effects.volume->stiffness > 0);
+         (effects.volume && effects.volume->stiffness > 0) || (effects.foundation && effects.foundation->stiffness > 0);
 }
 
 void require_elastic_force(const Scene& scene, std::string_view effect, const char* why) {
-  if (scene.effects.linear || scene.effects.hertz || scene.effects.volume) return;
+  if (elastic_laws(scene) > 0) return;
   throw SceneError("effects." + std::string(effect),
-                   std::string(why) + ", and there is none: add linear, hertz or volume");
+                   std::string(why) + ", and there is none: add " + names_of_elastic_laws);
 }
 
 void require_one_elastic_law(const Scene& scene, std::string_view effect) {
+  if (elastic_laws(scene) > 1)
+    throw SceneError("effects." + std::string(effect),
+                     std::string("there is one elastic law: ") + names_of_elastic_laws);
+}
+
+int elastic_laws(const Scene& scene) {
   const Effects& effects = scene.effects;
-  if (effects.linear.has_value() + effects.hertz.has_value() + effects.volume.has_value() > 1)
-    throw SceneError("effects." + std::string(effect), "there is one elastic law: linear, hertz or volume");
+  return int{effects.linear.has_value()} + int{effects.hertz.has_value()} + int{effects.volume.has_value()} +
+         int{effects.foundation.has_value()};
 }
 
 double collision_time(const Scene& scene) {
@@ -135,6 +151,8 @@ double collision_time(const Scene& scene) {
   const double mass = least_contact_mass(scene);
   if (linear && linear->stiffness > 0) return std::numbers::pi * std::sqrt(mass / linear->stiffness);
   if (scene.effects.volume && scene.effects.volume->stiffness > 0) return volume_time(scene, *scene.effects.volume);
+  if (scene.effects.foundation && scene.effects.foundation->stiffness > 0)
+    return foundation_time(scene, scene.effects.foundation->stiffness);
   if (!hertz || hertz->youngs_modulus == 0) return std::numeric_limits<double>::infinity();
   const double size = longest_axis(scene), modulus = hertz->contact_modulus();
   const double sound = std::sqrt(modulus * size * size * size / mass);

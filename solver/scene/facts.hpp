@@ -13,14 +13,17 @@ namespace plumb::scene {
 /// (|v| + |u|) T + |g| T^2 / 2 about its start, u being the fluid's velocity, for as long as nothing touches.
 [[nodiscard]] bool can_touch(const Scene& scene);
 
-/// Of linear, hertz and volume, one that is not 0.
+/// How many of linear, hertz, volume and foundation are asked for, and their names.
+[[nodiscard]] int elastic_laws(const Scene& scene);
+inline constexpr const char* names_of_elastic_laws = "linear, hertz, volume or foundation";
+/// One that is not 0.
 [[nodiscard]] bool has_elastic_force(const Scene& scene);
 /// Throws SceneError where the scene asks for none; `effect` needs one.
 void require_elastic_force(const Scene& scene, std::string_view effect, const char* why);
 /// Throws SceneError where there is another than `effect`, an elastic law.
 void require_one_elastic_law(const Scene& scene, std::string_view effect);
 /// Of the fastest collision there can be: half a period of the linear force; of Hertz's, that of spheres (Johnson 1985, eq. 11.24) at
-/// the greatest speed, or at a thousandth of the speed of sound; of a volume's, that of the stiffer of balls and flat faces at the
+/// the greatest speed, or at a thousandth of the speed of sound; of a volume's or a foundation's, that of the stiffer of balls and flat faces at the
 /// volume that stops the greatest speed. Infinite without such a force.
 [[nodiscard]] double collision_time(const Scene& scene);
 

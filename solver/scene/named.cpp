@@ -15,6 +15,7 @@ constexpr std::array list{
     NamedScene{"pile", "superquadrics fall into a box and come to rest", 200, named::pile},
     NamedScene{"hopper", "superquadrics flow through the slot between two plates", 75, named::hopper},
     NamedScene{"dice", "dice on a table, stacked face on face and thrown", 12, named::dice},
+    NamedScene{"tower", "dice on each other, face on face on an elastic foundation: they stand still", 5, named::tower},
     NamedScene{"chain", "a chain of touching ellipsoids between two fixed ones, which keeps its energy", 8,
                named::chain},
     NamedScene{"billiards", "balls between cushions, elastic, without gravity and friction", 16, named::billiards},

@@ -6,6 +6,7 @@
 
 #include "solver/scene/body/rotation.hpp"
 #include "solver/scene/body/world_setup.hpp"
+#include "solver/scene/facts.hpp"
 #include "solver/scene/passes.hpp"
 
 namespace plumb::scene {
@@ -40,8 +41,8 @@ PlanOptions all_of(const Effects& effects) {
 Scene checked(Scene probe) {
   if (probe.effects.conduction)
     throw SceneError("effects.conduction", "a part of a scene keeps no temperatures: run the scene by itself");
-  if (!probe.effects.linear && !probe.effects.hertz && !probe.effects.volume)
-    throw SceneError("effects", "an elastic law is required: linear, hertz or volume");
+  if (elastic_laws(probe) == 0)
+    throw SceneError("effects", std::string("an elastic law is required: ") + names_of_elastic_laws);
   return probe;
 }
 

@@ -27,8 +27,8 @@ std::unique_ptr<Simulation> watched_to_end(const Scene& scene, double& greatest_
   return run;
 }
 
-TEST(NamedScenes, AreEightAndLegal) {
-  EXPECT_EQ(named_scenes().size(), 8U);
+TEST(NamedScenes, AreNineAndLegal) {
+  EXPECT_EQ(named_scenes().size(), 9U);
   for (const NamedScene& named : named_scenes()) {
     const Scene scene = make(named.name);
     EXPECT_EQ(scene.name, named.name);
@@ -44,7 +44,7 @@ TEST(NamedScenes, AreEightAndLegal) {
 }
 
 TEST(NamedScenes, StartApart) {
-  for (const char* name : {"impact", "pile", "hopper", "dice", "billiards"})
+  for (const char* name : {"impact", "pile", "hopper", "dice", "tower", "billiards"})
     EXPECT_TRUE(started(make(name))->world().contacts.touching.empty()) << name;
   EXPECT_EQ(started(make("chain"))->world().contacts.touching.size(), 9U);
 }
@@ -54,7 +54,8 @@ TEST(NamedScenes, ThatTakeANumberOfBodiesHaveIt) {
     const auto movable = [&](std::string_view name) {
       return std::ranges::count(find_named_scene(name)->make(bodies).bodies, false, &SceneBody::is_fixed);
     };
-    for (const char* name : {"pile", "hopper", "dice", "chain", "billiards"}) EXPECT_EQ(movable(name), bodies) << name;
+    for (const char* name : {"pile", "hopper", "dice", "tower", "chain", "billiards"})
+      EXPECT_EQ(movable(name), bodies) << name;
   }
 }
 
@@ -77,6 +78,21 @@ TEST(Dice, ComeToRestAndTheStacksStand) {
   EXPECT_LE(kinetic(*run), 1e-3 * greatest);
   for (const std::size_t i : {0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})
     EXPECT_NEAR(made::position(*run, i).z(), 0.008 + 0.016 * static_cast<double>(i % 3), 2e-4) << i;
+}
+
+/// In units of a die's weight times half its height.
+TEST(Tower, StandsStill) {
+  Scene scene = find_named_scene("tower")->make(3);
+  scene.run.duration = 0.5;
+  const auto run = started(scene);
+  while (!run->is_done()) run->step();
+  EXPECT_EQ(run->totals().failed, 0);
+  EXPECT_LT(kinetic(*run), 1e-6 * made::mass(scene.bodies[0]) * 9.81 * 0.008);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Vec3<double> at = made::position(*run, i);
+    EXPECT_LT(at.head<2>().norm(), 1e-6 * 0.008) << i;
+    EXPECT_NEAR(at.z(), 0.008 + 0.016 * static_cast<double>(i), 1e-3) << i;
+  }
 }
 
 TEST(Hopper, LetsEverythingThrough) {

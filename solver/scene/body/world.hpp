@@ -50,14 +50,15 @@ struct Contacts {
   std::vector<std::uint32_t> pressing;  ///< those of them that overlap
   std::vector<std::uint32_t> parted;    ///< those that overlapped in the step before, and no longer do
   double range = 0;
-  Column* is_pressing = nullptr;  ///< 1 or 0
-  Column* chart = nullptr;        ///< 12: where the solver starts next time, the step before's last
-  Column* overlap = nullptr;      ///< 1
-  Column* normal = nullptr;       ///< 3, from body 1 to body 2
-  Column* point = nullptr;        ///< 3: where the force acts
-  Column* volume = nullptr;       ///< 1: of the patch, as the next two; the normal and the point are the patch's then
-  Column* area = nullptr;         ///< 1
-  Column* area_moment = nullptr;  ///< 3: about the point; 0 of a ball
+  Column* is_pressing = nullptr;   ///< 1 or 0
+  Column* chart = nullptr;         ///< 12: where the solver starts next time, the step before's last
+  Column* overlap = nullptr;       ///< 1
+  Column* normal = nullptr;        ///< 3, from body 1 to body 2
+  Column* point = nullptr;         ///< 3: where the force acts
+  Column* volume = nullptr;        ///< 1: of the patch, as the next two; the normal and the point are the patch's then
+  Column* area = nullptr;          ///< 1
+  Column* patch_radius = nullptr;  ///< 1: root mean square distance from the centre, across the normal
+  Column* area_moment = nullptr;   ///< 3: about the point; 0 of a ball
   double patch_tolerance = 0;
   Column* curvature = nullptr;  ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
   Column* arm1 = nullptr;       ///< 3: (point - centre) x normal, exactly 0 for spheres

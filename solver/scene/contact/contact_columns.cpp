@@ -89,6 +89,12 @@ void straighten(const World& world, Index i, Index j, Contact<double>& answer) {
   answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
 }
 
+/// With the second moments S of the volume, across the normal n: tr S - n'Sn.
+double radius_of(const Patch& patch) {
+  const Vec3<double> along = patch.axes.transpose() * patch.normal;
+  return std::sqrt(patch.second_moments.dot(Vec3<double>::Ones() - along.cwiseAbs2()));
+}
+
 /// The patch's columns; normal and point become its own, which no face makes jump. A body within another has no area, and so no force.
 void keep_patch(World& world, std::size_t c, const Patch& patch, Contact<double>& answer) {
   Contacts& contacts = world.contacts;
@@ -97,6 +103,7 @@ void keep_patch(World& world, std::size_t c, const Patch& patch, Contact<double>
   const bool has_area = patch.area > 0 && patch.normal.allFinite();
   (*contacts.volume)[c] = patch.volume > 0 ? patch.volume : 0;
   (*contacts.area)[c] = has_area ? patch.area : 0;
+  (*contacts.patch_radius)[c] = has_area ? radius_of(patch) : 0;
   contacts.area_moment->vector(c) = has_area && !has_ball ? patch.area_moment : Vec3<double>(Vec3<double>::Zero());
   if (!has_area) return;
   answer.normal = patch.normal;

@@ -15,6 +15,13 @@ Vec3<double> turned_across(const Vec3<double>& spring, const Vec3<double>& norma
   return left > 0 ? Vec3<double>(across * std::sqrt(spring.squaredNorm() / left)) : Vec3<double>::Zero();
 }
 
+/// Of a spring across the normal.
+StickSlip law_of(const Friction& friction, const Contacts& contacts, std::size_t c) {
+  const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
+  const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
+  return {stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
+}
+
 void slide(const Friction& friction, Column& springs, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
@@ -23,11 +30,34 @@ void slide(const Friction& friction, Column& springs, World& world) {
     const Vec3<double> velocity = world.relative_velocity(c, levers);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
     springs.vector(c) = turned_across(springs.vector(c), normal);
-    const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
-    const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
-    const StickSlip law{stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
-    world.push(c, law.pull(springs.vector(c), across, world.time_step), levers);
+    world.push(c, law_of(friction, contacts, c).pull(springs.vector(c), across, world.time_step), levers);
   }
+}
+
+/// A patch that turns about its normal slides at its radius.
+void turn(const Friction& friction, Column& angles, World& world) {
+  Contacts& contacts = world.contacts;
+  for (const std::uint32_t c : contacts.pressing) {
+    const Vec3<double> normal = contacts.normal->vector(c);
+    const double radius = (*contacts.patch_radius)[c], square = radius * radius;
+    const StickSlip slip = law_of(friction, contacts, c);
+    const StickSlip law{slip.stiffness * square, slip.viscous * square, slip.limit * radius};
+    angles.vector(c) = normal.dot(angles.vector(c)) * normal;
+    world.turn(c, law.pull(angles.vector(c), normal.dot(world.relative_turn(c)) * normal, world.time_step));
+  }
+}
+
+/// The work that the springs hold.
+double stored(const Friction& friction, const Column& springs, const Column* angles, const Contacts& contacts) {
+  double sum = 0;
+  for (const std::uint32_t c : contacts.pressing) {
+    const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
+    sum += stiffness * springs.vector(c).squaredNorm() / 2;
+    if (angles == nullptr) continue;
+    const double radius = (*contacts.patch_radius)[c];
+    sum += stiffness * radius * radius * angles->vector(c).squaredNorm() / 2;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -47,12 +77,13 @@ Role role(const Friction& friction, const Scene& scene) {
 void install(const Friction& friction, World& world) {
   Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
   world.contact_passes.push_back({Friction::name, [friction, &springs, &world] { slide(friction, springs, world); }});
-  world.energies.push_back({Friction::name, [friction, &springs, &world] {
-                              double sum = 0;
-                              for (const std::uint32_t c : world.contacts.pressing)
-                                sum += friction.stiffness_ratio * (*world.contacts.stiffness)[c] *
-                                       springs.vector(c).squaredNorm() / 2;
-                              return sum;
+  Column* angles = nullptr;
+  if (world.contacts.patch_radius != nullptr) {
+    angles = &world.columns.add("friction_angle", Friction::name, history(3));
+    world.contact_passes.push_back({Friction::name, [friction, angles, &world] { turn(friction, *angles, world); }});
+  }
+  world.energies.push_back({Friction::name, [friction, &springs, angles, &world] {
+                              return stored(friction, springs, angles, world.contacts);
                             }});
 }
 

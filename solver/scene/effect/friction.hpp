@@ -4,6 +4,7 @@
 //   spring' = velocity of the points across the normal; the spring turns with the normal
 //   force   = - ratio * normal stiffness * spring - damping, cut to coefficient * elastic normal force; where the spring alone
 //             exceeds that it slides, as long as the limit holds
+//   Of a patch (volume, foundation) the same against turning about the normal, at the patch's radius
 #pragma once
 
 #include "solver/scene/effect/parameter.hpp"

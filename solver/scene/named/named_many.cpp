@@ -111,4 +111,22 @@ Scene dice(int bodies) {
   return scene;
 }
 
+// Each turned by a tenth of a radian more than the one below, so that no two faces are alike.
+Scene tower(int bodies) {
+  constexpr double gap = 1e-5, half = 0.008;
+  Scene scene;
+  scene.name = "tower";
+  for (int i = 0; i < bodies; ++i) {
+    scene.bodies.push_back(die({0, 0, half + gap + (2 * half + gap) * i}));
+    scene.bodies.back().body.quaternion = {1, 0, 0, 0.05 * i};
+  }
+  scene.walls = {{Vec3<double>::Zero(), Vec3<double>::UnitZ(), {}}};
+  scene.effects = under_gravity();
+  scene.effects.foundation = Foundation{3e7};
+  scene.effects.damping = Damping{0.3};
+  scene.effects.friction = Friction{.coefficient = 0.5, .damping = 0.3};
+  run_for(scene, 1, 1e-2);
+  return scene;
+}
+
 }  // namespace plumb::scene::named

@@ -16,6 +16,7 @@ namespace plumb::scene::named {
 [[nodiscard]] Scene pile(int bodies);
 [[nodiscard]] Scene hopper(int bodies);
 [[nodiscard]] Scene dice(int bodies);
+[[nodiscard]] Scene tower(int bodies);
 
 inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 

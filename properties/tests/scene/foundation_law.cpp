@@ -1,0 +1,74 @@
+// The elastic foundation: stiffness times volume at the volume's centre, so that a face resists tilt and turning.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "properties/tests/scene/made.hpp"
+
+namespace plumb::scene {
+namespace {
+
+constexpr double winkler = 1e4;
+
+/// A die of half 1 that is a hundredth deep in the floor.
+Scene die_on_the_floor(double tilt) {
+  Scene scene;
+  SceneBody die = made::body({Vec3<double>::Ones(), 40, 40}, {0, 0, 0.99});
+  die.body.quaternion = {std::cos(tilt / 2), std::sin(tilt / 2), 0, 0};
+  scene.bodies = {die};
+  scene.walls = {made::floor_at()};
+  scene.effects.foundation = Foundation{winkler};
+  scene.run.duration = 1;
+  scene.run.accuracy = 1e-4;
+  return scene;
+}
+
+/// Of a square of side 2 pressed in by d the volume is 4 d; its second moment 16/12. The edges are round: a tenth of the volume is missing.
+TEST(FoundationLaw, OfAFaceIsThatOfAWinklerFoundation) {
+  constexpr double force_of_square = winkler * 4 * 0.01, stiffness_of_square = winkler * 16 / 12;
+  double first = 0;
+  for (const double tilt : {1e-3, 1e-6, 1e-9, -1e-6, -1e-3}) {
+    const auto run = made::started(die_on_the_floor(tilt));
+    const double force = run->world().state.force->vector(0).z(), torque = run->world().state.torque->vector(0).x();
+    EXPECT_TRUE(force < force_of_square && force > 0.88 * force_of_square) << tilt << ' ' << force;
+    const double stiffness = -torque / tilt;
+    EXPECT_TRUE(stiffness < stiffness_of_square && stiffness > 0.75 * stiffness_of_square) << tilt << ' ' << stiffness;
+    if (first == 0) first = stiffness;
+    EXPECT_NEAR(stiffness, first, 0.02 * first) << tilt;  // linear through zero
+  }
+}
+
+TEST(FoundationLaw, AWallGivesBackWhatItTakes) {
+  Stream stream("foundation law", 5, 1);
+  for (const double exponent : {2.0, 8.0}) {
+    Scene scene;
+    SceneBody body = made::body({Vec3<double>(1, 0.8, 1.2), exponent, exponent}, {0, 0, 2.5}, {0.2, 0.1, -1});
+    body.body.quaternion = {stream.uniform(), stream.uniform(), stream.uniform(), stream.uniform()};
+    body.angular_velocity = {0.5, -0.3, 0.2};
+    scene.bodies = {body};
+    scene.walls = {made::floor_at()};
+    scene.effects.foundation = Foundation{winkler};
+    scene.run.duration = 3;
+    scene.run.accuracy = 1e-2;
+    const auto run = made::started(scene);
+    const double start = made::total_energy(*run);
+    while (!run->is_done()) run->step();
+    EXPECT_GT(made::velocity(*run, 0).z(), 0);  // it has been there
+    EXPECT_NEAR(made::total_energy(*run), start, 1e-4 * start) << exponent;
+  }
+}
+
+/// Without a coefficient of twisting: what slides at the patch's radius stops.
+TEST(FoundationLaw, FrictionStopsADieThatSpinsOnItsFace) {
+  Scene scene = die_on_the_floor(0);
+  scene.bodies[0].angular_velocity = {0, 0, 1};
+  scene.effects.gravity = Gravity{{0, 0, -10}};
+  scene.effects.damping = Damping{0.3};
+  scene.effects.friction = Friction{.coefficient = 0.5, .damping = 0.3};
+  scene.run.accuracy = 1e-2;
+  const auto run = made::ended(scene);
+  EXPECT_LT(made::spin(*run, 0).norm(), 1e-2);
+}
+
+}  // namespace
+}  // namespace plumb::scene

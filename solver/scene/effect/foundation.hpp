@@ -1,0 +1,24 @@
+// Elastic foundation (Winkler): a pressure stiffness * depth over the patch, depth being how far the bodies are in each other along the
+// normal. Its resultant is stiffness * V, V the common volume, at the centre of V: a die that tilts is pushed back by its face, and rolling
+// is resisted, without a coefficient. K. L. Johnson, Contact Mechanics (1985), section 4.3.
+#pragma once
+
+#include "solver/scene/effect/parameter.hpp"
+
+namespace plumb::scene {
+
+/// A pressure like the depth. The head of foundation.hpp has the law.
+struct Foundation {
+  static constexpr std::string_view name = "foundation";
+  double stiffness = 0;  ///< pressure / length: that of the layer's material over its thickness
+
+  template <class Self, class Visit>
+  static void each_field(Self& self, Visit&& visit) {
+    visit("stiffness", self.stiffness, Range::not_negative);
+  }
+};
+
+[[nodiscard]] Role role(const Foundation& foundation, const Scene& scene);
+void install(const Foundation& foundation, World& world);
+
+}  // namespace plumb::scene
