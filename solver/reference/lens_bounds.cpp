@@ -19,7 +19,8 @@ using Vector = Vec3<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 LensBounds unknown_lens() {
-  return {0, infinity, Vector::Constant(-infinity), Vector::Constant(infinity)};
+  const Vector least = Vector::Constant(-infinity), most = Vector::Constant(infinity);
+  return {0, infinity, least, most, Vector::Zero(), most};
 }
 
 // ---- The search, in doubles ---------------------------------------------------------------------------------------------------
@@ -95,13 +96,14 @@ Rounding search_rounding(const PlacedPair<double>& pair, const Vector& inside, c
 /// Inner and outer sums over the cones seen so far.
 struct Sums {
   I inner = 0.0, outer = 0.0;
-  IVec3<I> first = IVec3<I>::Constant(I(0.0));  ///< int y dV from the point inside
+  IVec3<I> first = IVec3<I>::Constant(I(0.0));   ///< int y dV from the point inside
+  IVec3<I> second = IVec3<I>::Constant(I(0.0));  ///< int (e.y)^2 dV along each axis e
 };
 
 class Lens {
  public:
-  Lens(const Pair& pair, const Contact<double>& contact)
-      : rough_(place<double>(pair)), enclosed_(enclose<I>(pair)),
+  Lens(const Pair& pair, const Contact<double>& contact, const Mat3<double>& axes)
+      : axes_(axes), rough_(place<double>(pair)), enclosed_(enclose<I>(pair)),
         found_(search_rounding(rough_, start(pair, contact), contact.normal)) {}
 
   [[nodiscard]] bool has_inside() const { return holds(found_.inside); }
@@ -136,6 +138,7 @@ class Lens {
     for (int i = 0; i < 3; ++i) {
       const I where = hull<I>(hull<I>(0.0, cut[0][i]), hull<I>(cut[1][i], cut[2][i]));
       sums.first[i] += inner * (w[0][i] + w[1][i] + w[2][i]) / I(4.0) + gap * where;
+      sums.second[i] += inner * mean_square(w, i) + gap * farthest_square(w, cut, i);
     }
     return true;
   }
@@ -156,6 +159,24 @@ class Lens {
     const IVec3<I> at = enclosed<I>(x);
     return is_inside<I>(enclosed_.body1, in_body(enclosed_.body1, at)) &&
            is_inside<I>(enclosed_.body2, in_body(enclosed_.body2, at - enclosed_.centre));
+  }
+  /// e.w of the three corners.
+  [[nodiscard]] IVec3<I> along(const std::array<IVec3<I>, 3>& w, int axis) const {
+    const IVec3<I> e = enclosed<I>(axes_.col(axis));
+    return {dot<I>(e, w[0]), dot<I>(e, w[1]), dot<I>(e, w[2])};
+  }
+  /// Of e.y over the tetrahedron of the origin and three corners: (sum s_i^2 + sum s_i s_j) / 10, s = e.w.
+  [[nodiscard]] I mean_square(const std::array<IVec3<I>, 3>& w, int axis) const {
+    const IVec3<I> s = along(w, axis);
+    return (square<I>(s[0]) + square<I>(s[1]) + square<I>(s[2]) + s[0] * s[1] + s[1] * s[2] + s[2] * s[0]) / I(10.0);
+  }
+  /// [0, the largest (e.y)^2 between inner and cut corners].
+  [[nodiscard]] I farthest_square(const std::array<IVec3<I>, 3>& w, const std::array<IVec3<I>, 3>& cut,
+                                  int axis) const {
+    I out = 0.0;
+    for (const IVec3<I>& s : {along(w, axis), along(cut, axis)})
+      for (int k = 0; k < 3; ++k) out = hull<I>(out, square<I>(s[k]));
+    return out;
   }
   /// The lower of both bodies' largest a.y from the point inside, each of which holds for the lens.
   [[nodiscard]] I least_support(const Vector& a) const {
@@ -184,6 +205,7 @@ class Lens {
     return best;
   }
 
+  Mat3<double> axes_;
   PlacedPair<double> rough_;
   EnclosedPair<I> enclosed_;
   Rounding found_;
@@ -193,11 +215,14 @@ class Lens {
 bool add_triangles(const Lens& lens, Sums& sums, const std::array<Vector, 3>& directions, int level) {
   if (level == 0)
     return lens.add(sums, {lens.corner(directions[0]), lens.corner(directions[1]), lens.corner(directions[2])});
-  const auto between = [&](std::size_t i, std::size_t j) -> Vector { return (directions[i] + directions[j]).normalized(); };
+  const auto between = [&](std::size_t i, std::size_t j) -> Vector {
+    return (directions[i] + directions[j]).normalized();
+  };
   const Vector ab = between(0, 1), bc = between(1, 2), ca = between(2, 0);
   return add_triangles(lens, sums, {directions[0], ab, ca}, level - 1) &&
          add_triangles(lens, sums, {ab, directions[1], bc}, level - 1) &&
-         add_triangles(lens, sums, {ca, bc, directions[2]}, level - 1) && add_triangles(lens, sums, {ab, bc, ca}, level - 1);
+         add_triangles(lens, sums, {ca, bc, directions[2]}, level - 1) &&
+         add_triangles(lens, sums, {ab, bc, ca}, level - 1);
 }
 
 /// Over all cones, which fill space about the point inside because each triangle's determinant is proved positive.
@@ -217,18 +242,21 @@ I cube_root(const I& x) {
 
 }  // namespace
 
-LensBounds bound_lens(const Pair& pair, const Contact<double>& contact, int level) {
+LensBounds bound_lens(const Pair& pair, const Contact<double>& contact, int level, const Mat3<double>& axes) {
   const StandardArithmetic mode;
-  const Lens lens(pair, contact);
+  const Lens lens(pair, contact, axes);
   Sums sums;
   if (!lens.has_inside() || !add_octants(lens, sums, level)) return unknown_lens();
   const auto in_world = [&](const I& x) { return times_power_of_two<I>(x, lens.exponent()); };
   const I volume = hull<I>(low_end<I>(sums.inner), high_end<I>(sums.outer));
   const I in_unit = times_power_of_two<I>(volume, 3 * lens.exponent());
-  LensBounds out{low(in_unit), high(in_unit), {}, {}};
+  LensBounds out{low(in_unit), high(in_unit), {}, {}, {}, {}};
   for (int i = 0; i < 3; ++i) {
     const I centre = in_world(I(lens.inside()[i]) + sums.first[i] / volume) + I(pair.body1.position[i]);
     out.centre_lower[i] = low(centre), out.centre_upper[i] = high(centre);
+    const I middle = dot<I>(enclosed<I>(axes.col(i)), sums.first) / volume;
+    const I moment = times_power_of_two<I>(sums.second[i] / volume - square<I>(middle), 2 * lens.exponent());
+    out.moments_lower[i] = std::max(low(moment), 0.0), out.moments_upper[i] = high(moment);
   }
   return out;
 }
