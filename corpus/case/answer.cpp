@@ -127,7 +127,8 @@ void require_something_to_judge(const Field& answer) {
 /// What answer_json writes.
 void require_known_fields(const Field& answer) {
   answer.require_object({"name", "method", "status", "verdict", "overlap", "normal", "points", "contact_point",
-                         "iterations", "evaluations", "angles_deg", "residuals", "curvature", "derivatives", "patch", "timing"});
+                         "iterations", "evaluations", "angles_deg", "residuals", "curvature", "derivatives", "patch",
+                         "timing"});
 }
 
 /// Names of solvers that need not be here: a library (--solver), a peer, the recorder's answers, and those of no name. They are

@@ -23,7 +23,8 @@ struct RimPoint {
 /// come in from outside.
 [[nodiscard]] inline RimPoint rim_point(const Lens& lens, const LensFrame& frame, double azimuth, const RimPoint& start,
                                         double accuracy) {
-  const Vec3<double> d = frame.across(azimuth), turned = frame.across(azimuth + std::numbers::pi / 2), e3 = frame.axes.col(2);
+  const Vec3<double> d = frame.across(azimuth), turned = frame.across(azimuth + std::numbers::pi / 2),
+                     e3 = frame.axes.col(2);
   RimPoint at = start;
   at.is_found = false;
   const int limit = 30;

@@ -45,7 +45,8 @@ struct Lens {
 namespace exits {
 
 /// g^2 of an ellipsoid is a quadratic form.
-[[nodiscard]] inline Lens::Exit of_ellipsoid(const PlacedGauge& body, const Vec3<double>& from, const Vec3<double>& along) {
+[[nodiscard]] inline Lens::Exit of_ellipsoid(const PlacedGauge& body, const Vec3<double>& from,
+                                             const Vec3<double>& along) {
   const Vec3<double> u = body.to_gauge * (from - body.centre), d = body.to_gauge * along;
   const double dd = d.squaredNorm(), ud = u.dot(d), inside = 1 - u.squaredNorm();
   const double root = std::sqrt(std::max(ud * ud + dd * inside, 0.0));
@@ -62,7 +63,8 @@ namespace exits {
 
 }  // namespace exits
 
-inline std::array<Lens::Exit, 2> Lens::exits(const Vec3<double>& from, const Vec3<double>& along, double accuracy) const {
+inline std::array<Lens::Exit, 2> Lens::exits(const Vec3<double>& from, const Vec3<double>& along,
+                                             double accuracy) const {
   if (is_of_ellipsoids())
     return {exits::of_ellipsoid(bodies[0], from, along), exits::of_ellipsoid(bodies[1], from, along)};
   double t1 = 1, t2 = 1;
@@ -175,11 +177,13 @@ inline void centre_height(const Lens& lens, LensFrame& frame) {
 }  // namespace detail_frame
 
 /// `inside` in the lens, `normal` unit. `size`: of the pair.
-[[nodiscard]] inline LensFrame lens_frame(const Lens& lens, const Vec3<double>& inside, const Vec3<double>& normal, double size) {
+[[nodiscard]] inline LensFrame lens_frame(const Lens& lens, const Vec3<double>& inside, const Vec3<double>& normal,
+                                          double size) {
   LensFrame frame{inside, {}, {}};
   frame.axes << size * tangent_basis<double>(normal), size * normal;
   const int limit = 8;
-  const double round_enough = lens.is_of_ellipsoids() ? 1.05 : 1.5;  // their rays cost little, and the rounder the fewer azimuths
+  const double round_enough =
+      lens.is_of_ellipsoids() ? 1.05 : 1.5;  // their rays cost little, and the rounder the fewer azimuths
   for (int i = 0; i < limit; ++i) {
     detail_frame::centre_height(lens, frame);
     if (i == 0) frame.axes.leftCols<2>() *= std::sqrt(frame.thickness() / size);  // as of two spheres

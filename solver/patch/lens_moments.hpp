@@ -12,9 +12,9 @@ namespace plumb::detail {
 
 struct LensMoments {
   double volume = 0;
-  Vec3<double> first = Vec3<double>::Zero();   ///< int u dV
-  Mat3<double> second = Mat3<double>::Zero();  ///< int u u' dV, the upper triangle
-  std::array<Vec3<double>, 2> area = {Vec3<double>::Zero(), Vec3<double>::Zero()};    ///< int dA over each body's part
+  Vec3<double> first = Vec3<double>::Zero();                                        ///< int u dV
+  Mat3<double> second = Mat3<double>::Zero();                                       ///< int u u' dV, the upper triangle
+  std::array<Vec3<double>, 2> area = {Vec3<double>::Zero(), Vec3<double>::Zero()};  ///< int dA over each body's part
   std::array<Vec3<double>, 2> moment = {Vec3<double>::Zero(), Vec3<double>::Zero()};  ///< int y x dA, lengths
 
   /// The column under a piece of surface, of area e3 . dA.
@@ -63,15 +63,15 @@ struct LensMoments {
   const double by_volume =
       std::max({std::abs(b.volume - a.volume) / b.volume, (b.centre() - a.centre()).norm() / std::sqrt(size),
                 (spread - a.spread()).norm() / size});
-  const double by_area =
-      std::max((b.area[0] - a.area[0]).norm(), (b.moment[0] - a.moment[0]).norm() / frame.width());
+  const double by_area = std::max((b.area[0] - a.area[0]).norm(), (b.moment[0] - a.moment[0]).norm() / frame.width());
   return std::max(by_volume, by_area / b.area_scale(frame));
 }
 
 /// By how much the surface fails to be closed: oint dA = 0, oint y x dA = 0. What a quadrature misses shows here, however steadily it
 /// does so.
 [[nodiscard]] inline double closure_error(const LensMoments& sum, const LensFrame& frame) {
-  const double open = std::max((sum.area[0] + sum.area[1]).norm(), (sum.moment[0] + sum.moment[1]).norm() / frame.width());
+  const double open =
+      std::max((sum.area[0] + sum.area[1]).norm(), (sum.moment[0] + sum.moment[1]).norm() / frame.width());
   return open / sum.area_scale(frame);
 }
 

@@ -39,7 +39,9 @@ class Meridians {
   struct Ray {
     Vec3<double> across, up;
 
-    [[nodiscard]] Vec3<double> at(double latitude) const { return std::cos(latitude) * across + std::sin(latitude) * up; }
+    [[nodiscard]] Vec3<double> at(double latitude) const {
+      return std::cos(latitude) * across + std::sin(latitude) * up;
+    }
   };
 
   struct Exit {
@@ -68,7 +70,8 @@ class Meridians {
       const double latitude = low + rule.nodes[i] * (high - low);
       const Exit at = exit(ray, latitude);
       const Vec3<double> y = at.t * ray.at(latitude);
-      const double height = determinant_ * at.t * at.t * at.t * std::cos(latitude) * rule.weights[i] * (high - low) * share;
+      const double height =
+          determinant_ * at.t * at.t * at.t * std::cos(latitude) * rule.weights[i] * (high - low) * share;
       sum.add_cone(frame_.coordinates(y), height);
       sum.add_area(y, height / at.gradient.dot(y) * at.gradient, at.owner);
     }

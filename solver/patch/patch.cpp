@@ -76,8 +76,9 @@ Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair
 
 /// Not the cube of a length beyond 1e102, nor below 1e-102.
 bool is_representable(const Patch& patch) {
-  return patch.volume >= std::numeric_limits<double>::min() && std::isfinite(patch.volume) && std::isfinite(patch.area) &&
-         patch.centre.allFinite() && patch.area_moment.allFinite() && patch.second_moments.allFinite();
+  return patch.volume >= std::numeric_limits<double>::min() && std::isfinite(patch.volume) &&
+         std::isfinite(patch.area) && patch.centre.allFinite() && patch.area_moment.allFinite() &&
+         patch.second_moments.allFinite();
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct Azimuths {
 /// The two caps of a lens, integrated.
 class CapQuadrature {
  public:
-  CapQuadrature(const Lens& lens, const LensFrame& frame, double newton_step, double tolerance, const Azimuths& azimuths)
+  CapQuadrature(const Lens& lens, const LensFrame& frame, double newton_step, double tolerance,
+                const Azimuths& azimuths)
       : frame_(frame), caps_(lens, frame, newton_step, tolerance), tolerance_(tolerance), azimuths_(azimuths) {}
 
   /// By the first of the rules with n, m, .. points a fan that differs from the next by little enough. Nothing where the lens has not
@@ -67,8 +68,7 @@ class CapQuadrature {
     for (int count = first_count; count <= most && out.error > tolerance; count *= 2) {
       if (!add_level<n>(sum, count)) return {};
       levels.add(sum.scaled(1.0 / count), frame_);
-      if (count >= azimuths_.least)
-        out = {levels.finest(), levels.error() + closure_error(levels.finest(), frame_)};
+      if (count >= azimuths_.least) out = {levels.finest(), levels.error() + closure_error(levels.finest(), frame_)};
     }
     return out;
   }
@@ -80,9 +80,11 @@ class CapQuadrature {
 };
 
 /// By meridians: twice as many and twice the panels a level, until `tolerance`.
-[[nodiscard]] inline Quadrature moments_by_meridians(const Meridians& meridians, const LensFrame& frame, double tolerance) {
+[[nodiscard]] inline Quadrature moments_by_meridians(const Meridians& meridians, const LensFrame& frame,
+                                                     double tolerance) {
   const int most = 64;
-  const double first_azimuth = 0.4, missed = 2;  // edges wander between the meridians, so that the differences fall unevenly
+  const double first_azimuth = 0.4,
+               missed = 2;  // edges wander between the meridians, so that the differences fall unevenly
   Refinement levels(Convergence::power);
   Quadrature out;
   for (int count = 8; count <= most && out.error > tolerance; count *= 2) {

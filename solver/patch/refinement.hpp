@@ -9,7 +9,7 @@ namespace plumb::detail {
 
 /// How the differences of levels fall, each with half the spacing of the one before.
 enum class Convergence {
-  power,     ///< of the spacing: by one ratio from level to level
+  power,  ///< of the spacing: by one ratio from level to level
   geometric  ///< in the count, as of the trapezoidal rule for a periodic analytic function: by a ratio that is squared each time
 };
 

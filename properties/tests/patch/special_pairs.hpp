@@ -16,9 +16,8 @@ struct SpecialPair {
 
 [[nodiscard]] inline Body special_body(const Vec3<double>& semi_axes, double exponent, const Vec3<double>& position,
                                        double turned_about_y = 0) {
-  return {{semi_axes, exponent, exponent},
-          position,
-          {std::cos(turned_about_y / 2), 0, std::sin(turned_about_y / 2), 0}};
+  return {
+      {semi_axes, exponent, exponent}, position, {std::cos(turned_about_y / 2), 0, std::sin(turned_about_y / 2), 0}};
 }
 
 [[nodiscard]] inline std::vector<SpecialPair> special_pairs() {

@@ -99,7 +99,7 @@ class OnePair(unittest.TestCase):
 
     def test_the_area_of_a_patch_is_the_derivative_of_its_volume(self):
         lower = plumb.Body((1, 0.8, 0.6), (0, 0, 0))
-        upper = plumb.Body((0.9, 1, 0.7), (0.2, 0.1, 1.2), (1, 0.1, 0.2, 0), exponents=(2.5, 3))
+        upper = plumb.Body((0.9, 1, 0.7), (0.2, 0.1, 1.2), (1, 0.1, 0.2, 0))
 
         def patch_at(shift):
             return plumb.solve(lower, upper.moved(upper.position + shift), want="patch", patch_tolerance=1e-7).patch
