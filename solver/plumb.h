@@ -97,7 +97,7 @@ typedef struct plumb_patch {
   double second_moments[3]; /* principal, about the centre, divided by V: length^2, the largest first */
   double axes[3][3];        /* theirs: unit, right-handed, the third from body 1 to body 2 */
   double points[4][3];      /* a quarter of the weight each: together the centre and the second moments of the patch */
-  double error;             /* estimate of the largest relative error; above patch_tolerance where that was not reached */
+  double error; /* estimate of the largest relative error; above patch_tolerance where that was not reached */
 } plumb_patch;
 
 /* NaN where it was not wanted; body 1's first. Matrices by rows. */

@@ -9,6 +9,7 @@
 #include "corpus/json/fields.hpp"
 #include "solver/diagnosis.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/patch/patch.hpp"
 
 namespace plumb {
 namespace {
@@ -74,6 +75,26 @@ void put_derivatives(Json& out, const Contact<double>& contact) {
   out["derivatives"] = bodies;
 }
 
+/// Axes by rows.
+void put_patch(Json& out, const Contact<double>& contact) {
+  if (!contact.patch || !std::isfinite(contact.patch->error)) return;
+  const Patch& from = *contact.patch;
+  Json patch = Json::object();
+  patch["volume"] = from.volume;
+  patch["area"] = from.area;
+  put(patch, "normal", from.normal);
+  put(patch, "centre", from.centre);
+  put(patch, "area_moment", from.area_moment);
+  put(patch, "second_moments", from.second_moments);
+  put(patch, "axes", Mat3<double>(from.axes.transpose()));
+  if (from.centre.allFinite()) {
+    patch["points"] = Json::array();
+    for (const Vec3<double>& point : points_of(from)) patch["points"].push_back(vector_json(point));
+  }
+  patch["error"] = from.error;
+  out["patch"] = patch;
+}
+
 std::optional<Field> given(const Field& answer, std::string_view key) {
   const auto field = answer.find(key);
   return field && field->value().is_null() ? std::nullopt : field;
@@ -106,7 +127,8 @@ void require_something_to_judge(const Field& answer) {
 /// What answer_json writes.
 void require_known_fields(const Field& answer) {
   answer.require_object({"name", "method", "status", "verdict", "overlap", "normal", "points", "contact_point",
-                         "iterations", "evaluations", "angles_deg", "residuals", "curvature", "derivatives", "timing"});
+                         "iterations", "evaluations", "angles_deg", "residuals", "curvature", "derivatives", "patch",
+                         "timing"});
 }
 
 /// Names of solvers that need not be here: a library (--solver), a peer, the recorder's answers, and those of no name. They are
@@ -226,6 +248,7 @@ Json answer_json(const Answer& answer) {
   }
   if (answer.want.curvature) put_curvature(out, contact);
   if (answer.want.derivatives) put_derivatives(out, contact);
+  if (answer.want.patch) put_patch(out, contact);
   if (answer.nanoseconds) out["timing"]["ns"] = *answer.nanoseconds;
   return out;
 }

@@ -31,7 +31,7 @@ void declare(CommandLine& app, Options& options) {
   app.add_option("--method", options.methods, "NAME,.. or all; default auto (plumb methods lists them)");
   declare_solver(app, options.foreign, "a shared library that implements solver/plumb_solver.h");
   app.add_option("--want", options.want,
-                 "what to compute: overlap,normal,points,curvature,derivatives; or verdict alone")
+                 "what to compute: overlap,normal,points,curvature,derivatives,patch; or verdict alone")
       ->capture_default_str();
   app.add_option("--repeat", options.repeat, "time the smallest of this many calls")->in_range(1, 1'000'000'000);
   app.add_flag("--warm", options.warm, "start the timed calls from the case's own answer");
@@ -42,12 +42,13 @@ void declare(CommandLine& app, Options& options) {
 Want parse_want(const std::string& names) {
   Want want{false, false, false, false, false};
   bool verdict = true;
-  const std::array<std::pair<std::string_view, bool*>, 6> words{{{"verdict", &verdict},
+  const std::array<std::pair<std::string_view, bool*>, 7> words{{{"verdict", &verdict},
                                                                  {"overlap", &want.overlap},
                                                                  {"normal", &want.normal},
                                                                  {"points", &want.points},
                                                                  {"curvature", &want.curvature},
-                                                                 {"derivatives", &want.derivatives}}};
+                                                                 {"derivatives", &want.derivatives},
+                                                                 {"patch", &want.patch}}};
   const auto known = std::views::keys(words);
   std::istringstream list(names);
   for (std::string name; std::getline(list, name, ',');) {

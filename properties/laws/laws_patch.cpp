@@ -9,6 +9,7 @@
 #include "properties/generators/draft.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/reference/lens_bounds.hpp"
+#include "solver/scalar.hpp"
 
 namespace plumb {
 namespace {
@@ -68,7 +69,8 @@ Finding has_its_error(const PatchEvidence& e) {
 Finding is_exchanged(const PatchEvidence& e) {
   const Patch other = e.solve(swapped(e.pair), e.tolerance);
   return compared(FindingKind::asymmetric, difference(other, e.patch, -1),
-                  slack_of(e.patch, e.tolerance) + slack_of(other, e.tolerance), "difference from the exchanged pair's");
+                  slack_of(e.patch, e.tolerance) + slack_of(other, e.tolerance),
+                  "difference from the exchanged pair's");
 }
 
 Finding keeps_its_bits(const PatchEvidence& e) {
@@ -107,7 +109,8 @@ double slope(const PatchEvidence& e, double tolerance, const std::function<void(
 
 /// dV = -a . dx for a shift of body 2, dV = -m . dw for a turn about the centre.
 Finding has_the_gradient(const PatchEvidence& e) {
-  const double fine = 1e-6, share = 0.02, curving = 0.01;  // of the lens's thickness; of what third derivatives do to it
+  const double fine = 1e-6, share = 0.02,
+               curving = 2e-3;  // of the lens's thickness; of what third derivatives do to it
   const Patch p = e.solve(e.pair, fine);
   const double width = width_of(p), area = area_scale(p), shift = share * p.volume / area, turned = shift / width;
   const double noise = 10 * p.error * p.volume / shift, allowed = noise + curving * area;
@@ -129,15 +132,21 @@ Finding has_the_gradient(const PatchEvidence& e) {
 Finding is_within_bounds(const PatchEvidence& e) {
   const int level = 3;
   const Contact<double> contact = find_method("auto")->solve(e.pair, {}, nullptr);
-  const reference::LensBounds bounds = reference::bound_lens(e.pair, contact, level);
+  const reference::LensBounds bounds = reference::bound_lens(e.pair, contact, level, e.patch.axes);
   if (!std::isfinite(bounds.volume_upper)) return {};
   const double slack = slack_of(e.patch, e.tolerance), width = width_of(e.patch);
   const double off_volume = std::max(bounds.volume_lower - e.patch.volume, e.patch.volume - bounds.volume_upper);
-  const Vec3<double> off_centre =
-      (bounds.centre_lower - e.patch.centre).cwiseMax(e.patch.centre - bounds.centre_upper);
-  const Finding volume = compared(FindingKind::overlap_error, off_volume, slack * e.patch.volume, "volume off its bounds");
+  const Vec3<double> off_centre = (bounds.centre_lower - e.patch.centre).cwiseMax(e.patch.centre - bounds.centre_upper);
+  const Finding volume =
+      compared(FindingKind::overlap_error, off_volume, slack * e.patch.volume, "volume off its bounds");
   if (volume.kind != FindingKind::none) return volume;
-  return compared(FindingKind::point_error, off_centre.maxCoeff(), slack * width, "centre off its bounds");
+  const Finding centre =
+      compared(FindingKind::point_error, off_centre.maxCoeff(), slack * width, "centre off its bounds");
+  if (centre.kind != FindingKind::none) return centre;
+  const Vec3<double>& moments = e.patch.second_moments;
+  const Vec3<double> off_moments =
+      (bounds.moments_lower - moments).cwiseMax(moments - bounds.moments_upper).cwiseQuotient(moments);
+  return compared(FindingKind::point_error, off_moments.maxCoeff(), 4 * slack, "second moments off their bounds");
 }
 
 constexpr std::array all_patch_laws{
@@ -167,10 +176,13 @@ Finding judge_patch(const PatchEvidence& evidence) {
 }
 
 double difference(const Patch& a, const Patch& b, int side) {
-  const double width = width_of(b), area = area_scale(b);
+  const double width = width_of(b), area = area_scale(b), rounding = 4 * epsilon<double>() * b.centre.norm();
+  const Vec3<double> widths = b.second_moments.cwiseSqrt().array() + rounding;
+  const Mat3<double> to_widths = widths.cwiseInverse().asDiagonal() * b.axes.transpose();
   const std::array parts{std::abs(a.volume - b.volume) / b.volume,
-                         (side * area_vector(a) - area_vector(b)).norm() / area, (a.centre - b.centre).norm() / width,
-                         (spread_of(a) - spread_of(b)).norm() / (width * width),
+                         (side * area_vector(a) - area_vector(b)).norm() / area,
+                         (to_widths * (a.centre - b.centre)).norm(),
+                         (to_widths * (spread_of(a) - spread_of(b)) * to_widths.transpose()).norm(),
                          (side * a.area_moment - b.area_moment).norm() / (area * width)};
   double worst = 0;
   for (const double part : parts) worst = part <= worst ? worst : part;  // NaN is the worst

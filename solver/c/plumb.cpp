@@ -37,9 +37,9 @@ constexpr unsigned all_wants = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB
 
 /// A size that ends within a field is no header's: of a pointer a part would be left.
 bool is_of_a_header(std::size_t size) {
-  constexpr std::array ends{offsetof(plumb_options, method), offsetof(plumb_options, want),
+  constexpr std::array ends{offsetof(plumb_options, method),          offsetof(plumb_options, want),
                             offsetof(plumb_options, iteration_limit), offsetof(plumb_options, tolerance),
-                            offsetof(plumb_options, motion), offsetof(plumb_options, patch_tolerance)};
+                            offsetof(plumb_options, motion),          offsetof(plumb_options, patch_tolerance)};
   return size >= sizeof(plumb_options) || std::find(ends.begin(), ends.end(), size) != ends.end();
 }
 

@@ -56,7 +56,7 @@ template <std::size_t n, int Beta>
     for (std::size_t i = 0; i < degree; ++i) {
       double low = ends[i], high = ends[i + 1];
       const bool rises = polynomial(degree, high) > 0;
-      const int halvings = 60;  // to the last bit
+      const int halvings = degree < n ? 20 : 54;  // enough to tell neighbours apart; to the last bit
       for (int k = 0; k < halvings; ++k) {
         const double middle = (low + high) / 2;
         ((polynomial(degree, middle) > 0) == rises ? high : low) = middle;

@@ -34,7 +34,7 @@ class CapQuadrature {
   [[nodiscard]] std::optional<Quadrature> moments() {
     const double share = 0.5;  // of the tolerance, left to the fans
     LensMoments coarse, fine;
-    if (!add_level<n>(coarse, first_count) || !add_level<m>(fine, first_count)) return {};
+    if (!add_level<n>(coarse, first_count, false) || !add_level<m>(fine, first_count, false)) return {};
     const double missed = 2;  // at other azimuths than those looked at
     const double radial = missed * difference(coarse, fine, frame_);
     if constexpr (sizeof...(more) > 0)
@@ -49,24 +49,24 @@ class CapQuadrature {
 
   /// Adds azimuth k of `count`; beyond the first level only those that the level before has not.
   template <std::size_t n>
-  [[nodiscard]] bool add_level(LensMoments& sum, int count) {
+  [[nodiscard]] bool add_level(LensMoments& sum, int count, bool is_checked) {
     const double first_azimuth = 0.4;  // of no symmetry: corners are often at multiples of 45 degrees
-    const int last_checked = 8, step = count == first_count ? 1 : 2;
+    const int step = count == first_count ? 1 : 2;
     for (int k = step - 1; k < count; k += step) {
       const RimPoint rim = caps_.rim(first_azimuth + 2 * std::numbers::pi * k / count);
-      if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, count <= last_checked)) return false;
+      if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, is_checked)) return false;
     }
     return true;
   }
   /// The trapezoidal rule over the azimuth with n points a fan, doubled until `tolerance`.
   template <std::size_t n>
   [[nodiscard]] std::optional<Quadrature> by_azimuths(double tolerance) {
-    const int most = 256;
+    const int most = 256, last_checked = 8;
     Refinement levels(azimuths_.convergence);
     LensMoments sum;
     Quadrature out;
     for (int count = first_count; count <= most && out.error > tolerance; count *= 2) {
-      if (!add_level<n>(sum, count)) return {};
+      if (!add_level<n>(sum, count, count <= last_checked)) return {};
       levels.add(sum.scaled(1.0 / count), frame_);
       if (count >= azimuths_.least) out = {levels.finest(), levels.error() + closure_error(levels.finest(), frame_)};
     }

@@ -35,13 +35,15 @@ static_assert(sizeof(plumb_contact_arrays) == 136 && offsetof(plumb_contact_arra
               offsetof(plumb_contact_arrays, points) == 48 && offsetof(plumb_contact_arrays, contact_point) == 96 &&
               offsetof(plumb_contact_arrays, iterations) == 120 && offsetof(plumb_contact_arrays, evaluations) == 128);
 // These may grow; what they have does not move.
-static_assert(sizeof(plumb_options) >= 64 && offsetof(plumb_options, patch_tolerance) == 56 && offsetof(plumb_options, method) == 8 &&
-              offsetof(plumb_options, want) == 16 && offsetof(plumb_options, iteration_limit) == 20 &&
-              offsetof(plumb_options, tolerance) == 24 && offsetof(plumb_options, motion) == 32);
-static_assert(sizeof(plumb_details) >= 816 && offsetof(plumb_details, patch) == 528 && offsetof(plumb_details, method) == 8 &&
-              offsetof(plumb_details, radii) == 16 && offsetof(plumb_details, directions) == 48 &&
-              offsetof(plumb_details, overlap_by_shift) == 144 && offsetof(plumb_details, overlap_by_turn) == 192 &&
-              offsetof(plumb_details, normal_by_shift) == 240 && offsetof(plumb_details, normal_by_turn) == 384);
+static_assert(sizeof(plumb_options) >= 64 && offsetof(plumb_options, patch_tolerance) == 56 &&
+              offsetof(plumb_options, method) == 8 && offsetof(plumb_options, want) == 16 &&
+              offsetof(plumb_options, iteration_limit) == 20 && offsetof(plumb_options, tolerance) == 24 &&
+              offsetof(plumb_options, motion) == 32);
+static_assert(sizeof(plumb_details) >= 816 && offsetof(plumb_details, patch) == 528 &&
+              offsetof(plumb_details, method) == 8 && offsetof(plumb_details, radii) == 16 &&
+              offsetof(plumb_details, directions) == 48 && offsetof(plumb_details, overlap_by_shift) == 144 &&
+              offsetof(plumb_details, overlap_by_turn) == 192 && offsetof(plumb_details, normal_by_shift) == 240 &&
+              offsetof(plumb_details, normal_by_turn) == 384);
 static_assert(sizeof(plumb_patch) >= 288 && offsetof(plumb_patch, area) == 8 && offsetof(plumb_patch, normal) == 16 &&
               offsetof(plumb_patch, centre) == 40 && offsetof(plumb_patch, area_moment) == 64 &&
               offsetof(plumb_patch, second_moments) == 88 && offsetof(plumb_patch, axes) == 112 &&
@@ -77,7 +79,8 @@ static_assert(is<decltype(plumb_solver_version), int(void)> &&
 static_assert(PLUMB_OK == 0 && PLUMB_ERROR_ARGUMENT == 1 && PLUMB_ERROR_METHOD == 2 && PLUMB_ERROR_MEMORY == 3 &&
               PLUMB_ERROR_INTERNAL == 4);
 static_assert(PLUMB_WANT_OVERLAP == 1 && PLUMB_WANT_NORMAL == 2 && PLUMB_WANT_POINTS == 4 &&
-              PLUMB_WANT_CURVATURE == 8 && PLUMB_WANT_DERIVATIVES == 16 && PLUMB_WANT_PATCH == 32 && PLUMB_WANT_CONTACT == 7);
+              PLUMB_WANT_CURVATURE == 8 && PLUMB_WANT_DERIVATIVES == 16 && PLUMB_WANT_PATCH == 32 &&
+              PLUMB_WANT_CONTACT == 7);
 static_assert(PLUMB_OPEN == 0 && PLUMB_PROVED == 1 && PLUMB_DISPROVED == 2);
 static_assert(PLUMB_CONVERGED == 0 && PLUMB_ITERATION_LIMIT == 1 && PLUMB_STALLED == 2 && PLUMB_SINGULAR == 3 &&
               PLUMB_NOT_FINITE == 4 && PLUMB_INVALID_INPUT == 5);

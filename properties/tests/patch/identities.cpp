@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "properties/generators/families.hpp"
+#include "properties/tests/patch/special_pairs.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {
@@ -31,12 +32,20 @@ TEST_P(PatchLaws, Hold) {
     if (c.status != Status::converged || c.verdict != Verdict::overlapping || !has_volumes(pair)) continue;
     const Patch patch = patch_for(pair, tolerance);
     const Finding finding = judge_patch({pair, patch, tolerance, patch_for});
-    EXPECT_EQ(finding.kind, FindingKind::none) << GetParam() << ' ' << i << ": " << finding.law << ", " << finding.detail;
+    EXPECT_EQ(finding.kind, FindingKind::none)
+        << GetParam() << ' ' << i << ": " << finding.law << ", " << finding.detail;
     met += patch.error <= tolerance ? 1 : 0;
     ++judged;
   }
   EXPECT_GT(judged, 15);
   EXPECT_GE(met, judged * (GetParam() == "hard" ? 7 : 9) / 10);  // without a miss only where exponents are at most 8
+}
+
+TEST(SpecialPatches, KeepTheLaws) {
+  for (const auto& [name, pair] : special_pairs()) {
+    const Finding finding = judge_patch({pair, patch_for(pair, tolerance), tolerance, patch_for});
+    EXPECT_EQ(finding.kind, FindingKind::none) << name << ": " << finding.law << ", " << finding.detail;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, PatchLaws, testing::Values("spheroid", "ellipsoid", "superquadric", "hard"),

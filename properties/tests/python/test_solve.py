@@ -98,9 +98,11 @@ class OnePair(unittest.TestCase):
             self.assertAlmostEqual(slope, contact.derivatives[1].overlap_by_shift[axis], delta=1e-8)
 
     def test_the_area_of_a_patch_is_the_derivative_of_its_volume(self):
+        lower = plumb.Body((1, 0.8, 0.6), (0, 0, 0))
+        upper = plumb.Body((0.9, 1, 0.7), (0.2, 0.1, 1.2), (1, 0.1, 0.2, 0))
+
         def patch_at(shift):
-            moved = self.body2.moved(self.body2.position + shift)
-            return plumb.solve(self.body1, moved, want="patch", patch_tolerance=1e-7).patch
+            return plumb.solve(lower, upper.moved(upper.position + shift), want="patch", patch_tolerance=1e-7).patch
 
         patch, step = patch_at(0), 1e-4
         self.assertLess(patch.error, 1e-7)

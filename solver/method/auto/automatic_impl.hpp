@@ -59,7 +59,15 @@ template <class S>
   Patch out;
   if (contact.verdict == Verdict::separated) out.volume = out.area = out.error = 0;
   if (contact.verdict != Verdict::overlapping) return out;
-  return patch_at(pair, in_double(found.normal), in_double(found.point1), in_double(found.point2), want.patch_tolerance);
+  return patch_at(pair, in_double(found.normal), in_double(found.point1), in_double(found.point2),
+                  want.patch_tolerance);
+}
+
+/// What few ask for. Not inlined: it would cost the others registers.
+template <class S>
+[[gnu::noinline]] void set_more(Contact<S>& out, const Found<S>& found, const Want& want, const Pair& pair) {
+  if (want.curvature || want.derivatives) set_second_order<S>(out, found, want, pair);
+  if (want.patch) out.patch = patch_of<S>(found, out, want, pair);
 }
 
 /// Whether the scalar has lengths like the pair's: float has no 1e100, and no 1e-100.
@@ -99,10 +107,9 @@ template <class S>
     out.point2 = frame.to_world_point(x2, pair);
     out.contact_point = frame.to_world_point((x1 + x2) / S(2), pair);
   }
-  if ((want.curvature || want.derivatives) && found.status == Status::converged)
-    set_second_order<S>(out, found, want, pair);
-  if (want.patch && out.status == Status::converged) out.patch = patch_of<S>(found, out, want, pair);
-  if (want.curvature || want.derivatives || !is_surely_finite(out)) finish<S>(out, want);
+  const bool is_more_wanted = want.curvature || want.derivatives || want.patch;
+  if (is_more_wanted && found.status == Status::converged) set_more<S>(out, found, want, pair);
+  if (is_more_wanted || !is_surely_finite(out)) finish<S>(out, want);
   return out;
 }
 
