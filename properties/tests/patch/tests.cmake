@@ -1,4 +1,9 @@
 # The patch with seeded bugs, each of which the laws must find: fuzz/bugs/patch/patch.json, sown by fuzz/bugs/seed.cmake.
+target_link_libraries(test_patch PRIVATE ${CMAKE_DL_LIBS})
+if(PLUMB_ONE_COMPILATION)  # the linter sows nothing
+  target_compile_definitions(test_patch PRIVATE PLUMB_SEEDED_PATCH="")
+  return()
+endif()
 set(bugs ${PROJECT_SOURCE_DIR}/fuzz/bugs)
 set(sown ${CMAKE_CURRENT_BINARY_DIR}/seeded_patch)
 file(GLOB_RECURSE pristine CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solver/patch/*)
@@ -15,4 +20,3 @@ target_link_options(seeded_patch PRIVATE -Wl,-Bsymbolic)
 set_target_properties(seeded_patch PROPERTIES PREFIX "" UNITY_BUILD OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 add_dependencies(test_patch seeded_patch)
 target_compile_definitions(test_patch PRIVATE PLUMB_SEEDED_PATCH="$<TARGET_FILE:seeded_patch>")
-target_link_libraries(test_patch PRIVATE ${CMAKE_DL_LIBS})
