@@ -70,7 +70,9 @@ struct Want {
   double tolerance = 0;
 
   /// Nothing but the verdict, which may end at the first proof of it.
-  [[nodiscard]] bool is_yes_or_no() const { return !(overlap || normal || points || curvature || derivatives || patch); }
+  [[nodiscard]] bool is_yes_or_no() const {
+    return !(overlap || normal || points || curvature || derivatives || patch);
+  }
 };
 
 /// Each value says which inequality ended the solve; only `converged` vouches for the residual (in a yes
@@ -110,13 +112,14 @@ struct PoseDerivative {
 /// point or normal, and all follow the poses without a jump. World frame. Bodies apart have volume and area 0, and the rest NaN.
 struct Patch {
   double volume = std::numeric_limits<double>::quiet_NaN();  ///< V, length^3
-  double area = std::numeric_limits<double>::quiet_NaN();    ///< |a|, a the area vector of body 1's surface inside body 2
+  double area = std::numeric_limits<double>::quiet_NaN();  ///< |a|, a the area vector of body 1's surface inside body 2
   /// a/|a|: from body 1 to body 2. dV = -a . dx where body 2 is shifted by dx; NaN where a = 0, a body inside the other.
   Vec3<double> normal = not_valid<double>();
   Vec3<double> centre = not_valid<double>();  ///< of the volume, so also of the depth along any direction
   /// int (x - centre) x dA over body 1's surface inside body 2, length^3: where body 2 is turned by dw about the centre, dV = -. dw
   Vec3<double> area_moment = not_valid<double>();
-  Vec3<double> second_moments = not_valid<double>();  ///< principal, int (x - centre)^2 dV / V, length^2, the largest first
+  Vec3<double> second_moments =
+      not_valid<double>();  ///< principal, int (x - centre)^2 dV / V, length^2, the largest first
   /// Columns: their axes, right-handed, the third from body 1 to body 2. Any in their plane where two moments are equal.
   Mat3<double> axes = Mat3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Estimate of the largest relative error: of V, of |a|, of the centre and the moments by the lens's own widths. Above
@@ -144,7 +147,7 @@ struct Contact {
   std::optional<std::array<PoseDerivative<S>, 2>> derivatives;  ///< by the pose of body 1 and of body 2
   std::optional<Patch> patch;  ///< of `auto`, where it was asked for and the contact converged
   int iterations = 0;          ///< steps of the outer loop, of the local solve that answered (all its attempts)
-  int evaluations = 0;  ///< of the residual, over all there was: line searches, other attempts, the guard
+  int evaluations = 0;         ///< of the residual, over all there was: line searches, other attempts, the guard
 };
 
 /// The question that a method answers; each is judged against its own.

@@ -26,8 +26,8 @@ struct Row {
 #define PLUMB_EXPORT extern "C" [[gnu::visibility("default")]]
 
 /// Bug 0 .. seeded_patch_bugs() - 1, and -1 for none, of a contact in the pair's frame.
-PLUMB_EXPORT void seeded_patch(int bug, const plumb::Pair* pair, const plumb::Contact<double>* contact, double tolerance,
-                               plumb::Patch* patch) {
+PLUMB_EXPORT void seeded_patch(int bug, const plumb::Pair* pair, const plumb::Contact<double>* contact,
+                               double tolerance, plumb::Patch* patch) {
   plumb::bug_of_thread = bug < 0 ? 0 : kRows[bug].number;
   const plumb::PairFrame<double> frame(*pair);
   *patch = plumb::patch_at(*pair, contact->normal, frame.to_pair_point(contact->point1, *pair),

@@ -107,7 +107,8 @@ TEST_F(ExportLammps, RefusesWithFileFieldAndReason) {
                  "scene by itself");
   scene = without_elastic_forces(scene);
   (void)file("soft.json", format_scene({scene, {}, {}}));
-  expect_refusal("export-lammps soft.json -o out", "soft.json: effects: an elastic law is required: linear, hertz, volume or foundation");
+  expect_refusal("export-lammps soft.json -o out",
+                 "soft.json: effects: an elastic law is required: linear, hertz, volume or foundation");
   scene = without(crowd(), Conduction::name);
   (void)file("good.json", format_scene({scene, {}, {}}));
   EXPECT_EQ(plumb("export-lammps good.json -o out").code, 0);

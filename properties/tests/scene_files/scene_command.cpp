@@ -195,8 +195,8 @@ TEST_F(SceneCommand, UnusableScenesAndUsageAreOneLineAndTwo) {
   expect_refusal("scene bad.json --plan", "bad.json: effects.linear.stiffness: must be a number, 0 or more");
   expect_refusal("scene - <bad.json", "standard input: effects.linear.stiffness: must be a number, 0 or more");
   (void)file("none.json", sample_scene_of(R"({"friction": {"coefficient": 1}})"));
-  expect_refusal("scene none.json",
-                 "none.json: effects.friction: is a share of a normal force, and there is none: add linear, hertz, volume or foundation");
+  expect_refusal("scene none.json", "none.json: effects.friction: is a share of a normal force, and there is none: add "
+                                    "linear, hertz, volume or foundation");
   expect_refusal("scene nowhere.json", "nowhere.json: No such file or directory");
   std::string effects;
   for (const Effect& effect : plumb::scene::effects())

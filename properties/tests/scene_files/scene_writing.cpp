@@ -46,6 +46,7 @@ SceneBody random_body(Numbers& numbers) {
 /// A number that the range allows.
 double within(Range range, Numbers& numbers) {
   const double x = range == Range::any ? numbers.any() : std::min(numbers.positive(), 0.5);
+  if (range == Range::one_to_two) return 1 + x;
   return is_within(range, x) ? x : 0.25;
 }
 

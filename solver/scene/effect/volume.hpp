@@ -23,6 +23,7 @@ struct Volume {
     visit("exponent", self.exponent, Range::one_to_two);
   }
 
+  /// Energy at a volume.
   [[nodiscard]] double energy(double volume) const { return stiffness * std::pow(volume, exponent); }
   /// Its derivative by the volume.
   [[nodiscard]] double pressure(double volume) const { return stiffness * exponent * std::pow(volume, exponent - 1); }
