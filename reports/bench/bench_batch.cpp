@@ -32,7 +32,7 @@ ContactColumns starts_of(const Job& job, Vec3<double> Contact<double>::* chart1,
   const Contact<double> none;
   ContactColumns out(job.tasks.size());
   for (std::size_t i = 0; i < job.tasks.size(); ++i) {
-    const Contact<double>& last = job.tasks[i].last ? *job.tasks[i].last : none;
+    const Contact<double> last = job.tasks[i].last.value_or(none);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       out.chart1[axis][i] = (last.*chart1)[static_cast<Eigen::Index>(axis)];
       out.chart2[axis][i] = (last.*chart2)[static_cast<Eigen::Index>(axis)];

@@ -53,13 +53,11 @@ class ContextColumns {
  public:
   void load(std::span<plumb_context> contexts) {
     for (std::size_t i = 0; i < contexts.size(); ++i) {
-      const Contact<double> none;
-      const ContextState state = state_of(contexts[i]);
-      const std::optional<Contact<double>> last = last_of(&contexts[i]);
-      put(0, i, last ? last->chart1 : none.chart1);
-      put(1, i, last ? last->chart2 : none.chart2);
-      put(2, i, state.holds == charts ? last->last_chart1 : none.chart1);
-      put(3, i, state.holds == charts ? last->last_chart2 : none.chart2);
+      const Contact<double> last = last_of(&contexts[i]).value_or(Contact<double>());
+      put(0, i, last.chart1);
+      put(1, i, last.chart2);
+      put(2, i, last.last_chart1);
+      put(3, i, last.last_chart2);
     }
   }
   /// Of the pairs that are settled.

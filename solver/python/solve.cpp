@@ -24,13 +24,13 @@ namespace {
                         "' among overlap, normal, points, curvature, derivatives, patch");
 }
 
-[[nodiscard]] Want want_of(const py::sequence& words, const py::object& iteration_limit, const py::object& tolerance,
-                           const py::object& patch_tolerance) {
+/// `tolerances`: that of the contact and that of the patch.
+[[nodiscard]] Want want_of(const py::sequence& words, const py::object& iteration_limit, const py::tuple& tolerances) {
   Want want{.overlap = false, .normal = false, .points = false};
   for (const py::handle word : words) flag_of(want, std::string(py::str(word))) = true;
   want.iteration_limit = count_of(iteration_limit, "iteration_limit");
-  want.tolerance = tolerance_of(tolerance, "tolerance");
-  want.patch_tolerance = tolerance_of(patch_tolerance, "patch_tolerance");
+  want.tolerance = tolerance_of(tolerances[0], "tolerance");
+  want.patch_tolerance = tolerance_of(tolerances[1], "patch_tolerance");
   if (want.patch_tolerance == 0) throw py::value_error("patch_tolerance: must be above 0");
   return want;
 }
@@ -50,11 +50,10 @@ namespace {
 
 [[nodiscard]] Contact<double> solve(const py::object& body1, const py::object& body2, const py::object& method,
                                     const py::sequence& want, const py::object& motion, const py::object& last,
-                                    const py::object& iteration_limit, const py::object& tolerance,
-                                    const py::object& patch_tolerance) {
+                                    const py::object& iteration_limit, const py::tuple& tolerances) {
   const Pair pair{body_of(body1, "body1"), body_of(body2, "body2"), motion_of(motion)};
   const Method& chosen = method_of(method);
-  const Want asked = want_of(want, iteration_limit, tolerance, patch_tolerance);
+  const Want asked = want_of(want, iteration_limit, tolerances);
   const Contact<double>* const start = last_of(last);
   const py::gil_scoped_release unlocked;
   return chosen.solve(pair, asked, start);

@@ -17,10 +17,10 @@ namespace {
 using LensInterval = DoubleInterval;
 using LensVector = Vec3<double>;
 
-constexpr double no_bound = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 LensBounds unknown_lens() {
-  const LensVector least = LensVector::Constant(-no_bound), most = LensVector::Constant(no_bound);
-  return {0, no_bound, least, most, LensVector::Zero(), most};
+  const LensVector least = LensVector::Constant(-endless), most = LensVector::Constant(endless);
+  return {0, endless, least, most, LensVector::Zero(), most};
 }
 
 // ---- The search, in doubles ---------------------------------------------------------------------------------------------------
@@ -203,7 +203,7 @@ class Lens {
     const LensVector middle = (corners[0] + corners[1] + corners[2]) / 3;
     const LensVector above = middle * search_exit(rough_, found_.inside, middle, 1.5);
     LensVector best = LensVector::Zero();
-    double least = no_bound;
+    double least = endless;
     for (const LensVector& at : {above, corners[0], corners[1], corners[2]}) {
       const LensVector plane = worse_gauge(rough_, found_.inside + at).gradient;
       double volume = 1;

@@ -93,8 +93,7 @@ def solve(
     motion: ArrayLike | None,
     last: Contact | None,
     iteration_limit: int,
-    tolerance: float,
-    patch_tolerance: float,
+    tolerances: tuple[float, float],
 ) -> Contact: ...
 def solve_batch(
     body1: tuple[NDArray[np.float64] | None, ...],

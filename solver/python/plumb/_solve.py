@@ -74,7 +74,7 @@ def solve(
     array([1., 0., 0.])
     """
     return _native.solve(
-        body1, body2, method, words_of(want, "want"), motion, last, iteration_limit, tolerance, patch_tolerance
+        body1, body2, method, words_of(want, "want"), motion, last, iteration_limit, (tolerance, patch_tolerance)
     )
 
 
