@@ -96,18 +96,25 @@ double radius_of(const Patch& patch) {
 }
 
 /// The patch's columns; normal and point become its own, which no face makes jump. A body within another has no area, and so no force.
-void keep_patch(World& world, std::size_t c, const Patch& patch, Contact<double>& answer) {
+/// False, and nothing changed, where bodies overlap by more than rounding and `find` finds none.
+template <class Find>
+bool keep_patch(World& world, std::size_t c, Contact<double>& answer, const Find& find) {
+  constexpr double rounding = 1e-12;
   Contacts& contacts = world.contacts;
   const auto [i, j] = contacts.pairs[c];
+  const bool overlaps = answer.overlap > rounding * world.bodies.radius[i];
+  const Patch patch = overlaps ? find() : Patch{.volume = 0, .area = 0, .error = 0};
+  if (std::isinf(patch.error)) return false;
   const bool has_ball = world.bodies.is_sphere[i] != 0 || world.bodies.is_sphere[j] != 0;
   const bool has_area = patch.area > 0 && patch.normal.allFinite();
   (*contacts.volume)[c] = patch.volume > 0 ? patch.volume : 0;
   (*contacts.area)[c] = has_area ? patch.area : 0;
   (*contacts.patch_radius)[c] = has_area ? radius_of(patch) : 0;
   contacts.area_moment->vector(c) = has_area && !has_ball ? patch.area_moment : Vec3<double>(Vec3<double>::Zero());
-  if (!has_area) return;
+  if (!has_area) return true;
   answer.normal = patch.normal;
   answer.contact_point = patch.centre;
+  return true;
 }
 
 }  // namespace
@@ -119,33 +126,37 @@ void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answe
   Vec3<double>::Map(chart.data() + 3) = answer.chart2;
 }
 
-void keep_contact(World& world, std::size_t c, Contact<double> answer) {
+bool keep_contact(World& world, std::size_t c, Contact<double> answer) {
   const auto [i, j] = world.contacts.pairs[c];
+  bool is_complete = true;
   if (world.contacts.volume != nullptr) {
     const Pair pair{solver_body(world, i), solver_body(world, j)};
     const PlacedPair<double> placed = place<double>(pair);
-    keep_patch(world, c,
-               patch_at(pair, answer.normal, placed.to_pair_point(answer.point1, pair),
-                        placed.to_pair_point(answer.point2, pair), world.contacts.patch_tolerance),
-               answer);
+    is_complete = keep_patch(world, c, answer, [&] {
+      return patch_at(pair, answer.normal, placed.to_pair_point(answer.point1, pair),
+                      placed.to_pair_point(answer.point2, pair), world.contacts.patch_tolerance);
+    });
   }
   straighten(world, i, j, answer);
   keep_first_order(world, c, answer);
   if (world.contacts.curvature != nullptr)
     keep_curvature(world, c, curvatures_at(world, i, answer.point1), curvatures_at(world, j, answer.point2));
+  return is_complete;
 }
 
-void keep_wall_contact(World& world, std::size_t c, Contact<double> answer) {
+bool keep_wall_contact(World& world, std::size_t c, Contact<double> answer) {
   const auto [i, j] = world.contacts.pairs[c];
+  bool is_complete = true;
   if (world.contacts.volume != nullptr) {
-    keep_patch(world, c,
-               patch_at_wall(solver_body(world, i), answer.normal, world.state.position->vector(j),
-                             world.contacts.patch_tolerance),
-               answer);
+    is_complete = keep_patch(world, c, answer, [&] {
+      return patch_at_wall(solver_body(world, i), answer.normal, world.state.position->vector(j),
+                           world.contacts.patch_tolerance);
+    });
     straighten(world, i, j, answer);
   }
   keep_first_order(world, c, answer);
   if (world.contacts.curvature != nullptr) keep_curvature(world, c, curvatures_at(world, i, answer.point1), {});
+  return is_complete;
 }
 
 }  // namespace plumb::scene

@@ -8,10 +8,11 @@ namespace plumb::scene {
 /// The charts where the solver starts next time; those of the step before move back.
 void keep_charts(Contacts& contacts, std::size_t contact, const Contact<double>& answer);
 
-/// All that is wanted, by the answer's overlap, normal and points. Of a ball, what its shape says exactly instead.
-void keep_contact(World& world, std::size_t contact, Contact<double> answer);
+/// All that is wanted, by the answer's overlap, normal and points. Of a ball, what its shape says exactly instead. False where a patch is
+/// wanted and there is none: its columns are those of before.
+[[nodiscard]] bool keep_contact(World& world, std::size_t contact, Contact<double> answer);
 
 /// The same of a body and a wall, and the body's curvature at the point.
-void keep_wall_contact(World& world, std::size_t contact, Contact<double> answer);
+[[nodiscard]] bool keep_wall_contact(World& world, std::size_t contact, Contact<double> answer);
 
 }  // namespace plumb::scene

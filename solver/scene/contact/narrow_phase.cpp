@@ -16,7 +16,7 @@ namespace {
 using Index = std::uint32_t;
 
 /// The deepest point of a body in a wall: the support point, in closed form. Whether they touch.
-bool meet_wall(World& world, std::size_t c) {
+bool meet_wall(World& world, std::size_t c, Round& round) {
   const Contacts& contacts = world.contacts;
   const auto [i, j] = contacts.pairs[c];
   const Vec3<double> into = -world.bodies.wall_normal[j - world.bodies.count];
@@ -30,7 +30,7 @@ bool meet_wall(World& world, std::size_t c) {
   answer.normal = into;
   answer.point1 = world.state.position->vector(i) + q * at.gradient;
   answer.contact_point = answer.point1 - answer.overlap / 2 * into;
-  keep_wall_contact(world, c, answer);
+  if (!keep_wall_contact(world, c, answer)) ++round.failed;
   return true;
 }
 
@@ -77,7 +77,7 @@ class Block {
     const auto [i, j] = world_.contacts.pairs[c];
     touches_[c] = 0;
     if (world_.bodies.is_wall(j))
-      touches_[c] = meet_wall(world_, c) ? 1 : 0;
+      touches_[c] = meet_wall(world_, c, round_) ? 1 : 0;
     else if (!may_touch(world_, i, j))
       return;
     else if (!want_.is_yes_or_no() && (touched(c) || world_.contacts.range > 0))
@@ -143,7 +143,7 @@ class Block {
                    .failed_warm = failed_warm};
     touches_[c] = touches ? 1 : 0;
     if (is_answered) keep_charts(world_.contacts, c, answer);
-    if (is_answered && touches) keep_contact(world_, c, answer);
+    if (is_answered && touches && !keep_contact(world_, c, answer)) ++round_.failed;
   }
 
   World& world_;
