@@ -111,6 +111,26 @@ TEST_F(InLammps, HertzAndFixedBodies) {
   EXPECT_EQ(largest_deviation(scene, {1, 2}), 0);
 }
 
+// With what friction remembers of a patch's turning.
+TEST_F(InLammps, LawsOnPatches) {
+  Scene scene;
+  scene.name = "patches";
+  scene.bodies = {made::body({{1, 1, 0.5}, 6, 6}, {0, 0, 0.48}), made::body({{0.6, 0.5, 0.4}, 4, 4}, {0.2, 0, 1.36})};
+  scene.bodies[1].angular_velocity = {0, 0, 2};
+  scene.walls = {made::floor_at()};
+  scene.effects.gravity = Gravity{{0, 0, -10}};
+  scene.effects.damping = Damping{0.5};
+  scene.effects.friction = Friction{0.4};
+  run_for(scene, 1e-3, 150);
+  Scene volume = scene;
+  volume.effects.volume = Volume{1e4, 1.5};
+  scene.effects.foundation = Foundation{1e4};
+  for (const Scene& each : {scene, volume}) {
+    EXPECT_GT(pressing_steps(each), 10);
+    EXPECT_EQ(largest_deviation(each, {1, 2}), 0);
+  }
+}
+
 // Of bodies that touch each other, walls, and across the border of two processes.
 TEST_F(InLammps, EnergiesOfAtomsSumUpToThatOfAll) {
   Scene scene = without(crowd(), Conduction::name);
