@@ -67,7 +67,7 @@ class Part {
   [[nodiscard]] const World& world() const { return world_; }
   /// Bodies so far apart are contacts: cohesion's.
   [[nodiscard]] double range() const { return plan_.needs.range; }
-  [[nodiscard]] const Round& totals() const { return totals_; }
+  [[nodiscard]] const Totals& totals() const { return totals_; }
 
  private:
   [[nodiscard]] double stored_energy() const;
@@ -78,7 +78,7 @@ class Part {
   std::vector<Pass> movers_, contact_passes_, closing_;
   std::vector<Column*> kept_;
   std::size_t width_ = 0;
-  Round totals_;
+  Totals totals_;
 };
 
 }  // namespace plumb::scene

@@ -123,11 +123,7 @@ void Simulation::update_list() {
 
 void Simulation::solve() {
   std::vector<SolveNote> notes;
-  const Round round = solve_contacts(*world_, plan_.want, look_ ? &notes : nullptr);
-  totals_.solves += round.solves;
-  totals_.evaluations += round.evaluations;
-  totals_.failed += round.failed;
-  totals_.failed_warm += round.failed_warm;
+  totals_ += solve_contacts(*world_, plan_.want, look_ ? &notes : nullptr);
   if (look_) look_(notes);
 }
 

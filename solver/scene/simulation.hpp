@@ -27,6 +27,15 @@ struct Totals {
   std::int64_t failed = 0;       ///< contacts without a converged answer, cold as well as warm
   std::int64_t failed_warm = 0;  ///< contacts whose last answer was no start: solved cold
   std::int64_t lists = 0;        ///< contact lists built
+
+  Totals& operator+=(const Totals& more) {
+    solves += more.solves;
+    evaluations += more.evaluations;
+    failed += more.failed;
+    failed_warm += more.failed_warm;
+    lists += more.lists;
+    return *this;
+  }
 };
 
 /// All that a run needs to go on: what is kept, and nothing that follows from the scene.

@@ -16,7 +16,7 @@ namespace {
 using Index = std::uint32_t;
 
 /// The deepest point of a body in a wall: the support point, in closed form. Whether they touch.
-bool meet_wall(World& world, std::size_t c, Round& round) {
+bool meet_wall(World& world, std::size_t c, Totals& round) {
   const Contacts& contacts = world.contacts;
   const auto [i, j] = contacts.pairs[c];
   const Vec3<double> into = -world.bodies.wall_normal[j - world.bodies.count];
@@ -55,7 +55,7 @@ class Block {
         std::vector<SolveNote>& notes)
       : world_(world), want_(want), first_(first), end_(end), touches_(touches), notes_(notes) {}
 
-  [[nodiscard]] Round meet() {
+  [[nodiscard]] Totals meet() {
     for (std::size_t c = first_; c < end_; ++c) sort(c);
     ask(by_direction_);
     ask(by_charts_);
@@ -97,21 +97,21 @@ class Block {
     }
   }
 
-  Contact<double> counted(std::size_t c, const Contact<double>& answer) {
+  void count(std::size_t c, const Contact<double>& answer) {
     ++round_.solves;
     round_.evaluations += answer.evaluations;
     evaluations_[c - first_] += answer.evaluations;
-    return answer;
   }
 
   void ask(const List& list) {
     in_chunks(list, [&](std::span<const Index> part) {
       chunk_.ask(want_);
-      for (std::size_t k = 0; k < part.size(); ++k) decide(part[k], counted(part[k], chunk_.answer(k)));
+      for (std::size_t k = 0; k < part.size(); ++k) decide(part[k], chunk_.answer(k));
     });
   }
 
   void decide(std::size_t c, const Contact<double>& answer) {
+    count(c, answer);
     keep_charts(world_.contacts, c, answer);
     const bool is_answered = answer.status == Status::converged;
     if (is_answered && answer.verdict == Verdict::separated) return;
@@ -122,13 +122,14 @@ class Block {
 
   void solve(std::span<const Index> part) {
     chunk_.solve(want_);
-    for (std::size_t k = 0; k < part.size(); ++k) keep(part[k], counted(part[k], chunk_.answer(k)));
+    for (std::size_t k = 0; k < part.size(); ++k) keep(part[k], chunk_.answer(k));
   }
 
   /// Where no solve gave a finite answer they do what they did before, with the columns of then.
   void keep(std::size_t c, Contact<double> answer) {
+    count(c, answer);
     const bool failed_warm = answer.status != Status::converged;
-    if (failed_warm) answer = counted(c, solve_cold(world_, c, want_));
+    if (failed_warm) count(c, answer = solve_cold(world_, c, want_));
     round_.failed_warm += failed_warm ? 1 : 0;
     round_.failed += answer.status != Status::converged ? 1 : 0;
     const bool is_answered = std::isfinite(answer.overlap), before = touched(c),
@@ -154,7 +155,7 @@ class Block {
   List by_direction_, by_charts_, to_solve_;
   std::array<int, capacity> evaluations_{};
   PairChunk chunk_;
-  Round round_;
+  Totals round_;
 };
 
 /// Which pairs touch, which of them overlap, and which did and no longer do.
@@ -179,19 +180,19 @@ Body solver_body(const World& world, std::uint32_t i) {
   return {world.bodies.shape[i], world.state.position->vector(i), {q.w(), q.x(), q.y(), q.z()}};
 }
 
-Round solve_contacts(World& world, const Want& want, std::vector<SolveNote>* notes) {
+Totals solve_contacts(World& world, const Want& want, std::vector<SolveNote>* notes) {
   const std::size_t pairs = world.contacts.pairs.size();
   std::vector<SolveNote> all(notes == nullptr ? 0 : pairs);
   std::vector<char> touches(pairs);
-  std::vector<Round> rounds((pairs + Block::capacity - 1) / Block::capacity);
+  std::vector<Totals> rounds((pairs + Block::capacity - 1) / Block::capacity);
   for_each_part(pairs, Block::capacity, world.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
     rounds[part] = Block(world, want, first, end, touches, all).meet();
   });
   sort_out(world.contacts, touches);
   if (notes != nullptr)
     std::ranges::copy_if(all, std::back_inserter(*notes), [](const SolveNote& note) { return note.evaluations > 0; });
-  Round sum;
-  for (const Round& round : rounds) sum += round;
+  Totals sum;
+  for (const Totals& round : rounds) sum += round;
   return sum;
 }
 

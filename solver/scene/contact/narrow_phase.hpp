@@ -7,19 +7,6 @@
 
 namespace plumb::scene {
 
-/// What one round of solving took.
-struct Round {
-  std::int64_t solves = 0, evaluations = 0, failed = 0, failed_warm = 0;
-
-  Round& operator+=(const Round& other) {
-    solves += other.solves;
-    evaluations += other.evaluations;
-    failed += other.failed;
-    failed_warm += other.failed_warm;
-    return *this;
-  }
-};
-
 /// A body as the solver takes it.
 [[nodiscard]] Body solver_body(const World& world, std::uint32_t i);
 
@@ -27,6 +14,6 @@ struct Round {
 ///
 /// A pair that touched is solved from its last answer. One that did not is first asked yes or no, from its last answer as
 /// well: one evaluation proves it apart for as long as the direction that parted them still does.
-Round solve_contacts(World& world, const Want& want, std::vector<SolveNote>* notes);
+Totals solve_contacts(World& world, const Want& want, std::vector<SolveNote>* notes);
 
 }  // namespace plumb::scene
