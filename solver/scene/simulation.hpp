@@ -28,6 +28,7 @@ struct Totals {
   std::int64_t failed_warm = 0;  ///< contacts whose last answer was no start: solved cold
   std::int64_t lists = 0;        ///< contact lists built
 
+  /// Adds what another part of the run took.
   Totals& operator+=(const Totals& more) {
     solves += more.solves;
     evaluations += more.evaluations;
