@@ -89,6 +89,36 @@ TEST(SuperellipseArc, IsTheUnitCurveWithItsGradientAndCurvature) {
   });
 }
 
+/// Whole exponents of both bodies are taken by products and square roots, where the point is not told by its gradient.
+TEST(SuperellipseArc, WholeExponentsAreTheSamePowers) {
+  for (int n = 3; n <= 10; ++n) {
+    const Arc<double> arc = arc_of_exponents<double>(PerBody<double>(n));
+    Arc<double> general = arc;
+    general.multiplied = general.rooted = 0;
+    EXPECT_EQ(arc.multiplied, n - 1);
+    Stream stream("whole exponents", static_cast<std::uint64_t>(n), 0);
+    for (int k = 0; k < 200; ++k) {
+      const Plane<double> v = draw_plane(stream);
+      SCOPED_TRACE(testing::Message() << "exponent " << n << ", at " << v.a << ", " << v.b);
+      const ArcPoint<double> at = arc_at<double>(arc, v, false), plain = arc_at<double>(general, v, false);
+      const Fine ratio = Fine(v.a) / Fine(v.b), larger = pow(Fine(1 + pow(abs(ratio), n)), Fine(-1) / n);
+      const Fine cb = larger, ga = pow(Fine(abs(ratio) * larger), n - 1);
+      EXPECT_LE(abs(Fine(abs(Fine(first<double>(at.cb))) / cb - 1)), 4 * epsilon<double>());
+      if (ga > Fine("1e-290")) {
+        EXPECT_LE(abs(Fine(abs(Fine(first<double>(at.ga))) / ga - 1)), 12 * epsilon<double>());
+        // exp's argument is rounded.
+        const double noise = (8 + std::abs(std::log(first<double>(at.u)))) * epsilon<double>();
+        EXPECT_NEAR(first<double>(at.ga) / first<double>(plain.ga), 1, noise);
+        EXPECT_NEAR(first<double>(at.kb) / first<double>(plain.kb), 1, noise);
+      }
+    }
+  }
+  EXPECT_EQ(arc_of_exponents<double>(PerBody<double>(11)).multiplied, 0);
+  EXPECT_EQ(arc_of_exponents<double>(PerBody<double>(2.5)).multiplied, 0);
+  EXPECT_EQ(arc_of_exponents<double>(per_body<double>(3, 4)).multiplied, 0);
+  EXPECT_EQ(arc_of_exponents<double>(PerBody<double>(8)).rooted, 3);
+}
+
 /// |g| has the dual norm 1, so that an exponent below 2 has its points there.
 TEST(SuperellipseArc, GradientsLieOnTheDualCurve) {
   for_each_arc("dual", 20, [](double n, Stream& stream) {

@@ -103,7 +103,8 @@ inline constexpr ByPrecision near_two{1e-6, 1e-3};
 // Numbers whose powers, squares or reciprocals stay finite.
 /// For a coordinate of zero.
 inline constexpr ByPrecision smallest_ratio{1e-140, 1e-15};
-/// For the logarithm of a power of it.
+/// For a power of it, and for that power's logarithm.
+inline constexpr ByPrecision least_power{1e-300, 1e-35};
 inline constexpr ByPrecision least_logarithm{-690, -80};
 /// For a pivot of zero: the step is cut in any case.
 inline constexpr ByPrecision smallest_pivot{1e-300, 1e-36};

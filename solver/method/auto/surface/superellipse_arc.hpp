@@ -27,14 +27,45 @@ struct SuperellipseArc {
   PerBody<S> nu, nu_minus_1, inverse /* 1 / (nu-1) */, inverse_nu;
   PerBody<S> switch_t, switch_u;  ///< t* and u*; 0 for nu = 2, where t = u
   Mask<S> dual, is_two;
-  bool all_two;  ///< never of several pairs: which of two forms a pair takes is not to depend on its neighbours
+  // Never of several pairs: which of two forms a pair takes is not to depend on its neighbours.
+  bool all_two;
+  int multiplied;  ///< nu - 1 where both bodies have the same whole number, at most 9: u is then a product; else 0
+  int rooted;      ///< log2(nu) where both bodies have nu = 4 or 8: the norm is then so many square roots; else 0
 };
+
+namespace detail {
+
+/// x^n, n >= 1.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T whole_power(T x, int n) {
+  T out = n % 2 == 1 ? x : T(1);
+  while ((n /= 2) > 0) {
+    x *= x;
+    if (n % 2 == 1) out *= x;
+  }
+  return out;
+}
+
+/// `multiplied` and `rooted`, of exponents that people use.
+template <class S>
+inline void choose_powers(SuperellipseArc<S>& arc) {
+  if constexpr (has_one_pair<S>) {
+    const S nu = first<S>(arc.nu);
+    const int whole = nu < S(11) ? static_cast<int>(nu) : 0;
+    if (!all_of(arc.nu == S(whole))) return;
+    arc.multiplied = whole - 1;
+    arc.rooted = arc.multiplied == 3 ? 2 : arc.multiplied == 7 ? 3 : 0;
+  }
+}
+
+}  // namespace detail
 
 template <class S>
 [[nodiscard]] inline SuperellipseArc<S> superellipse_arc(const PerBody<S>& nu, const Mask<S>& dual) {
-  SuperellipseArc<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false};
+  SuperellipseArc<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false, 0, 0};
   out.all_two = has_one_pair<S> && all_of(out.is_two);
   if (out.all_two) return out;
+  detail::choose_powers(out);
   // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
   const PerBody<S> above = nu - S(2);
   const Mask<S> near = above < tolerance::near_two.of<S>();
@@ -68,6 +99,28 @@ struct ArcPoint {
 
 namespace detail {
 
+/// u of t, and t of u where `is_u`.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline PerBody<S> other_ratio(const SuperellipseArc<S>& arc, const PerBody<S>& ratio,
+                                                                const Mask<S>& is_u) {
+  if constexpr (has_one_pair<S>)
+    if (arc.multiplied > 0 && none_of(is_u))
+      return max(whole_power(ratio, arc.multiplied), PerBody<S>(tolerance::least_power.of<S>()));
+  const PerBody<S> power = select<S>(is_u, arc.inverse, arc.nu_minus_1);
+  return exp(max(log(ratio) * power, PerBody<S>(tolerance::least_logarithm.of<S>())));
+}
+
+/// x^(-1/nu), 1 <= x <= 2.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline PerBody<S> inverse_norm(const SuperellipseArc<S>& arc, const PerBody<S>& x) {
+  if constexpr (has_one_pair<S>)
+    if (arc.rooted > 0) {
+      PerBody<S> out = sqrt(sqrt(S(1) / x));
+      return arc.rooted == 3 ? sqrt(out) : out;
+    }
+  return exp(-log(x) * arc.inverse_nu);
+}
+
 /// Sets the rest from the ratio: of g where `is_u`, of c elsewhere. Signs and `b_is_larger` are set.
 template <class S>
 [[gnu::always_inline]] inline void set_ratio(const SuperellipseArc<S>& arc, PerBody<S> ratio, Mask<S> is_u,
@@ -80,11 +133,10 @@ template <class S>
     out.t = out.u = ratio;
     larger = S(1) / sqrt(S(1) + ratio * ratio);
   } else {
-    const PerBody<S> power = select<S>(is_u, arc.inverse, arc.nu_minus_1);
-    const PerBody<S> other = exp(max(log(ratio) * power, PerBody<S>(tolerance::least_logarithm.of<S>())));
+    const PerBody<S> other = other_ratio<S>(arc, ratio, is_u);
     out.t = select<S>(is_u && !arc.is_two, other, ratio);
     out.u = select<S>(is_u || arc.is_two, ratio, other);
-    larger = exp(-log(S(1) + out.t * out.u) * arc.inverse_nu);
+    larger = inverse_norm<S>(arc, S(1) + out.t * out.u);
   }
   const PerBody<S> gradient = S(1) / ((S(1) + out.t * out.u) * larger), slope = arc.nu_minus_1 * gradient / larger;
   const PerBody<S> c_small = out.t * larger, g_small = out.u * gradient, k_small = slope * out.u / out.t;
