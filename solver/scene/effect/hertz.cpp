@@ -11,11 +11,15 @@ namespace {
 /// sqrt(5/6): what the damping of a force that grows as overlap^(3/2) is short of a linear one's.
 constexpr double hertz_damping = 0.912870929175276855;
 
-void press_hertz(double modulus, Contacts& contacts) {
+/// `factors`: hertz_contact's, of each contact's life; 0 of one that has just begun.
+void press_hertz(double modulus, Column& factors, Contacts& contacts) {
   for (const std::uint32_t c : contacts.pressing) {
-    const auto curvature = contacts.curvature->entry(c);
+    if (factors[c] == 0) {
+      const auto curvature = contacts.curvature->entry(c);
+      factors[c] = hertz_contact(curvature[0], curvature[1]).force_factor;
+    }
     const double overlap = (*contacts.overlap)[c];
-    const double slope = modulus * hertz_contact(curvature[0], curvature[1]).force_factor * std::sqrt(overlap);
+    const double slope = modulus * factors[c] * std::sqrt(overlap);
     (*contacts.normal_force)[c] = slope * overlap;
     (*contacts.stiffness)[c] = 1.5 * slope;
   }
@@ -34,14 +38,13 @@ Role role(const Hertz& hertz, const Scene& scene) {
 void install(const Hertz& hertz, World& world) {
   world.contacts.damping_factor = hertz_damping;
   const double modulus = hertz.contact_modulus();
-  world.contact_passes.push_back({Hertz::name, [modulus, &world] { press_hertz(modulus, world.contacts); }});
-  world.energies.push_back({Hertz::name, [modulus, &world] {
+  Column& factors = world.columns.add("hertz_factor", Hertz::name, history(1));
+  world.contact_passes.push_back(
+      {Hertz::name, [modulus, &factors, &world] { press_hertz(modulus, factors, world.contacts); }});
+  world.energies.push_back({Hertz::name, [modulus, &factors, &world] {
                               double sum = 0;
-                              for (const std::uint32_t c : world.contacts.pressing) {
-                                const auto curvature = world.contacts.curvature->entry(c);
-                                const double factor = hertz_contact(curvature[0], curvature[1]).force_factor;
-                                sum += 0.4 * modulus * factor * std::pow((*world.contacts.overlap)[c], 2.5);
-                              }
+                              for (const std::uint32_t c : world.contacts.pressing)
+                                sum += 0.4 * modulus * factors[c] * std::pow((*world.contacts.overlap)[c], 2.5);
                               return sum;
                             }});
 }

@@ -1,11 +1,12 @@
-// Hertz's elastic normal force with the true curvatures of both surfaces at the contact: an elliptic patch (Johnson, Contact
+// Hertz's elastic normal force with the true curvatures of both surfaces where they touch: an elliptic patch (Johnson, Contact
 // Mechanics, 1985, eqs. 4.24-4.28).
 //
 //   force = 4/3 E* sqrt(Re) (overlap / F2)^(3/2),  1/E* = 2 (1 - nu^2) / E for two bodies of one material,
 //                                                  a wall is of the same material
 //
-// The curvatures follow the points as bodies turn, and the force is then not that of a potential: energy is kept where they
-// stay (spheres, impacts along an axis), else to the change of curvature within one collision.
+// The curvatures are those of the first step of a contact, for as long as it lasts: the force is then that of a potential, and a
+// collision keeps its energy. Were they to follow the points, bodies that turn would gain some. A body that rolls without ever
+// parting keeps the curvature with which it touched.
 // A radius above 10 of the body's longest semi-axis (a flat), or below a thousandth of it (an edge), is cut there: Hertz's patch
 // is small against both radii, and there it is not.
 #pragma once
