@@ -80,9 +80,11 @@ void FixPlumbNve::final_integrate() {
 
 void FixPlumbNve::post_force(int /*vflag*/) {
   closed_at_ = update->ntimestep;
-  if (!pair_->has_closing()) return;
-  comm->forward_comm_fix(this);
-  pair_->close();
+  if (pair_->has_closing()) {
+    comm->forward_comm_fix(this);
+    pair_->close();
+  }
+  pair_->tally_virial();
 }
 
 /// A run that goes on computes the forces of its last step again: what contacts remember stays as it was.

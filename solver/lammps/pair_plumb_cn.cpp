@@ -20,6 +20,17 @@ int vector_of(LAMMPS_NS::Atom& atom, const char* name) {
   return is_double == 1 && columns == 0 ? found : -1;
 }
 
+/// Of Update::whichflag.
+constexpr int minimizing = 2;
+
+/// The command that is being done: nothing else tells a rerun from a run before its first force.
+struct CommandOf : LAMMPS_NS::Input {
+  static std::string_view name(const LAMMPS_NS::Input& input) {
+    const char* command = input.*(&CommandOf::command);
+    return command != nullptr ? command : "";
+  }
+};
+
 /// All fixes of a kind, in the order of the script.
 template <class Kind>
 std::vector<Kind*> fixes_of(const LAMMPS_NS::Modify& modify) {
@@ -81,16 +92,26 @@ void PairPlumbCn::init_style() {
   require(force->newton_pair == 0, "needs `newton off`: each process sums the forces of its own atoms");
   require(comm->ghost_velocity != 0, "needs `comm_modify vel yes`");
   require(force->ftm2v == 1, "needs units in which force = mass acceleration: lj, si, cgs, micro or nano");
-  require(update->whichflag == 1, "cannot minimize");
+  require(update->whichflag != minimizing, "cannot minimize");
+  require(CommandOf::name(*input) != "rerun", "cannot rerun: a dump does not bring back orientations");
   require(std::strcmp(update->integrate_style, "verlet") == 0, "needs run_style verlet");
   const auto motions = fixes_of<FixPlumbNve>(*modify);
   require(motions.size() == 1, "needs one fix plumb/nve");
   motion_ = motions.front();
+  refuse_walls_of_points();
   find_shapes();
   make_part();
   weigh_atoms();
   measure_types();
   neighbor->request(this, instance_me);
+}
+
+void PairPlumbCn::refuse_walls_of_points() const {
+  const std::string_view prefix = "wall/";
+  for (int k = 0; k < modify->nfix; ++k)
+    if (std::string_view(modify->fix[k]->style).starts_with(prefix))
+      error->all(FLERR, fmt::format("pair_style plumb/cn: fix {}: {} takes atoms for points: use fix plumb/wall",
+                                    modify->fix[k]->id, modify->fix[k]->style));
 }
 
 void PairPlumbCn::find_shapes() {
@@ -247,13 +268,17 @@ void PairPlumbCn::recall() {
     const std::uint32_t mine = is_owned(a) ? a : b;
     const double other = key_of(mine == a ? b : a);
     const std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
-    for (std::size_t at = 0; at < memory.size(); at += width + 1)
+    if (!memory.empty() && memory[0] != key_of(mine))
+      error->one(FLERR,
+                 std::string("pair_style plumb/cn: atoms have other IDs than in the run before, by which contacts "
+                             "are known: use `delete_atoms .. compress no`"));
+    for (std::size_t at = 1; at < memory.size(); at += width + 1)
       if (memory[at] == other) part_->set_history(c, std::span(memory).subspan(at + 1, width));
   }
 }
 
 void PairPlumbCn::remember() {
-  is_stale_ = true;
+  if (std::exchange(is_stale_, true)) return;  // the atoms have it: nothing was pressed since
   motion_->forget_all();
   std::vector<double> row(part_->history_width());
   const auto& pairs = part_->world().contacts.pairs;
@@ -264,6 +289,7 @@ void PairPlumbCn::remember() {
     for (const auto& [mine, other] : {std::pair(a, b), std::pair(b, a)}) {
       if (!is_owned(mine)) continue;
       std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
+      if (memory.empty()) memory.push_back(key_of(mine));
       memory.push_back(key_of(other));
       memory.insert(memory.end(), row.begin(), row.end());
     }
@@ -279,10 +305,8 @@ void PairPlumbCn::place_bodies() {
 
 void PairPlumbCn::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  // As a run begins LAMMPS asks for it whether or not anything reads it.
-  if (vflag_either != 0 && update->setupflag == 0 && !std::exchange(has_warned_, true) && comm->me == 0)
-    error->warning(FLERR, std::string("pair_style plumb/cn has no virial: pressures are without its forces"));
   if (is_stale_) renew();
+  part_->keep_contact_forces(vflag_either != 0);
   place_bodies();
   const double step = update->setupflag != 0 ? 0 : update->dt;
   part_->press(static_cast<double>(update->ntimestep) * update->dt, step);
@@ -322,6 +346,19 @@ void PairPlumbCn::close() {
   for (int i = 0; i < atom->nlocal; ++i) {
     Eigen::Map<Vec3<double>>(atom->f[i]) = state.force->vector(body_of(i));
     Eigen::Map<Vec3<double>>(atom->torque[i]) = state.torque->vector(body_of(i));
+  }
+}
+
+/// Centre to centre, as LAMMPS has it of any pair. A wall has no centre: what it does is not in the virial.
+void PairPlumbCn::tally_virial() {
+  if (vflag_either == 0) return;
+  const scene::Contacts& contacts = part_->world().contacts;
+  for (const std::uint32_t c : contacts.touching) {
+    const auto [a, b] = contacts.pairs[c];
+    if (b >= atom_of_body_.size()) continue;
+    const int i = atom_of_body_[a], j = atom_of_body_[b];
+    const Vec3<double> force = -contacts.force->vector(c), apart = vector_at(atom->x[i]) - vector_at(atom->x[j]);
+    ev_tally_xyz(i, j, atom->nlocal, 0, 0, 0, force.x(), force.y(), force.z(), apart.x(), apart.y(), apart.z());
   }
 }
 

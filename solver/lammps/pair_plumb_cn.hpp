@@ -35,6 +35,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   /// Forces of bodies and dashpots, onto the atoms; those of the ghosts have been sent.
   void close();
   [[nodiscard]] bool has_closing() const { return part_->has_closing(); }
+  /// Once all forces of contacts are there.
+  void tally_virial();
   /// What the contacts remember, to the atoms and back.
   void remember();
   void recall();
@@ -49,6 +51,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void require(bool holds, const char* reason) const;
+  void refuse_walls_of_points() const;
   void find_shapes();
   void make_part();
   void weigh_atoms();
@@ -74,7 +77,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   int n1_ = -1, n2_ = -1, density_ = -1;  ///< which of the atoms' custom vectors
   std::vector<double> radius_;            ///< of each type, from 1
   std::vector<int> atom_of_body_, body_of_atom_;
-  bool is_stale_ = true, has_warned_ = false;
+  bool is_stale_ = true;
 };
 
 }  // namespace plumb::lammps

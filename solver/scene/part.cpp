@@ -56,6 +56,7 @@ Part::Part(const PartSettings& settings)
     : probe_(checked(probe_of(settings))), plan_(make_plan(probe_, all_of(settings.effects))) {
   plan_.broad_phase = BroadPhase::none;
   add_columns(world_, plan_);
+  contact_forces_ = &world_.columns.add("contact_force", "contacts", {.of = ColumnKind::pair, .width = 3});
   movers_ = std::exchange(world_.movers, {});
   contact_passes_ = take_contact_passes(world_, plan_);
   closing_ = take_closing_passes(world_);

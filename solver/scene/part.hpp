@@ -49,6 +49,9 @@ class Part {
   void close();
   [[nodiscard]] bool has_closing() const { return !closing_.empty(); }
 
+  /// From the next press() on, or not: world().contacts.force.
+  void keep_contact_forces(bool does) { world_.contacts.force = does ? contact_forces_ : nullptr; }
+
   /// What the effects store in those contacts that `counts` takes.
   [[nodiscard]] double energy(const std::function<bool(std::size_t contact)>& counts);
   /// The same of each contact.
@@ -77,6 +80,7 @@ class Part {
   World world_;
   std::vector<Pass> movers_, contact_passes_, closing_;
   std::vector<Column*> kept_;
+  Column* contact_forces_ = nullptr;
   std::size_t width_ = 0;
   Totals totals_;
 };

@@ -152,6 +152,61 @@ fix sums all print 60 "$(pe:%.17g) $(c_sum:%.17g)" file sums.txt title ""
   }
 }
 
+// No walls, and no body near the border: -3 p V is the sum of position times force. Two processes share the contacts.
+TEST_F(InLammps, PressureAndStressAreThoseOfTheContactForces) {
+  Scene scene = without(without(without(crowd(), Conduction::name), Gravity::name), Drag::name);
+  scene.effects.moving_walls.reset();
+  scene.walls.clear();
+  run_for(scene, 5e-4, 300);
+  export_to(path_ / "scene", scene, make_plan(scene));
+  const std::string script = read("scene/in.lammps"), run_line = script.substr(script.rfind("run "));
+  (void)file("scene/in.lammps", script.substr(0, script.rfind("run ")) + R"--(compute p all pressure NULL virial
+compute s all stress/atom NULL virial
+compute sums all reduce sum c_s[1] c_s[2] c_s[3] c_s[4]
+variable w atom x*fx+y*fy+z*fz
+variable xy atom x*fy
+compute w all reduce sum v_w v_xy
+thermo_modify norm no
+fix p all print 60 "$(-3*vol*c_p:%.17g) $(c_sums[1]+c_sums[2]+c_sums[3]:%.17g) $(c_w[1]:%.17g)" file p.txt title ""
+fix xy all print 60 "$(-vol*c_p[4]:%.17g) $(c_sums[4]:%.17g) $(c_w[2]:%.17g)" file xy.txt title ""
+)--" + run_line);
+  std::string first;
+  for (const int count : {1, 2}) {
+    ASSERT_TRUE(run_lammps(path_ / "scene", lammps_program, count)) << read("scene/log." + std::to_string(count));
+    int pressed = 0;
+    for (const char* name : {"scene/p.txt", "scene/xy.txt"}) {
+      std::istringstream in(read(name));
+      for (double whole = 0, atoms = 0, truth = 0; in >> whole >> atoms >> truth; pressed += truth != 0 ? 1 : 0) {
+        EXPECT_NEAR(whole, -truth, 1e-11 * std::abs(truth) + 1e-13) << name;
+        EXPECT_NEAR(atoms, -truth, 1e-11 * std::abs(truth) + 1e-13) << name;
+      }
+    }
+    EXPECT_GE(pressed, 4);
+  }
+}
+
+// LAMMPS prepares the pair style for each of these without running anything.
+TEST_F(InLammps, WritesBalancesAndDeletesBetweenRuns) {
+  Scene scene = without(crowd(), Conduction::name);
+  run_for(scene, 5e-4, 100);
+  export_to(path_ / "scene", scene, make_plan(scene));
+  const std::string script = read("scene/in.lammps"), run_line = script.substr(script.rfind("run "));
+  std::vector<std::string> dumps;
+  // `balance` rounds positions by itself.
+  for (const char* between : {"", "write_restart restart.%\nwrite_data data.written\n",
+                              "delete_atoms overlap 1e-9 all all compress no\n", "balance 1.1 shift xyz 5 1.1\n"}) {
+    (void)file("scene/in.lammps", script + between + run_line);
+    ASSERT_TRUE(run_lammps(path_ / "scene", lammps_program, 2)) << between << read("scene/log.2");
+    dumps.push_back(read("scene/dump.2"));
+  }
+  EXPECT_TRUE(dumps[1] == dumps[0]);
+  EXPECT_TRUE(dumps[2] == dumps[0]);
+  (void)file("scene/in.lammps", script + "delete_atoms overlap 1e-9 all all\n" + run_line);
+  EXPECT_FALSE(run_lammps(path_ / "scene", lammps_program, 2));
+  EXPECT_NE(read("scene/log.2").find("atoms have other IDs than in the run before"), std::string::npos);
+  EXPECT_EQ(dumps[3].substr(0, dumps[3].size() / 4), dumps[0].substr(0, dumps[3].size() / 4));
+}
+
 TEST_F(InLammps, AnIllegalAtomIsNamedWithItsField) {
   const auto refused = [&](const std::string& ghosts, const std::string& n1) {
     (void)file(
@@ -189,6 +244,18 @@ TEST_F(InLammps, RefusesInOneLineWhatItCannotDo) {
   EXPECT_NE(refused("pair_style plumb/cn linear.stiffness 1\npair_coeff * *\ncreate_atoms 1 single 0 0 0\nrun 0\n")
                 .find("needs one fix plumb/nve"),
             std::string::npos);
+  const std::string ready =
+      "fix shapes all property/atom d_n1 d_n2 d_density ghost yes\ncreate_atoms 1 single 0.5 0.5 0.5\n"
+      "set group all shape 0.1 0.1 0.1\nset group all d_n1 2\nset group all d_n2 2\nset group all d_density 1\n"
+      "pair_style plumb/cn linear.stiffness 1\npair_coeff * *\nfix motion all plumb/nve\n";
+  EXPECT_NE(refused(ready + "dump d all custom 1 dump.rerun id x y z\nrun 1\nundump d\nrerun dump.rerun dump x y z\n")
+                .find("cannot rerun: a dump does not bring back orientations"),
+            std::string::npos);
+  EXPECT_NE(refused(ready + "minimize 0 0 1 1\n").find("cannot minimize"), std::string::npos);
+  EXPECT_NE(
+      refused("region r block 0.1 0.9 0.1 0.9 0.1 0.9\n" + ready + "fix w all wall/region r harmonic 1 0 0.2\nrun 1\n")
+          .find("fix w: wall/region takes atoms for points: use fix plumb/wall"),
+      std::string::npos);
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ struct Contacts {
   Column* inverse_mass = nullptr;  ///< 1 / the mass that an impulse along the normal feels
   Column* radius = nullptr;        ///< 1: 1 / (1/r1 + 1/r2) of the distances to the centres; r2 of a wall is infinite
   Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
+  Column* force = nullptr;         ///< 3: all of it, on body 2
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
   double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
 };
@@ -166,6 +167,7 @@ inline void World::push_along_normal(std::size_t contact, double size) {
   const Vec3<double> force = size * contacts.normal->vector(contact);
   state.force->vector(i) -= force;
   state.force->vector(j) += force;
+  if (contacts.force != nullptr) contacts.force->vector(contact) += force;
   if (contacts.arm1 == nullptr) return;
   state.torque->vector(i) -= size * contacts.arm1->vector(contact);
   state.torque->vector(j) += size * contacts.arm2->vector(contact);
@@ -180,6 +182,7 @@ inline void World::push(std::size_t contact, const Vec3<double>& force, const Le
   const auto [i, j] = contacts.pairs[contact];
   state.force->vector(i) -= force;
   state.force->vector(j) += force;
+  if (contacts.force != nullptr) contacts.force->vector(contact) += force;
   state.torque->vector(i) -= levers.r1.cross(force);
   state.torque->vector(j) += levers.r2.cross(force);
 }
