@@ -1,6 +1,7 @@
 #include "solver/lammps/fix_plumb_nve.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "solver/scene/body/rotation.hpp"
 
@@ -18,15 +19,16 @@ FixPlumbNve::FixPlumbNve(LAMMPS_NS::LAMMPS* lammps, int count, char** words) : F
   if (count != 3) error->all(FLERR, std::string("fix plumb/nve: takes no arguments"));
   time_integrate = 1;
   create_attribute = 1;
+  restart_global = restart_peratom = 1;
   maxexchange_dynamic = 1;
   comm_forward = sent_of_ghosts;
   scalar_flag = extscalar = global_freq = 1;
   FixPlumbNve::grow_arrays(atom->nmax);
-  atom->add_callback(LAMMPS_NS::Atom::GROW);
+  for (const int event : {LAMMPS_NS::Atom::GROW, LAMMPS_NS::Atom::RESTART}) atom->add_callback(event);
 }
 
 FixPlumbNve::~FixPlumbNve() {
-  atom->delete_callback(id, LAMMPS_NS::Atom::GROW);
+  for (const int event : {LAMMPS_NS::Atom::GROW, LAMMPS_NS::Atom::RESTART}) atom->delete_callback(id, event);
 }
 
 int FixPlumbNve::setmask() {
@@ -96,9 +98,7 @@ void FixPlumbNve::setup(int vflag) {
 
 void FixPlumbNve::pre_exchange() {
   pair_->remember();
-  std::size_t longest = 0;
-  for (int i = 0; i < atom->nlocal; ++i) longest = std::max(longest, memory_of(i).size());
-  maxexchange = static_cast<int>(longest) + 1;
+  maxexchange = static_cast<int>(longest_memory()) + 1;
 }
 
 void FixPlumbNve::post_run() {
@@ -160,6 +160,49 @@ void FixPlumbNve::unpack_forward_comm(int count, int first, double* in) {
     std::copy_n(in, 3, atom->f[i]);
     std::copy_n(in + 3, 3, atom->torque[i]);
   }
+}
+
+std::size_t FixPlumbNve::longest_memory() const {
+  std::size_t longest = 0;
+  for (int i = 0; i < atom->nlocal; ++i) longest = std::max(longest, memories_[static_cast<std::size_t>(i)].size());
+  return longest;
+}
+
+void FixPlumbNve::write_restart(FILE* file) {
+  if (comm->me != 0) return;
+  const int size = static_cast<int>(sizeof closed_at_ + names_.size() + 1);
+  fwrite(&size, sizeof size, 1, file);
+  fwrite(&closed_at_, sizeof closed_at_, 1, file);
+  fwrite(names_.data(), 1, names_.size() + 1, file);
+}
+
+void FixPlumbNve::restart(char* in) {
+  std::memcpy(&closed_at_, in, sizeof closed_at_);
+  names_ = in + sizeof closed_at_;
+}
+
+// A restart file has of each atom how many numbers there are, this one too, and then these.
+
+/// The first that LAMMPS asks for, on every process: a run that writes while it goes on has what its contacts remember elsewhere.
+int FixPlumbNve::size_restart(int i) {
+  if (i == 0) pair_->store();
+  return static_cast<int>(memory_of(i).size()) + 1;
+}
+
+int FixPlumbNve::maxsize_restart() {
+  return static_cast<int>(longest_memory()) + 1;
+}
+
+int FixPlumbNve::pack_restart(int i, double* out) {
+  const int size = pack_exchange(i, out);
+  out[0] = size;
+  return size;
+}
+
+void FixPlumbNve::unpack_restart(int i, int place) {
+  const double* in = atom->extra[i];
+  for (; place > 0; --place) in += static_cast<int>(*in);
+  memory_of(i).assign(in + 1, in + static_cast<int>(*in));
 }
 
 double FixPlumbNve::memory_usage() {

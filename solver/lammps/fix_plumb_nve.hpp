@@ -33,6 +33,13 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
   int unpack_exchange(int atom, double* in) override;
   int pack_forward_comm(int count, int* list, double* out, int pbc_flag, int* pbc) override;
   void unpack_forward_comm(int count, int first, double* in) override;
+  /// Restart files: the names of what contacts remember and when, and each atom's.
+  void write_restart(FILE* file) override;
+  void restart(char* in) override;
+  int pack_restart(int atom, double* out) override;
+  void unpack_restart(int atom, int place) override;
+  int size_restart(int atom) override;
+  int maxsize_restart() override;
   double memory_usage() override;
 
   /// Of each contact of an atom of this process: with whom, and its history.
@@ -44,6 +51,7 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
  private:
   void kick();
   [[nodiscard]] bool moves(int atom) const;
+  [[nodiscard]] std::size_t longest_memory() const;
 
   PairPlumbCn* pair_ = nullptr;
   std::vector<std::vector<double>> memories_;

@@ -278,7 +278,12 @@ void PairPlumbCn::recall() {
 }
 
 void PairPlumbCn::remember() {
-  if (std::exchange(is_stale_, true)) return;  // the atoms have it: nothing was pressed since
+  store();
+  is_stale_ = true;
+}
+
+void PairPlumbCn::store() {
+  if (is_stale_) return;  // the atoms have it: nothing was pressed since
   motion_->forget_all();
   std::vector<double> row(part_->history_width());
   const auto& pairs = part_->world().contacts.pairs;

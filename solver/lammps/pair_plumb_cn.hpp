@@ -37,7 +37,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   [[nodiscard]] bool has_closing() const { return part_->has_closing(); }
   /// Once all forces of contacts are there.
   void tally_virial();
-  /// What the contacts remember, to the atoms and back.
+  /// What the contacts remember, to the atoms and back. remember(): the atoms are about to move between processes.
+  void store();
   void remember();
   void recall();
   /// The body that an atom of this process is, in bodies().

@@ -207,6 +207,33 @@ TEST_F(InLammps, WritesBalancesAndDeletesBetweenRuns) {
   EXPECT_EQ(dumps[3].substr(0, dumps[3].size() / 4), dumps[0].substr(0, dumps[3].size() / 4));
 }
 
+// A run from a restart file, with other numbers of processes too, is the second run of a script to the bit.
+TEST_F(InLammps, ARestartGoesOnToTheBit) {
+  Scene scene = without(crowd(), Conduction::name);
+  run_for(scene, 5e-4, 100);
+  export_to(path_ / "scene", scene, make_plan(scene));
+  const std::string script = read("scene/in.lammps"), run_line = script.substr(script.rfind("run "));
+  const auto final_frame = [&](const std::string& text, int processes) {
+    (void)file("scene/in.lammps", text);
+    EXPECT_TRUE(run_lammps(path_ / "scene", lammps_program, processes))
+        << read("scene/log." + std::to_string(processes));
+    const std::string dump = read("scene/dump." + std::to_string(processes));
+    return dump.substr(dump.rfind("ITEM: TIMESTEP"));
+  };
+  std::string again = script;
+  const auto replace = [&again](const std::string& from, const std::string& to) {
+    const auto at = again.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    again.replace(at, again.find('\n', at) - at, to);
+  };
+  replace("read_data", "");
+  replace("fix shapes", "read_restart restart.lammps\nfix shapes all property/atom d_n1 d_n2 d_density ghost yes");
+  for (const int processes : {2, 1}) {
+    const std::string truth = final_frame(script + "write_restart restart.lammps\n" + run_line, processes);
+    for (const int others : {1, 2, 4}) EXPECT_TRUE(final_frame(again, others) == truth) << processes << ' ' << others;
+  }
+}
+
 TEST_F(InLammps, AnIllegalAtomIsNamedWithItsField) {
   const auto refused = [&](const std::string& ghosts, const std::string& n1) {
     (void)file(
