@@ -49,10 +49,11 @@ std::vector<ContactView> contacts_of(const Simulation& run) {
   std::vector<ContactView> out;
   for (const std::uint32_t c : contacts.touching) {
     const auto [i, j] = contacts.pairs[c];
-    ContactView view{i, j, {}, number_in(contacts.overlap, c), vector_in(contacts.normal, c), point_of(run.world(), c),
-                     {}};
+    ContactView view{i,  j, {}, number_in(contacts.overlap, c), vector_in(contacts.normal, c), point_of(run.world(), c),
+                     {}, {}};
     if (bodies.is_wall(j)) view.wall = j - static_cast<std::uint32_t>(bodies.count);
     if (contacts.normal_force != nullptr) view.force = (*contacts.normal_force)[c];
+    if (contacts.force != nullptr) view.total_force = contacts.force->vector(c);
     out.push_back(view);
   }
   return out;
@@ -78,6 +79,7 @@ Json contact_json(const ContactView& contact) {
   out["normal"] = valid_or_null(contact.normal);
   out["point"] = valid_or_null(contact.point);
   if (contact.force) out["force"] = valid_or_null(*contact.force);
+  if (contact.total_force) out["total_force"] = valid_or_null(*contact.total_force);
   return out;
 }
 

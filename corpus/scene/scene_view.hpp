@@ -17,7 +17,8 @@ struct ContactView {
   std::optional<std::uint32_t> wall;
   double overlap = 0;
   Vec3<double> normal, point;
-  std::optional<double> force;  ///< along the normal
+  std::optional<double> force;              ///< along the normal
+  std::optional<Vec3<double>> total_force;  ///< on body 2, friction and dashpots too
 };
 
 /// Those that touch or are within the range of a force, in the order of the contact list.

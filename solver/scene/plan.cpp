@@ -89,6 +89,7 @@ void plan_contacts(Plan& plan, const Scene& scene) {
   plan.needs.contacts = plan.needs.contacts || plan.analysis != Analysis::motion || is_written;
   const bool is_shown = plan.needs.contacts && (outputs.contacts || outputs.vtk || outputs.playback);
   plan.needs.points = plan.needs.points || plan.analysis == Analysis::contacts || is_shown;
+  plan.needs.contact_force = outputs.contacts && plan.needs.normal_force;
 }
 
 void plan_turning(Plan& plan, const Scene& scene) {

@@ -48,11 +48,14 @@ TEST(Sliding, SlowsAsCoulombSays) {
   scene.effects.friction = rough(0.3);
   const double ends = (1 - 5.0 / 7) / (0.3 * g);
   scene.run.duration = ends;
+  scene.run.outputs.contacts = true;
   const auto run = started(scene);
   step_until(*run, ends / 4);
   const double first = velocity(*run, 0).x(), from = run->time();
   step_until(*run, ends / 2);
   EXPECT_NEAR((first - velocity(*run, 0).x()) / (run->time() - from), 0.3 * g, 1e-9 * g);
+  const Vec on_the_floor = run->world().contacts.force->vector(0);
+  EXPECT_TRUE(on_the_floor.isApprox(resting.weight * Vec(0.3, 0, -1), 1e-9)) << on_the_floor.transpose();
 }
 
 // A belt under a ball at rest: the same, seen from the belt.

@@ -107,6 +107,7 @@ TEST_F(SceneCommand, OutputsParseBack) {
       EXPECT_GT(contact["overlap"].get<double>(), 0);
       EXPECT_EQ(contact["point"].size(), 3U);
       EXPECT_TRUE(contact["force"].is_number());
+      EXPECT_EQ(contact["total_force"].size(), 3U);
     }
   }
   EXPECT_GT(found, 3U);
