@@ -1,6 +1,7 @@
 // plumb scene: a scene's plan, and its run.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <optional>
 
 #include "corpus/case/case.hpp"
@@ -8,6 +9,8 @@
 #include "corpus/command/interrupt.hpp"
 #include "corpus/json/number_text.hpp"
 #include "corpus/scene/scene_file.hpp"
+#include "corpus/scene/scene_output.hpp"
+#include "corpus/scene/scene_report.hpp"
 #include "corpus/scene/scene_run.hpp"
 #include "corpus/scene/scene_view.hpp"
 
@@ -101,6 +104,16 @@ void print_run(const Scene& scene, const SceneRun& run, bool as_json) {
   print(summary(run));
 }
 
+/// Refuses frames that the disk cannot hold.
+void require_room(const Scene& scene, const Plan& plan, std::filesystem::path folder, const std::string& file) {
+  while (!exists(folder)) folder = absolute(folder).parent_path();
+  const double bytes = expected_bytes(scene, plan), room = static_cast<double>(space(folder).available);
+  if (bytes <= room) return;
+  throw InputFailure(file, 0, "run.outputs.every",
+                     fmt::format("asks for {} frames, {}; {} has room for {}", frames_of(plan), size_text(bytes),
+                                 folder.string(), size_text(room)));
+}
+
 int run_scene(const Scene& scene, const Plan& plan, const Arguments& arguments) {
   SceneRun run(scene, plan, arguments.run);
   run.go();
@@ -124,8 +137,11 @@ int scene_command(Arguments& arguments) {
   SceneFile file = read_scene(arguments.scene);
   if (arguments.accuracy) file.scene.run.accuracy = *arguments.accuracy;
   const PlanOptions options{{arguments.forced.begin(), arguments.forced.end()}};
-  const Plan plan = plan_scene(file.scene, options, arguments.scene == "-" ? "standard input" : arguments.scene);
+  const std::string name = arguments.scene == "-" ? "standard input" : arguments.scene;
+  const Plan plan = plan_scene(file.scene, options, name);
   arguments.run.out = arguments.out;
+  if (!arguments.plan && !arguments.out.empty() && !arguments.run.resume)
+    require_room(file.scene, plan, arguments.out, name);
   if (!arguments.plan) return run_scene(file.scene, plan, arguments);
   print_plan(file.scene, plan, arguments.json);
   return exit_done;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "corpus/scene/scene_output.hpp"
 #include "corpus/scene/scene_view.hpp"
 
 namespace plumb::scene {
@@ -100,7 +101,12 @@ std::string row(std::string_view name, std::string_view state, const std::string
 std::string heading(const Scene& scene, const Plan& plan) {
   std::string out = fmt::format("{}: {} bodies, {} walls; ", scene.name.empty() ? "scene" : scene.name,
                                 scene.bodies.size(), scene.walls.size());
-  if (plan.analysis == Analysis::motion) return out + fmt::format("{} steps of {:.6g}\n", plan.steps, plan.time_step);
+  if (plan.analysis == Analysis::motion) {
+    out += fmt::format("{} steps of {:.6g}", plan.steps, plan.time_step);
+    if (const double bytes = expected_bytes(scene, plan); bytes > 0)
+      out += fmt::format("; {} frames, {}", frames_of(plan), size_text(bytes));
+    return out + "\n";
+  }
   return out + (plan.analysis == Analysis::touching ? "which bodies touch, no motion\n" : "contacts, no motion\n");
 }
 
@@ -114,6 +120,13 @@ std::string reasons(const Plan& plan) {
 }
 
 }  // namespace
+
+std::string size_text(double bytes) {
+  constexpr std::array<const char*, 5> units{"bytes", "kB", "MB", "GB", "TB"};
+  std::size_t unit = 0;
+  for (; bytes >= 1000 && unit + 1 < units.size(); ++unit) bytes /= 1000;
+  return fmt::format("about {:.2g} {}", bytes, units.at(unit));
+}
 
 std::map<std::string, double> shares_of(const Seconds& seconds) {
   double sum = 0;
@@ -143,6 +156,8 @@ Json plan_json(const Scene& scene, const Plan& plan, const Seconds& seconds) {
           {"time_step", {{"value", plan.time_step}, {"why", plan.time_step_why}}},
           {"steps", plan.steps},
           {"steps_per_output", plan.steps_per_output},
+          {"frames", frames_of(plan)},
+          {"expected_bytes", expected_bytes(scene, plan)},
           {"solver", {{"want", words_of(plan)}, {"tolerance", plan.want.tolerance}}}};
 }
 

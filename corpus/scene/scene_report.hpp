@@ -9,6 +9,9 @@
 
 namespace plumb::scene {
 
+/// "about 46 GB".
+[[nodiscard]] std::string size_text(double bytes);
+
 /// Seconds by owner, and each as a part of their sum; empty before a run.
 using Seconds = std::map<std::string, double>;
 [[nodiscard]] std::map<std::string, double> shares_of(const Seconds& seconds);

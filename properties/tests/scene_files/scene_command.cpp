@@ -237,6 +237,29 @@ TEST_F(SceneCommand, ARunThatDivergesIsAFinding) {
   EXPECT_NE(plumb("scene far.json --plan").out.find("times as long as what the effects allow"), std::string::npos);
 }
 
+// The plan says what a run writes; what no disk holds is refused before anything is there.
+TEST_F(SceneCommand, FramesBeyondTheDiskAreRefused) {
+  EXPECT_NE(plumb("scene s.json --plan").out.find("; 11 frames, about "), std::string::npos);
+  const Json plan = lines_of(plumb("scene s.json --plan --json").out).at(0);
+  EXPECT_EQ(plan["frames"], 11);
+  ASSERT_EQ(plumb("scene s.json --out a").code, 0);
+  double written = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(path_ / "a"))
+    if (entry.is_regular_file()) written += static_cast<double>(entry.file_size());
+  EXPECT_LT(std::abs(std::log(plan["expected_bytes"].get<double>() / written)), std::log(4.0));
+  std::string text = sample_scene_with("0.05", "1e-13");
+  const std::string duration = R"("duration": 0.5)";
+  text.replace(text.find(duration), duration.size(), R"("duration": 10)");
+  (void)file("many.json", text);
+  const Ran ran = plumb("scene many.json --out many 2>&1");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_TRUE(ran.out.starts_with("many.json: run.outputs.every: asks for 1000000") &&
+              ran.out.find(" frames, about ") != std::string::npos &&
+              ran.out.find("has room for about ") != std::string::npos)
+      << ran.out;
+  EXPECT_FALSE(fs::exists(path_ / "many"));
+}
+
 TEST_F(SceneCommand, AFolderIsOneRunsAtATime) {
   (void)file("s.json", sample_scene());
   ASSERT_EQ(plumb("scene s.json --out run").code, 0);
