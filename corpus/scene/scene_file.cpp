@@ -15,11 +15,12 @@ namespace {
 
 constexpr const char* scene_format = "plumb/scene-1";
 
-constexpr std::array<OutputWord, 5> words_of_outputs{{{"touching", &Outputs::touching},
+constexpr std::array<OutputWord, 6> words_of_outputs{{{"touching", &Outputs::touching},
                                                       {"contacts", &Outputs::contacts},
                                                       {"dump", &Outputs::dump},
                                                       {"vtk", &Outputs::vtk},
-                                                      {"playback", &Outputs::playback}}};
+                                                      {"playback", &Outputs::playback},
+                                                      {"energy", &Outputs::energy}}};
 
 // What the fields of effects are of: read_value() for each kind, and its opposite.
 
@@ -135,14 +136,23 @@ Wall read_wall(const Field& field) {
 void read_word(const Field& field, Outputs& out) {
   const std::string text = field.text();
   const auto found = std::ranges::find(words_of_outputs, text, &OutputWord::word);
-  if (found == words_of_outputs.end()) field.fail("must be one of touching, contacts, dump, vtk, playback");
+  if (found == words_of_outputs.end()) field.fail("must be one of touching, contacts, dump, vtk, playback, energy");
   if (std::exchange(out.*found->asked, true)) field.fail("stands twice");
+}
+
+void read_every(const Field& field, Outputs& out) {
+  if (!field.value().is_string()) {
+    out.every = field.number();
+    return;
+  }
+  if (field.text() != "step") field.fail("must be a number, 0 or more, or step");
+  out.every_step = true;
 }
 
 Outputs read_outputs(const Field& field) {
   field.require_object({"every", "write"});
   Outputs out;
-  if (const auto every = field.find("every")) out.every = every->number();
+  if (const auto every = field.find("every")) read_every(*every, out);
   if (const auto write = field.find("write"))
     for (const Field& word : write->elements()) read_word(word, out);
   return out;
@@ -215,7 +225,7 @@ Json run_json(const Run& run) {
   out["duration"] = run.duration;
   out["time_step"] = run.time_step ? Json(*run.time_step) : Json("auto");
   out["accuracy"] = run.accuracy;
-  out["outputs"] = {{"every", run.outputs.every}, {"write", write}};
+  out["outputs"] = {{"every", run.outputs.every_step ? Json("step") : Json(run.outputs.every)}, {"write", write}};
   return out;
 }
 

@@ -30,7 +30,8 @@ struct Size {
   bool Outputs::* asked;
   double bytes;
 };
-constexpr std::array<Size, 5> sizes{{{&Outputs::touching, 20},
+constexpr std::array<Size, 6> sizes{{{&Outputs::energy, 2},
+                                     {&Outputs::touching, 20},
                                      {&Outputs::contacts, 600},
                                      {&Outputs::dump, 400},
                                      {&Outputs::vtk, 950},
@@ -59,8 +60,13 @@ OpenedOutput open_contacts(const std::filesystem::path& folder, std::uint64_t le
   return std::make_unique<Lines>(folder, "contacts.jsonl", length, contacts_json);
 }
 
+OpenedOutput open_energy(const std::filesystem::path& folder, std::uint64_t length) {
+  return std::make_unique<Lines>(folder, "energy.jsonl", length, energy_json);
+}
+
 std::vector<std::string> output_names() {
-  return {"touching.jsonl", "contacts.jsonl", "dump.lammpstrj", "vtk/bodies.pvd", "vtk/contacts.pvd", "playback.jsonl"};
+  return {"touching.jsonl",   "contacts.jsonl", "dump.lammpstrj", "vtk/bodies.pvd",
+          "vtk/contacts.pvd", "playback.jsonl", "energy.jsonl"};
 }
 
 Outs open_outputs(const Scene& scene, const Plan& plan, const std::filesystem::path& folder, const Lengths& lengths) {
@@ -76,6 +82,7 @@ Outs open_outputs(const Scene& scene, const Plan& plan, const std::filesystem::p
     out.push_back(open_vtk_contacts(folder, length("vtk/contacts.pvd")));
   }
   if (asked.playback) out.push_back(open_playback(scene, plan, folder, length("playback.jsonl")));
+  if (asked.energy) out.push_back(open_energy(folder, length("energy.jsonl")));
   return out;
 }
 

@@ -83,6 +83,12 @@ Json contact_json(const ContactView& contact) {
   return out;
 }
 
+Json energy_json(const Simulation& run) {
+  Json out = head_of(run);
+  out["energy"] = energies_of(run);
+  return out;
+}
+
 Json contacts_json(const Simulation& run) {
   Json out = head_of(run);
   out["contacts"] = Json::array();

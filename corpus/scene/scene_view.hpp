@@ -33,6 +33,8 @@ struct ContactView {
 /// {"time", "step", "touching": [[i, j], ..], "walls": [[i, k], ..]}
 [[nodiscard]] Json touching_json(const Simulation& run);
 
+/// {"time", "step", "energy": energies_of()}
+[[nodiscard]] Json energy_json(const Simulation& run);
 /// energy() and its sum, "total"; empty where nothing moves.
 [[nodiscard]] std::map<std::string, double> energies_of(const Simulation& run);
 /// 16 hex digits.

@@ -205,12 +205,13 @@ void plan_time(Plan& plan, const Scene& scene) {
   choose_time_step(plan, scene);
   if (run.time_step) ask_for_time_step(plan, *run.time_step);
   plan.time_step = std::min(plan.time_step, run.duration);
-  const bool has_frames = run.outputs.every > 0 && run.outputs.every < run.duration;
+  const bool has_frames = !run.outputs.every_step && run.outputs.every > 0 && run.outputs.every < run.duration;
   const double period = has_frames ? run.outputs.every : run.duration;
   const std::int64_t steps_a_period = count_steps(period / plan.time_step * (1 - 1e-12), scene);
   if (has_frames) plan.steps_per_output = steps_a_period;
   if (!run.time_step) plan.time_step = period / static_cast<double>(steps_a_period);
   // None beyond the duration: what can_touch proves ends there.
+  if (run.outputs.every_step) plan.steps_per_output = 1;
   plan.steps = count_steps(std::floor(run.duration / plan.time_step * (1 + 1e-12)), scene);
 }
 

@@ -33,12 +33,14 @@ struct Wall {
 
 /// What is written down as the run goes. `touching` alone asks which pairs overlap, and nothing about where.
 struct Outputs {
-  double every = 0;       ///< time between two; 0: the first and the last state only
-  bool touching = false;  ///< pairs that overlap
-  bool contacts = false;  ///< each contact with point, normal, overlap and force
-  bool dump = false;      ///< LAMMPS text dump
-  bool vtk = false;       ///< VTK files
-  bool playback = false;  ///< for the page
+  double every = 0;         ///< time between two; 0: the first and the last state only
+  bool every_step = false;  ///< in the place of a time
+  bool touching = false;    ///< pairs that overlap
+  bool contacts = false;    ///< each contact with point, normal, overlap and force
+  bool dump = false;        ///< LAMMPS text dump
+  bool vtk = false;         ///< VTK files
+  bool playback = false;    ///< for the page
+  bool energy = false;      ///< of each effect and of motion
 };
 
 /// How long, how finely, and what is written.

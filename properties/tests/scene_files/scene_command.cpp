@@ -237,6 +237,21 @@ TEST_F(SceneCommand, ARunThatDivergesIsAFinding) {
   EXPECT_NE(plumb("scene far.json --plan").out.find("times as long as what the effects allow"), std::string::npos);
 }
 
+TEST_F(SceneCommand, EnergiesAreASeries) {
+  (void)file("steps.json", sample_scene_with("0.05", "\"step\""));
+  for (const char* name : {"s", "steps"}) {
+    ASSERT_EQ(plumb(std::string("scene ") + name + ".json --out " + name).code, 0);
+    const Json run = json(std::string(name) + "/run.json");
+    const auto series = lines_of(read(std::string(name) + "/energy.jsonl"));
+    EXPECT_EQ(series.front()["energy"], run["energy"]["first"]);
+    EXPECT_EQ(series.back()["energy"], run["energy"]["last"]);
+    EXPECT_EQ(series.size(), run["plan"]["frames"]);
+  }
+  const Json run = json("steps/run.json");
+  EXPECT_EQ(run["plan"]["frames"], run["plan"]["steps"].get<int>() + 1);
+  EXPECT_EQ(parse_scene(read("steps/scene.json"), "steps").scene.run.outputs.every_step, true);
+}
+
 // The plan says what a run writes; what no disk holds is refused before anything is there.
 TEST_F(SceneCommand, FramesBeyondTheDiskAreRefused) {
   EXPECT_NE(plumb("scene s.json --plan").out.find("; 11 frames, about "), std::string::npos);

@@ -72,8 +72,10 @@ Scene random_scene(Numbers& numbers) {
   scene.run.duration = numbers.positive();
   if (numbers.coin()) scene.run.time_step = numbers.positive();
   scene.run.accuracy = numbers.unit();
-  scene.run.outputs = {numbers.positive(), numbers.coin(), numbers.coin(),
-                       numbers.coin(),     numbers.coin(), numbers.coin()};
+  Outputs& outputs = scene.run.outputs;
+  outputs.every_step = numbers.coin();
+  if (!outputs.every_step) outputs.every = numbers.positive();
+  for (const OutputWord& word : output_words()) outputs.*word.asked = numbers.coin();
   return scene;
 }
 
@@ -118,6 +120,7 @@ std::vector<std::uint64_t> bits_of(const Scene& scene) {
   bits.add(scene.run.time_step);
   bits.add(scene.run.accuracy);
   bits.add(scene.run.outputs.every);
+  bits.add(double(scene.run.outputs.every_step));
   for (const OutputWord& word : output_words()) bits.add(double(scene.run.outputs.*word.asked));
   return bits.all;
 }
