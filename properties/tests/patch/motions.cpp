@@ -54,14 +54,20 @@ Eigen::Quaterniond orientation_of(const Body& body) {
   return {body.quaternion[0], body.quaternion[1], body.quaternion[2], body.quaternion[3]};
 }
 
-/// With a patch that is within its tolerance, or nothing.
-std::optional<Contact<double>> contact_with_patch(const Pair& pair) {
+struct Pressed {
+  Vec3<double> point;
+  Patch patch;
+};
+
+/// Of a patch that is within its tolerance, or nothing.
+std::optional<Pressed> contact_with_patch(const Pair& pair) {
   Want want;
   want.patch = true;
   want.patch_tolerance = motion_tolerance;
-  Contact<double> out = find_method("auto")->solve(pair, want, nullptr);
-  if (!out.patch || !(out.patch->error <= motion_tolerance)) return {};
-  return out;
+  const Contact<double> contact = find_method("auto")->solve(pair, want, nullptr);
+  const Patch patch = contact.patch.value_or(Patch{});
+  if (patch.error > motion_tolerance) return {};
+  return Pressed{contact.contact_point, patch};
 }
 
 /// A die on the upper face of another, pressed in by 1e-3 to 1e-1 and tilted by 1e-16 to 1e-2.
@@ -105,20 +111,20 @@ void judge_motion(std::uint64_t index, Part part, double exponent, Counted& coun
   constexpr double change = 1.5;
   Motions motions(index);
   Pair pair = pressed(motions, part, exponent);
-  const std::optional<Contact<double>> first = contact_with_patch(pair);
+  const std::optional<Pressed> first = contact_with_patch(pair);
   if (!first) return;
-  const Patch& before = *first->patch;
+  const Patch& before = first->patch;
   const double motion = move(motions, pair, before);
-  const std::optional<Contact<double>> second = contact_with_patch(pair);
+  const std::optional<Pressed> second = contact_with_patch(pair);
   if (!second) return;
-  const Patch& after = *second->patch;
+  const Patch& after = second->patch;
   ++counted.met;
   const double share = change * 3 * motion / inner_radius_of(before), errors = before.error + after.error;
   const double allowed = share * diameter_of(before) + errors * std::sqrt(before.second_moments.maxCoeff());
   const auto words = [&] { return std::to_string(index) + ", motion " + std::to_string(motion); };
   EXPECT_LE((after.centre - before.centre).norm(), allowed) << words();
   EXPECT_LE(std::abs(after.volume - before.volume), (share + errors) * before.volume) << words();
-  if ((second->contact_point - first->contact_point).norm() > allowed) ++counted.points_that_jump;
+  if ((second->point - first->point).norm() > allowed) ++counted.points_that_jump;
 }
 
 struct MotionsOf {

@@ -150,7 +150,7 @@ TEST(Rod, RollsOnItsSide) {
   const double spinning = world.bodies.inertia[0].z() / (world.bodies.mass[0] * radius * radius);
   while (run->time() < 0.5 * scene.run.duration) run->step();
   const double middle = run->time(), speed = made::velocity(*run, 0).x(),
-               log = std::log(scene.effects.damping->restitution);
+               log = std::log(scene.effects.damping.value_or(Damping{}).restitution);
   EXPECT_NEAR(made::spin(*run, 0).y(), speed / radius, 0.01 * speed / radius);
   EXPECT_LT(speed, scene.bodies[0].velocity.x() / (1 + spinning));
   const double viscous = -2 * log / std::hypot(std::numbers::pi, log) *
@@ -196,7 +196,7 @@ TEST(PatchScenes, PositionErrorsFallWithTheAccuracy) {
     int bodies;
     double duration;
   };
-  for (const auto& [name, bodies, duration] : {Watched{"dice", 3, 0.1}, {"tower", 2, 0.03}}) {
+  for (const auto& [name, bodies, duration] : {Watched{"dice", 2, 0.1}, {"tower", 2, 0.03}}) {
     Scene scene = find_named_scene(name)->make(bodies);
     scene.run.duration = duration;
     const auto coarse = late_positions(scene, 1e-2), fine = late_positions(scene, 1e-3),

@@ -47,9 +47,10 @@ Vec3<double> couple_of(const World& world, std::size_t c, double viscous) {
   const double half_step = world.time_step / 2;
   const Vec3<double> ahead = world.relative_turn(c) + half_step * (world.yield(j, world.state.torque->vector(j)) -
                                                                    world.yield(i, world.state.torque->vector(i)));
+  const Eigen::Map<const Eigen::Matrix3d> arms(world.contacts.patch_arms->entry(c).data());
   Vec3<double> couple = Vec3<double>::Zero();
   for (int k = 0; k < 3; ++k) {
-    const Vec3<double> arm = Vec3<double>::Map(world.contacts.patch_arms->entry(c).data() + 3 * k);
+    const Vec3<double> arm = arms.col(k);
     const double inverse_mass = arm.dot(world.yield(i, arm) + world.yield(j, arm));
     couple -= viscous * damped(arm.dot(ahead), half_step, inverse_mass, viscous) * arm;
   }

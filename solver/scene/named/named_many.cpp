@@ -138,7 +138,7 @@ Scene wall(int bodies) {
     scene.bodies.push_back(body_at({x, 0, z}, {half, 8, 8}, 1800));
   }
   lay_on_foundation(scene);
-  run_for(scene, 0.5, 1e-2);
+  run_for(scene, 1.5, 1e-2);
   return scene;
 }
 
