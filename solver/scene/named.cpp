@@ -17,7 +17,7 @@ constexpr std::array list{
     NamedScene{"hopper", "superquadrics flow through the slot between two plates", 75, named::hopper},
     NamedScene{"dice", "dice thrown onto a table: they come to rest on their faces", 4, named::dice},
     NamedScene{"tower", "dice on each other, face on face on an elastic foundation: they stand still", 5, named::tower},
-    NamedScene{"wall", "bricks in bond, each on two: they stand still", 30, named::wall},
+    NamedScene{"wall", "bricks in bond, each on two, settle under their weight", 30, named::wall},
     NamedScene{"chain", "a chain of touching ellipsoids between two fixed ones, which keeps its energy", 8,
                named::chain},
     NamedScene{"billiards", "balls between cushions, elastic, without gravity and friction", 16, named::billiards},
