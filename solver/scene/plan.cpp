@@ -23,6 +23,8 @@ constexpr double least_steps = 8;
 constexpr double quiet_steps = 100;
 /// That of a patch, whose volume is an energy.
 constexpr double patch_share = 1e-1;
+/// By its error what lies still is shaken: this leaves dice at rest 1e-11 of their weight times their height.
+constexpr double most_patch_error = 1e-4;
 /// The solver's tolerance is this part of the accuracy: overlaps are about a hundredth of a body, their error far below.
 constexpr double contact_share = 1e-6;
 
@@ -125,7 +127,7 @@ void plan_solver(Plan& plan, const Scene& scene) {
   plan.want.normal = plan.needs.normal_force || plan.needs.points;
   plan.want.points = plan.needs.points;
   plan.want.curvature = plan.needs.curvature;
-  plan.want.patch_tolerance = patch_share * scene.run.accuracy;
+  plan.want.patch_tolerance = std::min(most_patch_error, patch_share * scene.run.accuracy);
   plan.want.tolerance = contact_share * scene.run.accuracy;
 }
 

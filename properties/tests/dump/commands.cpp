@@ -167,7 +167,7 @@ void DumpCommands::expect_agreement(const std::string& name, double duration) co
 
 TEST_F(DumpCommands, ADumpOfASceneHasThePairsThatTouchInIt) {
   expect_agreement("pile", 0.05);
-  expect_agreement("dice", 0.3);
+  expect_agreement("tower", 0.02);
 }
 
 TEST_F(DumpCommands, EachCaseIsAFrameOfTwo) {

@@ -11,9 +11,9 @@ namespace {
 constexpr double winkler = 1e4;
 
 /// A die of half 1 that is a hundredth deep in the floor.
-Scene die_on_the_floor(double tilt) {
+Scene die_on_the_floor(double tilt, double exponent = 40) {
   Scene scene;
-  SceneBody die = made::body({Vec3<double>::Ones(), 40, 40}, {0, 0, 0.99});
+  SceneBody die = made::body({Vec3<double>::Ones(), exponent, exponent}, {0, 0, 0.99});
   die.body.quaternion = {std::cos(tilt / 2), std::sin(tilt / 2), 0, 0};
   scene.bodies = {die};
   scene.walls = {made::floor_at()};
@@ -55,6 +55,37 @@ TEST(FoundationLaw, AWallGivesBackWhatItTakes) {
     while (!run->is_done()) run->step();
     EXPECT_GT(made::velocity(*run, 0).z(), 0);  // it has been there
     EXPECT_NEAR(made::total_energy(*run), start, 1e-4 * start) << exponent;
+  }
+}
+
+/// A die that lies in the floor by its weight and rocks: dashpots c = 2 beta sqrt(k A m) over the patch take its energy as
+/// exp(-c S t / I), S the patch's mean square of y. Those at its centre alone would take next to nothing.
+TEST(FoundationLaw, DashpotsOverThePatchStopADieThatRocks) {
+  constexpr double exponent = 8;
+  Scene scene = die_on_the_floor(0, exponent);
+  scene.run.accuracy = 1e-2;
+  const double mass = made::mass(scene.bodies[0]), beta = -std::log(0.8) / std::hypot(std::numbers::pi, std::log(0.8));
+  const auto lying = made::started(scene);
+  const Contacts& contacts = lying->world().contacts;
+  const double weight = lying->world().state.force->vector(0).z(),
+               viscous = 2 * beta * std::sqrt(winkler * (*contacts.area)[0] * mass),
+               square = std::pow(contacts.patch_radius(0), 2) / 2, moment = lying->world().bodies.inertia[0].x();
+  scene.effects.gravity = Gravity{{0, 0, -weight / mass}};
+  scene.effects.damping = Damping{0.8};
+  scene.bodies[0].angular_velocity = {1e-3, 0, 0};
+  constexpr double small = 1e-6;
+  const double stiffness =
+      -made::started(die_on_the_floor(small, exponent))->world().state.torque->vector(0).x() / small;
+  const auto rocking = [&](const Simulation& run) {
+    const double tilt = 2 * run.world().state.orientation_of(0).x(), spin = made::spin(run, 0).x();
+    return (moment * spin * spin + stiffness * tilt * tilt) / 2;
+  };
+  for (const double halvings : {1.0, 4.0}) {
+    scene.run.duration = halvings * std::log(2) * moment / (viscous * square);
+    const auto run = made::started(scene);
+    const double start = rocking(*run);
+    while (!run->is_done()) run->step();
+    EXPECT_NEAR(std::log2(start / rocking(*run)), halvings, 0.1 * halvings);
   }
 }
 

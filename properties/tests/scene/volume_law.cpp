@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "properties/tests/draws.hpp"
 #include "properties/tests/scene/made.hpp"
 
 namespace plumb::scene {
@@ -62,6 +63,48 @@ TEST(VolumeLaw, NoCollisionGainsOrLosesEnergy) {
         EXPECT_GT(stored, 0.05 * start) << exponent << ' ' << i;  // they met
         EXPECT_NEAR(made::total_energy(*run), start, 1e-4 * start) << exponent << ' ' << i;
       }
+}
+
+/// Eight bodies in a closed box, that never come to rest: balls under `linear`, or exponents 2 to 8 under `volume`.
+Scene billiards(bool are_balls) {
+  Random random(34);
+  Scene out;
+  for (int i = 0; i < 8; ++i) {
+    const Vec at((i & 1) != 0 ? 1.5 : -1.5, (i & 2) != 0 ? 1.5 : -1.5, (i & 4) != 0 ? 1.5 : -1.5);
+    SceneBody body = drawn(random, 2, at, random.vector(1));
+    body.body.shape.n1 = random.between(2, 8);
+    body.body.shape.n2 = random.between(2, 8);
+    out.bodies.push_back(are_balls ? made::ball(1, at, body.velocity) : body);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      out.walls.push_back({3.2 * side * Vec::Unit(axis), -side * Vec::Unit(axis), {}});
+  if (are_balls)
+    out.effects.linear = Linear{3e3};
+  else
+    out.effects.volume = Volume{3e3, 1.5};
+  out.run.accuracy = 1e-2;
+  out.run.time_step = 4e-3;  // a collision takes about 30
+  return out;
+}
+
+/// The largest relative change of the energy.
+double drift_of(Scene scene, std::uint64_t steps) {
+  scene.run.duration = static_cast<double>(steps) * scene.run.time_step.value_or(0);
+  const auto run = made::started(scene);
+  const double start = made::total_energy(*run);
+  double worst = 0;
+  while (!run->is_done()) {
+    run->step();
+    worst = std::max(worst, std::abs(made::total_energy(*run) / start - 1));
+  }
+  EXPECT_EQ(run->totals().failed, 0);
+  return worst;
+}
+
+TEST(VolumeLaw, BilliardsKeepTheirEnergyBetterThanBallsUnderLinear) {
+  const std::uint64_t steps = draws(1'000'000, 10'000);
+  EXPECT_LT(drift_of(billiards(false), steps), drift_of(billiards(true), steps));
 }
 
 /// Of the bodies as they stand.

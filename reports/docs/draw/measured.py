@@ -1,4 +1,4 @@
-"""Pictures of what plumb says when it is asked: the shrinker's ranges, and a row of a campaign's table."""
+"""Pictures of what plumb says when it is asked: the shrinker's ranges, a row of a campaign's table, and contacts that tilt."""
 import json
 import math
 import subprocess
@@ -94,5 +94,47 @@ def row_of_the_table(plumb, cases=400):
     return plan
 
 
+def die(exponent, height, tilt):
+    turn = [math.cos(tilt / 2), 0, math.sin(tilt / 2), 0]
+    return {"shape": {"superellipsoid": {"semi_axes": [1, 1, 1], "exponents": [exponent] * 2}}, "position": [0, 0, height], "orientation": {"quaternion_wxyz": turn}}
+
+
+def distances(plumb, exponent, decades):
+    """Of two dice pressed in by 0.01: how far from the middle the contact's point is, and the centre of the patch."""
+    with tempfile.TemporaryDirectory() as folder:
+        cases = Path(folder, "tilts.jsonl")
+        bodies = [[die(exponent, 0, 0), die(exponent, 1.99, 10.0**decade)] for decade in decades]
+        cases.write_text("".join(json.dumps({"format": "plumb/case-1", "name": "tilt", "bodies": pair}) + "\n" for pair in bodies))
+        said = subprocess.run([plumb, "solve", cases, "--json", "--want", "overlap,points,patch"], capture_output=True, text=True, check=True)
+    answers = [json.loads(line) for line in said.stdout.splitlines()]
+    return [abs(answer["contact_point"][0]) for answer in answers], [abs(answer["patch"]["centre"][0]) for answer in answers]
+
+
+def centre_against_tilt(plumb, least=1e-3):
+    """What is below `least` is not drawn: there a machine's own rounding begins."""
+    plan = Plan(640, 330, "How far from the middle a tilted die's contact is: the point, and the centre of the patch")
+    place = lambda decade, value: (70 + 36 * (decade + 16), 270 - 80 * math.log10(value / least))
+    for decade in range(-16, -1, 2):
+        plan.path([place(decade, least), place(decade, 1)], SOFT, 0.5)
+        plan.label((place(decade, least)[0], 288), f"1e{decade}", SOFT, 12, "middle")
+    for power in range(-3, 1):
+        plan.path([place(-16, 10.0**power), place(-2, 10.0**power)], SOFT, 0.5)
+        plan.label((62, place(-16, 10.0**power)[1] + 4), f"1e{power}" if power else "1", SOFT, 12, "end")
+    decades = range(-16, -1)
+    for exponent in (4, 8, 20, 50):
+        for values, colour in zip(distances(plumb, exponent, decades), (WRONG, RIGHT)):
+            seen = [place(decade, value) for decade, value in zip(decades, values) if value >= least]
+            plan.path(seen, colour, 2)
+            for pixel in seen:
+                plan.dot(pixel, colour, 2.4)
+            if colour == WRONG:
+                plan.label((seen[-1][0] + 8, seen[-1][1] + (-2 if exponent == 50 else 8)), f"{exponent}", colour, 12.5)
+    plan.label((70, 18), "distance from the middle of the face; half a die is 1, the overlap is 0.01", SOFT, 13)
+    plan.label((80, 240), "red: the point, at exponents 4, 8, 20, 50", WRONG, 13)
+    plan.label((80, 260), "green: the centre of the patch", RIGHT, 13)
+    plan.label((322, 312), "tilt, rad", SOFT, 13, "middle")
+    return plan
+
+
 def pictures(plumb, case):
-    return {"what-matters.svg": what_matters(plumb, case), "row-of-the-table.svg": row_of_the_table(plumb)}
+    return {"centre-against-tilt.svg": centre_against_tilt(plumb), "what-matters.svg": what_matters(plumb, case), "row-of-the-table.svg": row_of_the_table(plumb)}

@@ -50,15 +50,16 @@ struct Contacts {
   std::vector<std::uint32_t> pressing;  ///< those of them that overlap
   std::vector<std::uint32_t> parted;    ///< those that overlapped in the step before, and no longer do
   double range = 0;
-  Column* is_pressing = nullptr;   ///< 1 or 0
-  Column* chart = nullptr;         ///< 12: where the solver starts next time, the step before's last
-  Column* overlap = nullptr;       ///< 1
-  Column* normal = nullptr;        ///< 3, from body 1 to body 2
-  Column* point = nullptr;         ///< 3: where the force acts
-  Column* volume = nullptr;        ///< 1: of the patch, as the next two; the normal and the point are the patch's then
-  Column* area = nullptr;          ///< 1
-  Column* patch_radius = nullptr;  ///< 1: root mean square distance from the centre, across the normal
-  Column* area_moment = nullptr;   ///< 3: about the point; 0 of a ball
+  Column* is_pressing = nullptr;  ///< 1 or 0
+  Column* chart = nullptr;        ///< 12: where the solver starts next time, the step before's last
+  Column* overlap = nullptr;      ///< 1
+  Column* normal = nullptr;       ///< 3, from body 1 to body 2
+  Column* point = nullptr;        ///< 3: where the force acts
+  Column* volume = nullptr;       ///< 1: of the patch, as the next two; the normal and the point are the patch's then
+  Column* area = nullptr;         ///< 1
+  Column* patch_arms =
+      nullptr;  ///< 9: of the roots of its three second moments along their axes, each times the normal
+  Column* area_moment = nullptr;  ///< 3: about the point; 0 of a ball
   double patch_tolerance = 0;
   Column* curvature = nullptr;  ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
   Column* arm1 = nullptr;       ///< 3: (point - centre) x normal, exactly 0 for spheres
@@ -72,6 +73,9 @@ struct Contacts {
   Column* force = nullptr;         ///< 3: all of it, on body 2
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
   double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
+
+  /// How far from its centre a patch is, across the normal: the root of the mean square.
+  [[nodiscard]] double patch_radius(std::size_t contact) const;
 };
 
 /// From the bodies' centres to the point of contact; 0 of a wall, which nothing turns.
@@ -123,6 +127,8 @@ struct World {
   [[nodiscard]] double normal_acceleration(std::size_t contact) const;
   /// Angular velocity of body 2 as body 1 sees it.
   [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
+  /// The inverse inertia of a body, world axes, times a vector; 0 of what nothing turns.
+  [[nodiscard]] Vec3<double> yield(std::uint32_t body, const Vec3<double>& torque) const;
   /// Adds a force on body 2 at the point of contact, and its opposite on body 1.
   void push(std::size_t contact, const Vec3<double>& force, const Levers& levers);
   /// The same of a force along the normal, with the arms of the normal.
@@ -130,6 +136,10 @@ struct World {
   /// Adds a couple on body 2, and its opposite on body 1.
   void turn(std::size_t contact, const Vec3<double>& couple);
 };
+
+inline double Contacts::patch_radius(std::size_t contact) const {
+  return Eigen::Map<const Eigen::Matrix3d>(patch_arms->entry(contact).data()).norm();
+}
 
 inline Levers World::levers(std::size_t contact) const {
   const auto [i, j] = contacts.pairs[contact];
@@ -176,6 +186,12 @@ inline void World::push_along_normal(std::size_t contact, double size) {
 inline Vec3<double> World::relative_turn(std::size_t contact) const {
   const auto [i, j] = contacts.pairs[contact];
   return state.angular_velocity->vector(j) - state.angular_velocity->vector(i);
+}
+
+inline Vec3<double> World::yield(std::uint32_t body, const Vec3<double>& torque) const {
+  if (bodies.inverse_inertia[body].isZero(0)) return Vec3<double>::Zero();
+  const Eigen::Quaterniond q = state.orientation_of(body);
+  return q * Vec3<double>((q.conjugate() * torque).cwiseProduct(bodies.inverse_inertia[body]));
 }
 
 inline void World::push(std::size_t contact, const Vec3<double>& force, const Levers& levers) {

@@ -53,7 +53,7 @@ void add_contacts(World& world, const Plan& plan) {
   if (plan.needs.patch) {
     contacts.volume = pair("volume", "patch", 1);
     contacts.area = pair("area", "patch", 1);
-    contacts.patch_radius = pair("patch_radius", "patch", 1);
+    contacts.patch_arms = pair("patch_arms", "patch", 9);
     contacts.area_moment = pair("area_moment", "patch", 3);
     contacts.patch_tolerance = plan.want.patch_tolerance;
   }

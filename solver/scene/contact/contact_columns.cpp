@@ -20,12 +20,6 @@ Vec3<double> arm_of(const World& world, Index i, const Vec3<double>& point, cons
   return (point - world.state.position->vector(i)).cross(normal);
 }
 
-/// The inverse inertia, world axes, times an arm.
-Vec3<double> yield_of(const World& world, Index i, const Vec3<double>& arm) {
-  const Eigen::Quaterniond q = world.state.orientation_of(i);
-  return q * Vec3<double>((q.conjugate() * arm).cwiseProduct(world.bodies.inverse_inertia[i]));
-}
-
 /// The arms of the normal, and the mass that it feels: 1 / mass and what turning adds to it, of both bodies.
 void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
   Contacts& contacts = world.contacts;
@@ -38,8 +32,7 @@ void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
     contacts.arm1->vector(c) = arm1;
     contacts.arm2->vector(c) = arm2;
     if (contacts.yield1 != nullptr) {
-      const Vec3<double> yield1 = yield_of(world, i, arm1);
-      const Vec3<double> yield2 = is_wall ? Vec3<double>::Zero() : yield_of(world, j, arm2);
+      const Vec3<double> yield1 = world.yield(i, arm1), yield2 = world.yield(j, arm2);
       contacts.yield1->vector(c) = yield1;
       contacts.yield2->vector(c) = yield2;
       inverse_mass += arm1.dot(yield1) + arm2.dot(yield2);
@@ -89,10 +82,12 @@ void straighten(const World& world, Index i, Index j, Contact<double>& answer) {
   answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
 }
 
-/// With the second moments S of the volume, across the normal n: tr S - n'Sn.
-double radius_of(const Patch& patch) {
-  const Vec3<double> along = patch.axes.transpose() * patch.normal;
-  return std::sqrt(patch.second_moments.dot(Vec3<double>::Ones() - along.cwiseAbs2()));
+/// With a turn's w the normal velocities at both ends of an axis are +-w.arm; all ends have the patch's mean square of them.
+Eigen::Matrix3d arms_of(const Patch& patch) {
+  Eigen::Matrix3d arms;
+  for (int k = 0; k < 3; ++k)
+    arms.col(k) = std::sqrt(patch.second_moments[k]) * Vec3<double>(patch.axes.col(k)).cross(patch.normal);
+  return arms;
 }
 
 /// The patch's columns; normal and point become its own, which no face makes jump. A body within another has no area, and so no force.
@@ -109,7 +104,8 @@ bool keep_patch(World& world, std::size_t c, Contact<double>& answer, const Find
   const bool has_area = patch.area > 0 && patch.normal.allFinite();
   (*contacts.volume)[c] = patch.volume > 0 ? patch.volume : 0;
   (*contacts.area)[c] = has_area ? patch.area : 0;
-  (*contacts.patch_radius)[c] = has_area ? radius_of(patch) : 0;
+  Eigen::Map<Eigen::Matrix3d>(contacts.patch_arms->entry(c).data()) =
+      has_area ? arms_of(patch) : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
   contacts.area_moment->vector(c) = has_area && !has_ball ? patch.area_moment : Vec3<double>(Vec3<double>::Zero());
   if (!has_area) return true;
   answer.normal = patch.normal;

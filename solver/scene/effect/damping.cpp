@@ -36,23 +36,53 @@ double steps_of(Sample& sample) {
   return here + (sample.phase == is_counted ? sample.overlap / sample.way_on : 0.5);
 }
 
-/// v = v_ahead - dt/2 w c v, v_ahead the velocity to which all forces but the dashpots' lead and w the inverse mass. The dashpots' forces
-/// act when all are known.
-void damp(double factor, Column& phases, Column& forces, World& world) {
+/// v = v_ahead - dt/2 w c v, v_ahead the velocity to which all forces but the dashpots' lead and w the inverse mass.
+double damped(double ahead, double half_step, double inverse_mass, double viscous) {
+  return ahead / (1 + half_step * inverse_mass * viscous);
+}
+
+/// The couple on body 2 of dashpots all over a patch, against its tilting: along each axis a turn has a velocity of its own.
+Vec3<double> couple_of(const World& world, std::size_t c, double viscous) {
+  const auto [i, j] = world.contacts.pairs[c];
+  const double half_step = world.time_step / 2;
+  const Vec3<double> ahead = world.relative_turn(c) + half_step * (world.yield(j, world.state.torque->vector(j)) -
+                                                                   world.yield(i, world.state.torque->vector(i)));
+  const Eigen::Map<const Eigen::Matrix3d> arms(world.contacts.patch_arms->entry(c).data());
+  Vec3<double> couple = Vec3<double>::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<double> arm = arms.col(k);
+    const double inverse_mass = arm.dot(world.yield(i, arm) + world.yield(j, arm));
+    couple -= viscous * damped(arm.dot(ahead), half_step, inverse_mass, viscous) * arm;
+  }
+  return couple;
+}
+
+/// What the dashpots do.
+struct Damped {
+  Column& phases;
+  Column& forces;
+  Column* couples;  ///< nullptr where there is no patch, or nothing turns
+};
+
+/// The dashpots' forces act when all are known.
+void damp(double factor, const Damped& out, World& world) {
   const Contacts& contacts = world.contacts;
   const double step = world.time_step;
   for (const std::uint32_t c : contacts.pressing) {
     const double inverse_mass = (*contacts.inverse_mass)[c];
     const double viscous = factor * std::sqrt((*contacts.stiffness)[c] / inverse_mass);
     const double before = world.normal_velocity(c), ahead = before + step / 2 * world.normal_acceleration(c);
-    const double now = ahead / (1 + step / 2 * inverse_mass * viscous);
-    Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(phases[c])};
-    forces[c] = -viscous * now * steps_of(sample);
-    phases[c] = sample.phase;
+    const double now = damped(ahead, step / 2, inverse_mass, viscous);
+    Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(out.phases[c])};
+    const double steps = steps_of(sample);
+    out.forces[c] = -viscous * now * steps;
+    if (out.couples != nullptr) out.couples->vector(c) = steps * couple_of(world, c, viscous);
+    out.phases[c] = sample.phase;
   }
   for (const std::uint32_t c : contacts.pressing) {
-    (*contacts.normal_force)[c] += forces[c];
-    world.push_along_normal(c, forces[c]);
+    (*contacts.normal_force)[c] += out.forces[c];
+    world.push_along_normal(c, out.forces[c]);
+    if (out.couples != nullptr) world.turn(c, out.couples->vector(c));
   }
 }
 
@@ -73,8 +103,10 @@ void install(const Damping& damping, World& world) {
   const double factor = 2 * damping_ratio(damping.restitution) * world.contacts.damping_factor;
   Column& phases = world.columns.add("damping_phase", Damping::name, history(1));
   Column& forces = world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1});
+  const bool tilts = world.contacts.patch_arms != nullptr && world.has_turning();
+  Column* couples = tilts ? &world.columns.add("damping_couple", Damping::name, {ColumnKind::pair, 3}) : nullptr;
   world.closing_passes.push_back(
-      {Damping::name, [factor, &phases, &forces, &world] { damp(factor, phases, forces, world); }});
+      {Damping::name, [factor, out = Damped{phases, forces, couples}, &world] { damp(factor, out, world); }});
 }
 
 }  // namespace plumb::scene

@@ -3,6 +3,8 @@
 // beta' = beta for the linear force, sqrt(5/6) beta for Hertz's, beta = -ln e / sqrt(pi^2 + ln^2 e); stiffness is the elastic
 // force's slope and mass the one that the contact feels along its normal, turning included, so that e is that of the
 // normal velocity at the contact, also off centre (linear: exact; Hertz: Antypov & Elliott 2011, EPL 94, 50004).
+// Of a patch (volume, foundation) the dashpots are spread as its volume is: tilting by w turns each axis's ends by +-w.arm along the
+// normal, and the couple -viscous sum (w.arm) arm resists it. At the centre alone they would let a die rock from edge to edge for seconds.
 // The force may pull at the end of a collision: it is what makes e exact.
 // Dashpots act from the first moment of a contact with all their force, and a leapfrog that takes it for whole steps errs by a tenth
 // of e at 30 steps a collision. Here the first and the last kick count the part of their steps that the bodies touch, and the

@@ -39,7 +39,7 @@ void turn(const Friction& friction, Column& angles, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
-    const double radius = (*contacts.patch_radius)[c], square = radius * radius;
+    const double radius = contacts.patch_radius(c), square = radius * radius;
     const StickSlip slip = law_of(friction, contacts, c);
     const StickSlip law{slip.stiffness * square, slip.viscous * square, slip.limit * radius};
     angles.vector(c) = normal.dot(angles.vector(c)) * normal;
@@ -54,7 +54,7 @@ double stored(const Friction& friction, const Column& springs, const Column* ang
     const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
     sum += stiffness * springs.vector(c).squaredNorm() / 2;
     if (angles == nullptr) continue;
-    const double radius = (*contacts.patch_radius)[c];
+    const double radius = contacts.patch_radius(c);
     sum += stiffness * radius * radius * angles->vector(c).squaredNorm() / 2;
   }
   return sum;
@@ -78,7 +78,7 @@ void install(const Friction& friction, World& world) {
   Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
   world.contact_passes.push_back({Friction::name, [friction, &springs, &world] { slide(friction, springs, world); }});
   Column* angles = nullptr;
-  if (world.contacts.patch_radius != nullptr) {
+  if (world.contacts.patch_arms != nullptr) {
     angles = &world.columns.add("friction_angle", Friction::name, history(3));
     world.contact_passes.push_back({Friction::name, [friction, angles, &world] { turn(friction, *angles, world); }});
   }

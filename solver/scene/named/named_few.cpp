@@ -31,6 +31,23 @@ Scene rolling(int /*bodies*/) {
   return scene;
 }
 
+// It slides at first, until friction has turned it: a contact as long as the rod, that does not move to one of its ends.
+Scene rod(int /*bodies*/) {
+  constexpr double radius = 0.01;
+  Scene scene;
+  scene.name = "rod";
+  scene.bodies = {body_at({0, 0, radius + 1e-5}, {{radius, radius, 0.04}, 8, 2}, 1000)};
+  scene.bodies[0].body.quaternion = {1, 1, 0, 0};  // its axis along y
+  scene.bodies[0].velocity = {0.3, 0, 0};
+  scene.walls = {{Vec3<double>::Zero(), Vec3<double>::UnitZ(), {}}};
+  scene.effects = under_gravity();
+  scene.effects.foundation = Foundation{3e7};
+  scene.effects.damping = Damping{0.3};
+  scene.effects.friction = Friction{.coefficient = 0.5, .damping = 0.3};
+  run_for(scene, 0.5, 1e-2);
+  return scene;
+}
+
 Scene needle(int /*bodies*/) {
   Scene scene;
   scene.name = "needle";

@@ -10,6 +10,7 @@ namespace plumb::scene::named {
 
 [[nodiscard]] Scene impact(int bodies);
 [[nodiscard]] Scene rolling(int bodies);
+[[nodiscard]] Scene rod(int bodies);
 [[nodiscard]] Scene needle(int bodies);
 [[nodiscard]] Scene chain(int bodies);
 [[nodiscard]] Scene billiards(int bodies);
@@ -17,6 +18,7 @@ namespace plumb::scene::named {
 [[nodiscard]] Scene hopper(int bodies);
 [[nodiscard]] Scene dice(int bodies);
 [[nodiscard]] Scene tower(int bodies);
+[[nodiscard]] Scene wall(int bodies);
 
 inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 
