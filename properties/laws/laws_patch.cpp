@@ -129,11 +129,7 @@ Finding has_the_gradient(const PatchEvidence& e) {
   return compared(FindingKind::misaligned, worst, allowed, "area vector and moment against the volume's differences");
 }
 
-Finding is_within_bounds(const PatchEvidence& e) {
-  const int level = 3;
-  const Contact<double> contact = find_method("auto")->solve(e.pair, {}, nullptr);
-  const reference::LensBounds bounds = reference::bound_lens(e.pair, contact, level, e.patch.axes);
-  if (!std::isfinite(bounds.volume_upper)) return {};
+Finding within(const reference::LensBounds& bounds, const PatchEvidence& e) {
   const double slack = slack_of(e.patch, e.tolerance), width = width_of(e.patch);
   const double off_volume = std::max(bounds.volume_lower - e.patch.volume, e.patch.volume - bounds.volume_upper);
   const Vec3<double> off_centre = (bounds.centre_lower - e.patch.centre).cwiseMax(e.patch.centre - bounds.centre_upper);
@@ -149,9 +145,30 @@ Finding is_within_bounds(const PatchEvidence& e) {
   return compared(FindingKind::point_error, off_moments.maxCoeff(), 4 * slack, "second moments off their bounds");
 }
 
+Finding is_within_bounds(const PatchEvidence& e) {
+  return against_bounds(e).finding;
+}
+
+/// The largest component of the area vector.
+Finding has_its_area(const PatchEvidence& e) {
+  const int level = 2;
+  const double share =
+      0.5;  // of the lens's thickness: less, and the bounds of volumes are too wide for it; more, and the volume is curved
+  Eigen::Index axis = 0;
+  const Vec3<double> vector = area_vector(e.patch);
+  if (!(vector.cwiseAbs().maxCoeff(&axis) > 0)) return {};
+  const double shift = share * e.patch.volume / area_scale(e.patch);
+  const Contact<double> contact = find_method("auto")->solve(e.pair, {}, nullptr);
+  const reference::AreaBounds bounds = reference::bound_area(e.pair, contact, static_cast<int>(axis), shift, level);
+  const double off = std::max(bounds.lower - vector[axis], vector[axis] - bounds.upper);
+  return compared(FindingKind::overlap_error, std::isnan(off) ? 0 : off,
+                  slack_of(e.patch, e.tolerance) * area_scale(e.patch), "area off its bounds");
+}
+
 constexpr std::array all_patch_laws{
     PatchLaw{"patch", "numbers, positive where they must be, on orthonormal axes", is_a_patch},
     PatchLaw{"bounds", "volume and centre lie within the certified bounds", is_within_bounds},
+    PatchLaw{"area", "the area lies within the certified bounds", has_its_area},
     PatchLaw{"error", "a hundred times the accuracy moves it by no more than its error", has_its_error},
     PatchLaw{"exchange", "(B, A) has the patch of (A, B), its normal and moment reversed", is_exchanged},
     PatchLaw{"motion", "a rigid motion moves it along", moves_along},
@@ -173,6 +190,13 @@ Finding judge_patch(const PatchEvidence& evidence) {
     return found;
   }
   return {};
+}
+
+BoundsSaid against_bounds(const PatchEvidence& evidence, int level) {
+  const Contact<double> contact = find_method("auto")->solve(evidence.pair, {}, nullptr);
+  const reference::LensBounds bounds = reference::bound_lens(evidence.pair, contact, level, evidence.patch.axes);
+  if (!std::isfinite(bounds.volume_upper)) return {};
+  return {within(bounds, evidence), (bounds.volume_upper - bounds.volume_lower) / evidence.patch.volume};
 }
 
 double difference(const Patch& a, const Patch& b, int side) {
