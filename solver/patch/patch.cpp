@@ -23,7 +23,7 @@ struct NewtonsEnd {
   double step, error;
 
   [[nodiscard]] static NewtonsEnd of(double tolerance, double rounding) {
-    const double share = 0.03, curving = 10;
+    const double share = 0.01, curving = 10;
     const double step = std::max(share * std::sqrt(tolerance), rounding);
     return {step, curving * step * step};
   }
