@@ -167,13 +167,14 @@ Finding has_its_area(const PatchEvidence& e) {
 
 constexpr std::array all_patch_laws{
     PatchLaw{"patch", "numbers, positive where they must be, on orthonormal axes", is_a_patch},
-    PatchLaw{"bounds", "volume and centre lie within the certified bounds", is_within_bounds},
-    PatchLaw{"area", "the area lies within the certified bounds", has_its_area},
+    PatchLaw{"bounds", "volume and centre lie within the certified bounds", is_within_bounds, false},
+    PatchLaw{"area", "the area lies within the certified bounds", has_its_area, false},
     PatchLaw{"error", "a hundred times the accuracy moves it by no more than its error", has_its_error},
     PatchLaw{"exchange", "(B, A) has the patch of (A, B), its normal and moment reversed", is_exchanged},
     PatchLaw{"motion", "a rigid motion moves it along", moves_along},
     PatchLaw{"unit", "a unit that is a power of two changes no bit", keeps_its_bits},
-    PatchLaw{"gradient", "the volume's derivatives by the pose are minus area vector and moment", has_the_gradient},
+    PatchLaw{"gradient", "the volume's derivatives by the pose are minus area vector and moment", has_the_gradient,
+             false},
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ struct PatchLaw {
   std::string_view name;
   std::string_view statement;
   Finding (*check)(const PatchEvidence&);
+  bool is_cheap = true;  ///< no proof, and no more than one other patch
 };
 [[nodiscard]] std::span<const PatchLaw> patch_laws();
 
