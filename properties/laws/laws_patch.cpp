@@ -27,8 +27,10 @@ Vec3<double> area_vector(const Patch& patch) {
   return patch.normal.allFinite() ? Vec3<double>(patch.area * patch.normal) : Vec3<double>::Zero();
 }
 
-Mat3<double> spread_of(const Patch& patch) {
-  return patch.axes * patch.second_moments.asDiagonal() * patch.axes.transpose();
+/// Second moments where `to_widths` takes a patch's widths to 1: from roots, for squares lose the thickness of a thin lens.
+Mat3<double> spread_in(const Mat3<double>& to_widths, const Patch& patch) {
+  const Mat3<double> roots = to_widths * patch.axes * patch.second_moments.cwiseSqrt().asDiagonal();
+  return roots * roots.transpose();
 }
 
 /// What a patch may be off: what it says, and as much as was allowed.
@@ -204,11 +206,10 @@ double difference(const Patch& a, const Patch& b, int side) {
   const double width = width_of(b), area = area_scale(b), rounding = 4 * epsilon<double>() * b.centre.norm();
   const Vec3<double> widths = b.second_moments.cwiseSqrt().array() + rounding;
   const Mat3<double> to_widths = widths.cwiseInverse().asDiagonal() * b.axes.transpose();
-  const std::array parts{std::abs(a.volume - b.volume) / b.volume,
-                         (side * area_vector(a) - area_vector(b)).norm() / area,
-                         (to_widths * (a.centre - b.centre)).norm(),
-                         (to_widths * (spread_of(a) - spread_of(b)) * to_widths.transpose()).norm(),
-                         (side * a.area_moment - b.area_moment).norm() / (area * width)};
+  const std::array parts{
+      std::abs(a.volume - b.volume) / b.volume, (side * area_vector(a) - area_vector(b)).norm() / area,
+      (to_widths * (a.centre - b.centre)).norm(), (spread_in(to_widths, a) - spread_in(to_widths, b)).norm(),
+      (side * a.area_moment - b.area_moment).norm() / (area * width)};
   double worst = 0;
   for (const double part : parts) worst = part <= worst ? worst : part;  // NaN is the worst
   return worst;

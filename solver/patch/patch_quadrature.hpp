@@ -29,63 +29,84 @@ class CapQuadrature {
       : frame_(frame), caps_(lens, frame, newton_step, tolerance), tolerance_(tolerance), azimuths_(azimuths) {}
 
   /// By the first of the rules with n, m, .. points a fan that differs from the next by little enough. Nothing where the lens has not
-  /// two caps, for which the first levels look.
+  /// two caps, for which the first rule looks.
   template <std::size_t n, std::size_t m, std::size_t... more>
   [[nodiscard]] std::optional<Quadrature> moments() {
-    const double share = 0.5;  // of the tolerance, left to the fans
-    LensMoments coarse, fine;
-    if (!add_few<n>(coarse) || !add_few<m>(fine)) return {};
-    const double missed = 3;  // at other azimuths than those looked at: 2.4 at most in 80 000 ellipsoids
-    const double radial = missed * difference(coarse, fine, frame_);
-    if constexpr (sizeof...(more) > 0)
-      if (radial > share * tolerance_) return moments<m, more...>();
-    auto out = by_azimuths<n>(tolerance_ - radial);
-    if (out) out->error += radial;
-    return out;
+    FirstLevels coarse, fine;
+    if (!find_first_rims() || !add_first<n>(coarse, true) || !add_first<m>(fine, false)) return {};
+    return by_fans<n, m, more...>(coarse, fine);
   }
 
  private:
-  static constexpr int first_count = 4;
-  static constexpr double first_azimuth = 0.4;  // of no symmetry: corners are often at multiples of 45 degrees
+  static constexpr int first_count = 4, second_count = 2 * first_count;
 
-  template <std::size_t n>
-  [[nodiscard]] bool add_fan(LensMoments& sum, double azimuth, bool is_checked) {
-    const RimPoint rim = caps_.rim(azimuth);
-    return rim.is_found && caps_.add<n>(sum, rim, 2 * std::numbers::pi, is_checked);
+  /// Sums over the azimuths of the first level, and of the second.
+  struct FirstLevels {
+    LensMoments first, second;
+  };
+
+  [[nodiscard]] static double azimuth(int k, int count) {
+    const double start = 0.4;  // of no symmetry: corners are often at multiples of 45 degrees
+    return start + 2 * std::numbers::pi * k / count;
   }
-  /// Four azimuths, what the fans are judged by. No two are opposite, where a lens is much the same.
-  template <std::size_t n>
-  [[nodiscard]] bool add_few(LensMoments& sum) {
-    const double step = 2 * std::numbers::pi * 3 / 8;
-    for (int k = 0; k < 4; ++k)
-      if (!add_fan<n>(sum, first_azimuth + k * step, false)) return false;
+  /// Those of the first level, then those that the second adds.
+  [[nodiscard]] bool find_first_rims() {
+    for (int i = 0; i < second_count; ++i) {
+      RimPoint& rim = first_rims_[static_cast<std::size_t>(i)];
+      rim = caps_.rim(i < first_count ? azimuth(i, first_count) : azimuth(2 * (i - first_count) + 1, second_count));
+      if (!rim.is_found) return false;
+    }
     return true;
   }
-  /// Adds azimuth k of `count`; beyond the first level only those that the level before has not.
   template <std::size_t n>
-  [[nodiscard]] bool add_level(LensMoments& sum, int count, bool is_checked) {
-    const int step = count == first_count ? 1 : 2;
-    for (int k = step - 1; k < count; k += step)
-      if (!add_fan<n>(sum, first_azimuth + 2 * std::numbers::pi * k / count, is_checked)) return false;
+  [[nodiscard]] bool add_first(FirstLevels& sums, bool is_checked) const {
+    LensMoments sum;
+    for (std::size_t i = 0; i < second_count; ++i) {
+      if (i == first_count) sums.first = sum;
+      if (!caps_.add<n>(sum, first_rims_[i], 2 * std::numbers::pi, is_checked)) return false;
+    }
+    sums.second = sum;
     return true;
+  }
+  template <std::size_t n, std::size_t m, std::size_t... more>
+  [[nodiscard]] std::optional<Quadrature> by_fans(const FirstLevels& coarse, const FirstLevels& fine) {
+    const double share = 0.5;  // of the tolerance, left to the fans
+    const double missed = 3;   // at other azimuths than those looked at
+    const double radial = missed * difference(coarse.second, fine.second, frame_);
+    if constexpr (sizeof...(more) > 0)
+      if (radial > share * tolerance_) return by_finer_fans<m, more...>(fine);
+    auto out = by_azimuths<n>(coarse, tolerance_ - radial);
+    if (out) out->error += radial;
+    return out;
+  }
+  template <std::size_t m, std::size_t k, std::size_t... more>
+  [[nodiscard]] std::optional<Quadrature> by_finer_fans(const FirstLevels& fine) {
+    FirstLevels finer;
+    if (!add_first<k>(finer, false)) return {};
+    return by_fans<m, k, more...>(fine, finer);
   }
   /// The trapezoidal rule over the azimuth with n points a fan, doubled until `tolerance`.
   template <std::size_t n>
-  [[nodiscard]] std::optional<Quadrature> by_azimuths(double tolerance) {
-    const int most = 256, last_checked = 8;
+  [[nodiscard]] std::optional<Quadrature> by_azimuths(const FirstLevels& first, double tolerance) {
+    const int most = 256;
     Refinement levels(azimuths_.convergence);
-    LensMoments sum;
+    levels.add(first.first.scaled(1.0 / first_count), frame_);
+    LensMoments sum = first.second;
     Quadrature out;
-    for (int count = first_count; count <= most && out.error > tolerance; count *= 2) {
-      if (!add_level<n>(sum, count, count <= last_checked)) return {};
+    for (int count = second_count;; count *= 2) {
       levels.add(sum.scaled(1.0 / count), frame_);
       if (count >= azimuths_.least) out = {levels.finest(), levels.error() + closure_error(levels.finest(), frame_)};
+      if (count == most || out.error <= tolerance) return out;
+      for (int k = 1; k < 2 * count; k += 2) {
+        const RimPoint rim = caps_.rim(azimuth(k, 2 * count));
+        if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, false)) return {};
+      }
     }
-    return out;
   }
 
   const LensFrame& frame_;
   Caps caps_;
+  std::array<RimPoint, second_count> first_rims_;
   double tolerance_;
   const Azimuths& azimuths_;
 };

@@ -55,6 +55,7 @@ TEST_P(PatchLadders, KeepTheLaws) {
       const Pair pair = GetParam().pair(exponent, tilt);
       const Patch patch = patch_on(pair, asked_of_ladders);
       ASSERT_TRUE(std::isfinite(patch.error)) << exponent << ' ' << tilt;
+      ASSERT_GT(patch.volume, 0) << exponent << ' ' << tilt;
       EXPECT_EQ(said_of(pair, patch), "") << exponent << ' ' << tilt;
     }
 }

@@ -56,15 +56,20 @@ namespace patch_ladder {
 [[nodiscard]] inline Pair face_on_face(double exponent, double tilt) {
   return on_a_die({1, 1, 1}, exponent, {0, 0, 1.99}, tilt);
 }
+/// How high the die's surface is above a point of its plane of symmetry.
+[[nodiscard]] inline double height_of_die(double exponent, double x, double y) {
+  return std::pow(1 - std::pow(x, exponent) - std::pow(y, exponent), 1 / exponent);
+}
+/// Dice that share a quarter of a face.
 [[nodiscard]] inline Pair offset_faces(double exponent, double tilt) {
-  Pair out = on_a_die({1, 1, 1}, exponent, {0, 0, 0}, tilt);
-  const double reach =
-      2 * std::pow(2.0, -1 / exponent);  // of two corners: the faces share a quarter at the highest exponents
-  out.body2.position = {reach / 2, reach / 2, 1.9};
-  return out;
+  const double aside = 0.9 * std::pow(2.0, -1 / exponent);  // 0.9 of the way to the middle between edges
+  const double apart = 2 * height_of_die(exponent, aside / 2, aside / 2) - 0.05;
+  return on_a_die({1, 1, 1}, exponent, {aside, aside, apart}, tilt);
 }
 [[nodiscard]] inline Pair small_face(double exponent, double tilt) {
-  return on_a_die({0.1, 0.1, 0.1}, exponent, {0.3, 0.2, 1.09}, tilt);
+  const double radius = 0.1;
+  const double apart = height_of_die(exponent, 0.3, 0.2) + 0.9 * radius;
+  return on_a_die({radius, radius, radius}, exponent, {0.3, 0.2, apart}, tilt);
 }
 /// Body 1 on its edge along y: its axes x and z turned by 45 degrees.
 [[nodiscard]] inline Pair edge_on_face(double exponent, double tilt) {
