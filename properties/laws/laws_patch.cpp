@@ -44,6 +44,11 @@ Finding compared(FindingKind kind, double error, double allowed, const char* wha
   return {kind, severity, {}, fmt::format("{}: {:.3g}, allowed {:.3g}", what, error, allowed)};
 }
 
+/// Two patches, by a relative difference. What says of itself that no digit of it is right, or that there is none, is not contradicted.
+Finding differing(FindingKind kind, double error, double allowed, const char* what) {
+  return allowed < 1 ? compared(kind, error, allowed, what) : Finding{};
+}
+
 Finding is_a_patch(const PatchEvidence& e) {
   const Patch& p = e.patch;
   const bool are_numbers = std::isfinite(p.volume) && std::isfinite(p.area) && std::isfinite(p.error) &&
@@ -64,15 +69,15 @@ Finding is_a_patch(const PatchEvidence& e) {
 Finding has_its_error(const PatchEvidence& e) {
   const double finer = 1e-2 * e.tolerance;
   const Patch fine = e.solve(e.pair, finer);
-  return compared(FindingKind::overlap_error, difference(e.patch, fine),
-                  slack_of(e.patch, e.tolerance) + slack_of(fine, finer), "difference from a finer patch");
+  return differing(FindingKind::overlap_error, difference(e.patch, fine),
+                   slack_of(e.patch, e.tolerance) + slack_of(fine, finer), "difference from a finer patch");
 }
 
 Finding is_exchanged(const PatchEvidence& e) {
   const Patch other = e.solve(swapped(e.pair), e.tolerance);
-  return compared(FindingKind::asymmetric, difference(other, e.patch, -1),
-                  slack_of(e.patch, e.tolerance) + slack_of(other, e.tolerance),
-                  "difference from the exchanged pair's");
+  return differing(FindingKind::asymmetric, difference(other, e.patch, -1),
+                   slack_of(e.patch, e.tolerance) + slack_of(other, e.tolerance),
+                   "difference from the exchanged pair's");
 }
 
 Finding keeps_its_bits(const PatchEvidence& e) {
@@ -97,8 +102,8 @@ Finding moves_along(const PatchEvidence& e) {
   want.normal = turned(want.normal), want.centre = turned(want.centre), want.area_moment = turned(want.area_moment);
   for (int k = 0; k < 3; ++k) want.axes.col(k) = turned(e.patch.axes.col(k));
   const Patch got = e.solve(moved, e.tolerance);
-  return compared(FindingKind::asymmetric, difference(got, want),
-                  slack_of(e.patch, e.tolerance) + slack_of(got, e.tolerance), "difference from the turned pair's");
+  return differing(FindingKind::asymmetric, difference(got, want),
+                   slack_of(e.patch, e.tolerance) + slack_of(got, e.tolerance), "difference from the turned pair's");
 }
 
 /// The volume's central difference as body 2 is moved forwards and backwards.

@@ -29,11 +29,11 @@ class CapQuadrature {
       : frame_(frame), caps_(lens, frame, newton_step, tolerance), tolerance_(tolerance), azimuths_(azimuths) {}
 
   /// By the first of the rules with n, m, .. points a fan that differs from the next by little enough. Nothing where the lens has not
-  /// two caps, for which the first rule looks.
+  /// two caps, for which the first levels look: a rule with few points overlooks what comes out between them.
   template <std::size_t n, std::size_t m, std::size_t... more>
   [[nodiscard]] std::optional<Quadrature> moments() {
     FirstLevels coarse, fine;
-    if (!find_first_rims() || !add_first<n>(coarse, true) || !add_first<m>(fine, false)) return {};
+    if (!find_first_rims() || !add_first<n>(coarse) || !add_first<m>(fine)) return {};
     return by_fans<n, m, more...>(coarse, fine);
   }
 
@@ -59,11 +59,11 @@ class CapQuadrature {
     return true;
   }
   template <std::size_t n>
-  [[nodiscard]] bool add_first(FirstLevels& sums, bool is_checked) const {
+  [[nodiscard]] bool add_first(FirstLevels& sums) const {
     LensMoments sum;
     for (std::size_t i = 0; i < second_count; ++i) {
       if (i == first_count) sums.first = sum;
-      if (!caps_.add<n>(sum, first_rims_[i], 2 * std::numbers::pi, is_checked)) return false;
+      if (!caps_.add<n>(sum, first_rims_[i], 2 * std::numbers::pi, true)) return false;
     }
     sums.second = sum;
     return true;
@@ -82,13 +82,13 @@ class CapQuadrature {
   template <std::size_t m, std::size_t k, std::size_t... more>
   [[nodiscard]] std::optional<Quadrature> by_finer_fans(const FirstLevels& fine) {
     FirstLevels finer;
-    if (!add_first<k>(finer, false)) return {};
+    if (!add_first<k>(finer)) return {};
     return by_fans<m, k, more...>(fine, finer);
   }
   /// The trapezoidal rule over the azimuth with n points a fan, doubled until `tolerance`.
   template <std::size_t n>
   [[nodiscard]] std::optional<Quadrature> by_azimuths(const FirstLevels& first, double tolerance) {
-    const int most = 256;
+    const int most = 256, last_checked = 16;
     Refinement levels(azimuths_.convergence);
     levels.add(first.first.scaled(1.0 / first_count), frame_);
     LensMoments sum = first.second;
@@ -99,7 +99,7 @@ class CapQuadrature {
       if (count == most || out.error <= tolerance) return out;
       for (int k = 1; k < 2 * count; k += 2) {
         const RimPoint rim = caps_.rim(azimuth(k, 2 * count));
-        if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, false)) return {};
+        if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, 2 * count <= last_checked)) return {};
       }
     }
   }
