@@ -1,5 +1,8 @@
-// Bytes -> contact -> the pair around it -> its patch -> the cheap laws of patches. Layout contact-1.
+// Bytes -> contact -> the pair around it -> its patch -> the cheap laws of patches; what they suspect goes to the certified bounds, for an
+// error is an estimate. Layout contact-1.
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "fuzz/layouts/decode_contact.hpp"
 #include "fuzz/layouts/mutate.hpp"
@@ -32,6 +35,14 @@ Finding worst_finding(const PatchEvidence& evidence) {
   return worst;
 }
 
+/// No proof is asked where it is no matter of more or less.
+Finding judged(const Finding& suspected, const PatchEvidence& evidence) {
+  if (!std::isfinite(suspected.severity)) return suspected;
+  Finding out = against_bounds(evidence).finding;
+  out.law = "bounds";
+  return out;
+}
+
 }  // namespace
 
 Outcome examine(std::span<const std::uint8_t> bytes) {
@@ -41,9 +52,14 @@ Outcome examine(std::span<const std::uint8_t> bytes) {
   light(answer);
   if (!answer.patch || !(answer.patch->volume > 0) || !has_volumes(built.pair)) return {false, "no patch"};
   const auto solve = [](const Pair& pair, double to) { return with_patch(pair, to).patch.value_or(Patch{}); };
-  const Finding finding = worst_finding({built.pair, *answer.patch, tolerance, solve});
-  light(Thermometer::severity, finding.severity, 1e-3);
-  if (finding.kind == FindingKind::none) return {false, "no law of patches broken"};
+  const PatchEvidence evidence{built.pair, *answer.patch, tolerance, solve};
+  const Finding suspected = worst_finding(evidence);
+  light(Thermometer::severity, suspected.severity, 1e-3);
+  if (suspected.kind == FindingKind::none) return {false, "none suspected"};
+  const Finding finding = judged(suspected, evidence);
+  if (finding.kind == FindingKind::none)
+    return {false, fmt::format("suspected by law '{}', severity {:.3g}, and within the bounds", suspected.law,
+                               suspected.severity)};
   const bool stop = target_settings().rule.stops(finding);
   if (stop)
     keep_finding(contact_case(built, bytes), "fuzz-patch", "auto", finding, find_reference(built.pair, Effort::bounds));
