@@ -27,8 +27,10 @@ Vec3<double> area_vector(const Patch& patch) {
   return patch.normal.allFinite() ? Vec3<double>(patch.area * patch.normal) : Vec3<double>::Zero();
 }
 
-Mat3<double> spread_of(const Patch& patch) {
-  return patch.axes * patch.second_moments.asDiagonal() * patch.axes.transpose();
+/// Second moments where `to_widths` takes a patch's widths to 1: from roots, for squares lose the thickness of a thin lens.
+Mat3<double> spread_in(const Mat3<double>& to_widths, const Patch& patch) {
+  const Mat3<double> roots = to_widths * patch.axes * patch.second_moments.cwiseSqrt().asDiagonal();
+  return roots * roots.transpose();
 }
 
 /// What a patch may be off: what it says, and as much as was allowed.
@@ -40,6 +42,11 @@ Finding compared(FindingKind kind, double error, double allowed, const char* wha
   const double severity = std::isnan(error) ? HUGE_VAL : error / allowed;
   if (!(severity > 1)) return {};
   return {kind, severity, {}, fmt::format("{}: {:.3g}, allowed {:.3g}", what, error, allowed)};
+}
+
+/// Two patches, by a relative difference. What says of itself that no digit of it is right, or that there is none, is not contradicted.
+Finding differing(FindingKind kind, double error, double allowed, const char* what) {
+  return allowed < 1 ? compared(kind, error, allowed, what) : Finding{};
 }
 
 Finding is_a_patch(const PatchEvidence& e) {
@@ -62,15 +69,15 @@ Finding is_a_patch(const PatchEvidence& e) {
 Finding has_its_error(const PatchEvidence& e) {
   const double finer = 1e-2 * e.tolerance;
   const Patch fine = e.solve(e.pair, finer);
-  return compared(FindingKind::overlap_error, difference(e.patch, fine),
-                  slack_of(e.patch, e.tolerance) + slack_of(fine, finer), "difference from a finer patch");
+  return differing(FindingKind::overlap_error, difference(e.patch, fine),
+                   slack_of(e.patch, e.tolerance) + slack_of(fine, finer), "difference from a finer patch");
 }
 
 Finding is_exchanged(const PatchEvidence& e) {
   const Patch other = e.solve(swapped(e.pair), e.tolerance);
-  return compared(FindingKind::asymmetric, difference(other, e.patch, -1),
-                  slack_of(e.patch, e.tolerance) + slack_of(other, e.tolerance),
-                  "difference from the exchanged pair's");
+  return differing(FindingKind::asymmetric, difference(other, e.patch, -1),
+                   slack_of(e.patch, e.tolerance) + slack_of(other, e.tolerance),
+                   "difference from the exchanged pair's");
 }
 
 Finding keeps_its_bits(const PatchEvidence& e) {
@@ -95,8 +102,8 @@ Finding moves_along(const PatchEvidence& e) {
   want.normal = turned(want.normal), want.centre = turned(want.centre), want.area_moment = turned(want.area_moment);
   for (int k = 0; k < 3; ++k) want.axes.col(k) = turned(e.patch.axes.col(k));
   const Patch got = e.solve(moved, e.tolerance);
-  return compared(FindingKind::asymmetric, difference(got, want),
-                  slack_of(e.patch, e.tolerance) + slack_of(got, e.tolerance), "difference from the turned pair's");
+  return differing(FindingKind::asymmetric, difference(got, want),
+                   slack_of(e.patch, e.tolerance) + slack_of(got, e.tolerance), "difference from the turned pair's");
 }
 
 /// The volume's central difference as body 2 is moved forwards and backwards.
@@ -129,11 +136,7 @@ Finding has_the_gradient(const PatchEvidence& e) {
   return compared(FindingKind::misaligned, worst, allowed, "area vector and moment against the volume's differences");
 }
 
-Finding is_within_bounds(const PatchEvidence& e) {
-  const int level = 3;
-  const Contact<double> contact = find_method("auto")->solve(e.pair, {}, nullptr);
-  const reference::LensBounds bounds = reference::bound_lens(e.pair, contact, level, e.patch.axes);
-  if (!std::isfinite(bounds.volume_upper)) return {};
+Finding within(const reference::LensBounds& bounds, const PatchEvidence& e) {
   const double slack = slack_of(e.patch, e.tolerance), width = width_of(e.patch);
   const double off_volume = std::max(bounds.volume_lower - e.patch.volume, e.patch.volume - bounds.volume_upper);
   const Vec3<double> off_centre = (bounds.centre_lower - e.patch.centre).cwiseMax(e.patch.centre - bounds.centre_upper);
@@ -149,14 +152,36 @@ Finding is_within_bounds(const PatchEvidence& e) {
   return compared(FindingKind::point_error, off_moments.maxCoeff(), 4 * slack, "second moments off their bounds");
 }
 
+Finding is_within_bounds(const PatchEvidence& e) {
+  return against_bounds(e).finding;
+}
+
+/// The largest component of the area vector.
+Finding has_its_area(const PatchEvidence& e) {
+  const int level = 2;
+  const double share =
+      0.5;  // of the lens's thickness: less, and the bounds of volumes are too wide for it; more, and the volume is curved
+  Eigen::Index axis = 0;
+  const Vec3<double> vector = area_vector(e.patch);
+  if (!(vector.cwiseAbs().maxCoeff(&axis) > 0)) return {};
+  const double shift = share * e.patch.volume / area_scale(e.patch);
+  const Contact<double> contact = find_method("auto")->solve(e.pair, {}, nullptr);
+  const reference::AreaBounds bounds = reference::bound_area(e.pair, contact, static_cast<int>(axis), shift, level);
+  const double off = std::max(bounds.lower - vector[axis], vector[axis] - bounds.upper);
+  return compared(FindingKind::overlap_error, std::isnan(off) ? 0 : off,
+                  slack_of(e.patch, e.tolerance) * area_scale(e.patch), "area off its bounds");
+}
+
 constexpr std::array all_patch_laws{
     PatchLaw{"patch", "numbers, positive where they must be, on orthonormal axes", is_a_patch},
-    PatchLaw{"bounds", "volume and centre lie within the certified bounds", is_within_bounds},
+    PatchLaw{"bounds", "volume and centre lie within the certified bounds", is_within_bounds, false},
+    PatchLaw{"area", "the area lies within the certified bounds", has_its_area, false},
     PatchLaw{"error", "a hundred times the accuracy moves it by no more than its error", has_its_error},
     PatchLaw{"exchange", "(B, A) has the patch of (A, B), its normal and moment reversed", is_exchanged},
     PatchLaw{"motion", "a rigid motion moves it along", moves_along},
     PatchLaw{"unit", "a unit that is a power of two changes no bit", keeps_its_bits},
-    PatchLaw{"gradient", "the volume's derivatives by the pose are minus area vector and moment", has_the_gradient},
+    PatchLaw{"gradient", "the volume's derivatives by the pose are minus area vector and moment", has_the_gradient,
+             false},
 };
 
 }  // namespace
@@ -175,15 +200,21 @@ Finding judge_patch(const PatchEvidence& evidence) {
   return {};
 }
 
+BoundsSaid against_bounds(const PatchEvidence& evidence, int level) {
+  const Contact<double> contact = find_method("auto")->solve(evidence.pair, {}, nullptr);
+  const reference::LensBounds bounds = reference::bound_lens(evidence.pair, contact, level, evidence.patch.axes);
+  if (!std::isfinite(bounds.volume_upper)) return {};
+  return {within(bounds, evidence), (bounds.volume_upper - bounds.volume_lower) / evidence.patch.volume};
+}
+
 double difference(const Patch& a, const Patch& b, int side) {
   const double width = width_of(b), area = area_scale(b), rounding = 4 * epsilon<double>() * b.centre.norm();
   const Vec3<double> widths = b.second_moments.cwiseSqrt().array() + rounding;
   const Mat3<double> to_widths = widths.cwiseInverse().asDiagonal() * b.axes.transpose();
-  const std::array parts{std::abs(a.volume - b.volume) / b.volume,
-                         (side * area_vector(a) - area_vector(b)).norm() / area,
-                         (to_widths * (a.centre - b.centre)).norm(),
-                         (to_widths * (spread_of(a) - spread_of(b)) * to_widths.transpose()).norm(),
-                         (side * a.area_moment - b.area_moment).norm() / (area * width)};
+  const std::array parts{
+      std::abs(a.volume - b.volume) / b.volume, (side * area_vector(a) - area_vector(b)).norm() / area,
+      (to_widths * (a.centre - b.centre)).norm(), (spread_in(to_widths, a) - spread_in(to_widths, b)).norm(),
+      (side * a.area_moment - b.area_moment).norm() / (area * width)};
   double worst = 0;
   for (const double part : parts) worst = part <= worst ? worst : part;  // NaN is the worst
   return worst;

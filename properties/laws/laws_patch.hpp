@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -22,11 +23,20 @@ struct PatchLaw {
   std::string_view name;
   std::string_view statement;
   Finding (*check)(const PatchEvidence&);
+  bool is_cheap = true;  ///< no proof, and no more than one other patch
 };
 [[nodiscard]] std::span<const PatchLaw> patch_laws();
 
 /// The first law that is broken.
 [[nodiscard]] Finding judge_patch(const PatchEvidence& evidence);
+
+/// What the certified bounds of volume, centre and second moments say, whose polyhedra have 8 4^level triangles.
+struct BoundsSaid {
+  Finding finding;
+  double width =
+      std::numeric_limits<double>::infinity();  ///< of the volume's, over the volume; infinite where none are proved
+};
+[[nodiscard]] BoundsSaid against_bounds(const PatchEvidence& evidence, int level = 3);
 
 /// The largest relative difference of two patches, each number by what it is measured with: a volume, an area, a width. `side` -1: seen from
 /// the other body.

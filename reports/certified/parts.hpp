@@ -9,5 +9,7 @@ namespace plumb::reports {
 [[nodiscard]] int report_certify_cost(int argc, char** argv);
 /// Whether `auto` is ever wrong.
 [[nodiscard]] int report_auto(int argc, char** argv);
+/// Whether a patch is ever wrong.
+[[nodiscard]] int report_patch(int argc, char** argv);
 
 }  // namespace plumb::reports

@@ -1,4 +1,4 @@
-// plumb report-certified; by their names also plumb report-certify-cost and plumb report-auto.
+// plumb report-certified; by their names also plumb report-certify-cost, plumb report-auto and plumb report-patch.
 #include <array>
 #include <string_view>
 
@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
     int (*run)(int argc, char** argv);
   };
   using namespace plumb::reports;
-  constexpr std::array parts{Part{"report-certify-cost", report_certify_cost}, Part{"report-auto", report_auto}};
+  constexpr std::array parts{Part{"report-certify-cost", report_certify_cost}, Part{"report-auto", report_auto},
+                             Part{"report-patch", report_patch}};
   const std::string_view called = argc > 0 ? argv[0] : "";  // report-auto by plumb, .../plumb-report-auto by itself
   for (const Part& part : parts)
     if (called.ends_with(part.name)) return part.run(argc, argv);

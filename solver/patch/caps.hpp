@@ -58,7 +58,7 @@ struct RimPoint {
 class Caps {
  public:
   Caps(const Lens& lens, const LensFrame& frame, double accuracy, double tolerance)
-      : lens_(lens), frame_(frame), accuracy_(accuracy), slack_(tolerance * (1 - lens.gauge(frame.origin))) {
+      : lens_(lens), frame_(frame), accuracy_(accuracy), slack_(tolerance / 10 * (1 - lens.gauge(frame.origin))) {
     const Vec3<double> e3 = frame.axes.col(2);
     apex_[0] = frame.origin + lens.exits(frame.origin, e3, accuracy)[0].t * e3;
     apex_[1] = frame.origin - lens.exits(frame.origin, -e3, accuracy)[1].t * e3;
@@ -109,7 +109,7 @@ class Caps {
 
   const Lens& lens_;
   const LensFrame& frame_;
-  double accuracy_, slack_;  // of what sticks out by so little the volume is below the tolerance
+  double accuracy_, slack_;  // what sticks out by so little has an area below the tolerance
   std::array<Vec3<double>, 2> apex_;
   RimPoint last_;
 };

@@ -6,6 +6,9 @@
 //   cones    1/(k+3) oint f (y . dA) for f homogeneous of degree k: no normal is needed
 #pragma once
 
+#include <Eigen/Cholesky>
+#include <limits>
+
 #include "solver/patch/lens.hpp"
 
 namespace plumb::detail {
@@ -56,13 +59,17 @@ struct LensMoments {
   }
 };
 
-/// The largest relative difference of two sums over one lens, each number by what it is measured with: a volume, an area, half axes.
+/// The largest relative difference of two sums over one lens, each number by what it is measured with: a volume, an area, a width along
+/// each axis. With L L' the second moments, L^-1 takes their widths to 1.
 [[nodiscard]] inline double difference(const LensMoments& a, const LensMoments& b, const LensFrame& frame) {
   const Mat3<double> spread = b.spread();
-  const double size = spread.norm();
-  const double by_volume =
-      std::max({std::abs(b.volume - a.volume) / b.volume, (b.centre() - a.centre()).norm() / std::sqrt(size),
-                (spread - a.spread()).norm() / size});
+  const Eigen::LLT<Mat3<double>> widths(spread);
+  if (widths.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
+  const auto lower = widths.matrixL();
+  const Mat3<double> half = lower.solve(Mat3<double>(spread - a.spread()));
+  const double by_spread = lower.solve(Mat3<double>(half.transpose())).norm(),
+               by_centre = lower.solve(Vec3<double>(b.centre() - a.centre())).norm();
+  const double by_volume = std::max({std::abs(b.volume - a.volume) / b.volume, by_centre, by_spread});
   const double by_area = std::max((b.area[0] - a.area[0]).norm(), (b.moment[0] - a.moment[0]).norm() / frame.width());
   return std::max(by_volume, by_area / b.area_scale(frame));
 }

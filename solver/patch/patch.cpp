@@ -1,6 +1,7 @@
 #include "solver/patch/patch.hpp"
 
 #include "solver/patch/patch_quadrature.hpp"
+#include "solver/patch/principal_axes.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
@@ -23,7 +24,7 @@ struct NewtonsEnd {
   double step, error;
 
   [[nodiscard]] static NewtonsEnd of(double tolerance, double rounding) {
-    const double share = 0.03, curving = 10;
+    const double share = 0.01, curving = 10;
     const double step = std::max(share * std::sqrt(tolerance), rounding);
     return {step, curving * step * step};
   }
@@ -40,9 +41,7 @@ Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, d
 }
 
 /// Columns right-handed, the third on the side of `normal`, and the first's largest component positive.
-Mat3<double> oriented(const Mat3<double>& ascending, const Vec3<double>& normal) {
-  Mat3<double> axes;
-  axes << ascending.col(2), ascending.col(1), ascending.col(0);
+Mat3<double> oriented(Mat3<double> axes, const Vec3<double>& normal) {
   Eigen::Index largest = 0;
   axes.col(0).cwiseAbs().maxCoeff(&largest);
   if (axes(largest, 0) < 0) axes.col(0) *= -1;
@@ -63,15 +62,16 @@ Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair
   const auto volume = [&](double x) { return area(length(x)); };
   const detail::LensMoments& sum = found.moments;
   const Vec3<double> middle = frame.axes * sum.centre(), vector = mean_of_sides(sum.area);
-  const Eigen::SelfAdjointEigenSolver<Mat3<double>> principal(frame.axes * sum.spread() * frame.axes.transpose());
+  const Eigen::LLT<Mat3<double>> root(sum.spread());
+  const detail::PrincipalAxes principal = detail::principal_axes(frame.axes * Mat3<double>(root.matrixL()));
   const double size = vector.norm();
   out.volume = volume(sum.volume);
   out.area = area(size);
   if (size > found.error * sum.area_scale(frame)) out.normal = vector / size;
   out.centre = placed.to_world_point(frame.origin + middle, pair);
   out.area_moment = (mean_of_sides(sum.moment) - middle.cross(vector)).unaryExpr(volume);
-  out.second_moments = principal.eigenvalues().reverse().cwiseMax(0).unaryExpr(area);
-  out.axes = oriented(principal.eigenvectors(), out.normal);
+  out.second_moments = principal.lengths.cwiseAbs2().unaryExpr(area);
+  out.axes = oriented(principal.axes, out.normal);
   return out;
 }
 

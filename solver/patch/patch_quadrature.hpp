@@ -29,52 +29,84 @@ class CapQuadrature {
       : frame_(frame), caps_(lens, frame, newton_step, tolerance), tolerance_(tolerance), azimuths_(azimuths) {}
 
   /// By the first of the rules with n, m, .. points a fan that differs from the next by little enough. Nothing where the lens has not
-  /// two caps, for which the first levels look.
+  /// two caps, for which the first levels look: a rule with few points overlooks what comes out between them.
   template <std::size_t n, std::size_t m, std::size_t... more>
   [[nodiscard]] std::optional<Quadrature> moments() {
-    const double share = 0.5;  // of the tolerance, left to the fans
-    LensMoments coarse, fine;
-    if (!add_level<n>(coarse, first_count, false) || !add_level<m>(fine, first_count, false)) return {};
-    const double missed = 2;  // at other azimuths than those looked at
-    const double radial = missed * difference(coarse, fine, frame_);
-    if constexpr (sizeof...(more) > 0)
-      if (radial > share * tolerance_) return moments<m, more...>();
-    auto out = by_azimuths<n>(tolerance_ - radial);
-    if (out) out->error += radial;
-    return out;
+    FirstLevels coarse, fine;
+    if (!find_first_rims() || !add_first<n>(coarse) || !add_first<m>(fine)) return {};
+    return by_fans<n, m, more...>(coarse, fine);
   }
 
  private:
-  static constexpr int first_count = 4;
+  static constexpr int first_count = 4, second_count = 2 * first_count;
 
-  /// Adds azimuth k of `count`; beyond the first level only those that the level before has not.
-  template <std::size_t n>
-  [[nodiscard]] bool add_level(LensMoments& sum, int count, bool is_checked) {
-    const double first_azimuth = 0.4;  // of no symmetry: corners are often at multiples of 45 degrees
-    const int step = count == first_count ? 1 : 2;
-    for (int k = step - 1; k < count; k += step) {
-      const RimPoint rim = caps_.rim(first_azimuth + 2 * std::numbers::pi * k / count);
-      if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, is_checked)) return false;
+  /// Sums over the azimuths of the first level, and of the second.
+  struct FirstLevels {
+    LensMoments first, second;
+  };
+
+  [[nodiscard]] static double azimuth(int k, int count) {
+    const double start = 0.4;  // of no symmetry: corners are often at multiples of 45 degrees
+    return start + 2 * std::numbers::pi * k / count;
+  }
+  /// Those of the first level, then those that the second adds.
+  [[nodiscard]] bool find_first_rims() {
+    for (int i = 0; i < second_count; ++i) {
+      RimPoint& rim = first_rims_[static_cast<std::size_t>(i)];
+      rim = caps_.rim(i < first_count ? azimuth(i, first_count) : azimuth(2 * (i - first_count) + 1, second_count));
+      if (!rim.is_found) return false;
     }
     return true;
   }
+  template <std::size_t n>
+  [[nodiscard]] bool add_first(FirstLevels& sums) const {
+    LensMoments sum;
+    for (std::size_t i = 0; i < second_count; ++i) {
+      if (i == first_count) sums.first = sum;
+      if (!caps_.add<n>(sum, first_rims_[i], 2 * std::numbers::pi, true)) return false;
+    }
+    sums.second = sum;
+    return true;
+  }
+  template <std::size_t n, std::size_t m, std::size_t... more>
+  [[nodiscard]] std::optional<Quadrature> by_fans(const FirstLevels& coarse, const FirstLevels& fine) {
+    const double share = 0.5;  // of the tolerance, left to the fans
+    const double missed = 3;   // at other azimuths than those looked at
+    const double radial = missed * difference(coarse.second, fine.second, frame_);
+    if constexpr (sizeof...(more) > 0)
+      if (radial > share * tolerance_) return by_finer_fans<m, more...>(fine);
+    auto out = by_azimuths<n>(coarse, tolerance_ - radial);
+    if (out) out->error += radial;
+    return out;
+  }
+  template <std::size_t m, std::size_t k, std::size_t... more>
+  [[nodiscard]] std::optional<Quadrature> by_finer_fans(const FirstLevels& fine) {
+    FirstLevels finer;
+    if (!add_first<k>(finer)) return {};
+    return by_fans<m, k, more...>(fine, finer);
+  }
   /// The trapezoidal rule over the azimuth with n points a fan, doubled until `tolerance`.
   template <std::size_t n>
-  [[nodiscard]] std::optional<Quadrature> by_azimuths(double tolerance) {
-    const int most = 256, last_checked = 8;
+  [[nodiscard]] std::optional<Quadrature> by_azimuths(const FirstLevels& first, double tolerance) {
+    const int most = 256, last_checked = 16;
     Refinement levels(azimuths_.convergence);
-    LensMoments sum;
+    levels.add(first.first.scaled(1.0 / first_count), frame_);
+    LensMoments sum = first.second;
     Quadrature out;
-    for (int count = first_count; count <= most && out.error > tolerance; count *= 2) {
-      if (!add_level<n>(sum, count, count <= last_checked)) return {};
+    for (int count = second_count;; count *= 2) {
       levels.add(sum.scaled(1.0 / count), frame_);
       if (count >= azimuths_.least) out = {levels.finest(), levels.error() + closure_error(levels.finest(), frame_)};
+      if (count == most || out.error <= tolerance) return out;
+      for (int k = 1; k < 2 * count; k += 2) {
+        const RimPoint rim = caps_.rim(azimuth(k, 2 * count));
+        if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, 2 * count <= last_checked)) return {};
+      }
     }
-    return out;
   }
 
   const LensFrame& frame_;
   Caps caps_;
+  std::array<RimPoint, second_count> first_rims_;
   double tolerance_;
   const Azimuths& azimuths_;
 };
@@ -83,8 +115,8 @@ class CapQuadrature {
 [[nodiscard]] inline Quadrature moments_by_meridians(const Meridians& meridians, const LensFrame& frame,
                                                      double tolerance) {
   const int most = 64;
-  const double first_azimuth = 0.4,
-               missed = 2;  // edges wander between the meridians, so that the differences fall unevenly
+  const double first_azimuth = 0.4;
+  const double missed = 4, open = 2;  // edges wander between the meridians, so that the differences fall unevenly
   Refinement levels(Convergence::power);
   Quadrature out;
   for (int count = 8; count <= most && out.error > tolerance; count *= 2) {
@@ -92,7 +124,7 @@ class CapQuadrature {
     for (int k = 0; k < count; ++k)
       meridians.add(sum, first_azimuth + 2 * std::numbers::pi * k / count, 2 * std::numbers::pi / count, count / 4);
     levels.add(sum, frame);
-    out = {levels.finest(), missed * levels.error() + closure_error(levels.finest(), frame)};
+    out = {levels.finest(), missed * levels.error() + open * closure_error(levels.finest(), frame)};
   }
   return out;
 }

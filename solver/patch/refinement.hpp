@@ -28,10 +28,10 @@ class Refinement {
   [[nodiscard]] const LensMoments& finest() const { return finest_; }
   [[nodiscard]] double error() const {
     if (levels_ < 3) return infinity;
-    const double steepest = 0.2;  // a ratio may be small by chance
+    const double steepest = 0.2, missed = 2;  // a ratio may be small by chance, and one coefficient beside the next
     const double ratio = std::max(step_ / last_step_, steepest);
     if (!(ratio < 0.5)) return step_;
-    return convergence_ == Convergence::power ? step_ * ratio / (1 - ratio) : step_ * ratio * ratio;
+    return convergence_ == Convergence::power ? step_ * ratio / (1 - ratio) : missed * step_ * ratio * ratio;
   }
 
  private:

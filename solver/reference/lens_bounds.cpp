@@ -51,16 +51,18 @@ LensVector search_inside(const PlacedPair<double>& pair, LensVector x) {
   return x;
 }
 
-/// Where a ray from inside leaves the lens, by halving; `reach` is outside.
+/// Where a ray from inside leaves the lens, by Newton; `reach` is outside. The larger gauge is convex: no step goes too far in.
 double search_exit(const PlacedPair<double>& pair, const LensVector& from, const LensVector& along, double reach) {
-  double inside = 0, outside = reach;
-  while (worse_gauge(pair, from + outside * along).value < 1) outside *= 2;
-  const int halvings = 60;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = (inside + outside) / 2;
-    (worse_gauge(pair, from + middle * along).value < 1 ? inside : outside) = middle;
+  double t = reach;
+  while (worse_gauge(pair, from + t * along).value < 1) t *= 2;
+  const int rounds = 60;
+  for (int i = 0; i < rounds; ++i) {
+    const NormValue<double> at = worse_gauge(pair, from + t * along);
+    const double step = (at.value - 1) / at.gradient.dot(along);
+    if (!(step > 0)) break;
+    t -= step;
   }
-  return inside;
+  return t;
 }
 
 /// A point inside and axes in which the lens is about round.
@@ -219,17 +221,25 @@ class Lens {
   Rounding found_;
 };
 
+/// A direction of the round axes, and the inner polyhedron's corner there.
+struct LensCorner {
+  LensVector direction, at;
+
+  [[nodiscard]] static LensCorner of(const Lens& lens, const LensVector& direction) {
+    return {direction, lens.corner(direction)};
+  }
+};
+
 /// The triangle's four parts, again and again.
-bool add_triangles(const Lens& lens, Sums& sums, const std::array<LensVector, 3>& directions, int level) {
-  if (level == 0)
-    return lens.add(sums, {lens.corner(directions[0]), lens.corner(directions[1]), lens.corner(directions[2])});
-  const auto between = [&](std::size_t i, std::size_t j) -> LensVector {
-    return (directions[i] + directions[j]).normalized();
+bool add_triangles(const Lens& lens, Sums& sums, const std::array<LensCorner, 3>& corners, int level) {
+  if (level == 0) return lens.add(sums, {corners[0].at, corners[1].at, corners[2].at});
+  const auto between = [&](std::size_t i, std::size_t j) {
+    return LensCorner::of(lens, (corners[i].direction + corners[j].direction).normalized());
   };
-  const LensVector ab = between(0, 1), bc = between(1, 2), ca = between(2, 0);
-  return add_triangles(lens, sums, {directions[0], ab, ca}, level - 1) &&
-         add_triangles(lens, sums, {ab, directions[1], bc}, level - 1) &&
-         add_triangles(lens, sums, {ca, bc, directions[2]}, level - 1) &&
+  const LensCorner ab = between(0, 1), bc = between(1, 2), ca = between(2, 0);
+  return add_triangles(lens, sums, {corners[0], ab, ca}, level - 1) &&
+         add_triangles(lens, sums, {ab, corners[1], bc}, level - 1) &&
+         add_triangles(lens, sums, {ca, bc, corners[2]}, level - 1) &&
          add_triangles(lens, sums, {ab, bc, ca}, level - 1);
 }
 
@@ -237,8 +247,8 @@ bool add_triangles(const Lens& lens, Sums& sums, const std::array<LensVector, 3>
 bool add_octants(const Lens& lens, Sums& sums, int level) {
   for (int octant = 0; octant < 8; ++octant) {
     const auto sign = [&](int bit) { return (octant >> bit & 1) != 0 ? -1.0 : 1.0; };
-    const LensVector x = sign(0) * LensVector::UnitX(), y = sign(1) * LensVector::UnitY(),
-                     z = sign(2) * LensVector::UnitZ();
+    const auto on_axis = [&](int k) { return LensCorner::of(lens, sign(k) * LensVector::Unit(k)); };
+    const LensCorner x = on_axis(0), y = on_axis(1), z = on_axis(2);
     const bool is_right_handed = sign(0) * sign(1) * sign(2) > 0;
     if (!add_triangles(lens, sums, {x, is_right_handed ? y : z, is_right_handed ? z : y}, level)) return false;
   }

@@ -219,7 +219,7 @@ class Run(InAFolder):
         super().setUp()
         self.copy("run")
         self.write(".ci/setup.sh", 'complain() { echo "$*" >&2; }\nplumb_setup() { :; }\nplumb_build() { :; }\nplumb_seeds() { echo seeds; }\n')
-        for target in ("contact", "pair", "ellipsoid", "methods", "scalars", "path", "scene", "files", "case"):
+        for target in ("contact", "pair", "ellipsoid", "methods", "scalars", "patch", "path", "scene", "files", "case"):
             self.write(f"fuzz/engine/{target}.options", "max_len = 8\n")
             self.write(f"fuzz/seeds/{target}", "")
             self.program(f"build/fuzz/bin/fuzz-{target}", "echo first; echo last")
@@ -249,7 +249,7 @@ class Run(InAFolder):
         self.assertEqual(ran.returncode, 1)
         self.assertEqual(sorted(ran.stdout.splitlines()[-3:]),
                          ["failed: fuzz-contact with sanitizers", "failed: properties/run", "failed: reports/gate"])
-        self.assertEqual(ran.stdout.count("\n== "), 2 * 22)
+        self.assertEqual(ran.stdout.count("\n== "), 2 * 23)
 
     def test_a_step_that_does_not_come_back_has_failed(self):
         self.program("build/fuzz/bin/fuzz-pair", "kill -9 0")
@@ -259,7 +259,7 @@ class Run(InAFolder):
     def test_what_a_step_prints_stays_together(self):
         self.program("build/fuzz/bin/fuzz-pair", "echo first; sleep 0.5; echo last")
         ran = self.run_here(".ci/run")
-        self.assertEqual(ran.stdout.count("first\nlast\n"), 9)
+        self.assertEqual(ran.stdout.count("first\nlast\n"), 10)
 
     def test_nightly_is_everything(self):
         self.program(".ci/lint", 'echo "lint: $* $PLUMB_NIGHTLY"')
