@@ -9,7 +9,6 @@
 #include "corpus/command/interrupt.hpp"
 #include "corpus/json/number_text.hpp"
 #include "corpus/scene/scene_file.hpp"
-#include "corpus/scene/scene_output.hpp"
 #include "corpus/scene/scene_report.hpp"
 #include "corpus/scene/scene_run.hpp"
 #include "corpus/scene/scene_view.hpp"

@@ -1,7 +1,5 @@
 #include "corpus/scene/scene_output.hpp"
 
-#include <array>
-
 #include "corpus/scene/scene_view.hpp"
 
 namespace plumb::scene {
@@ -25,32 +23,7 @@ std::uint64_t length_in(const Lengths& lengths, const std::string& name) {
   return found == lengths.end() ? 0 : found->second;
 }
 
-/// A body's share of a frame, in the scene `pile`.
-struct Size {
-  bool Outputs::* asked;
-  double bytes;
-};
-constexpr std::array<Size, 6> sizes{{{&Outputs::energy, 2},
-                                     {&Outputs::touching, 20},
-                                     {&Outputs::contacts, 600},
-                                     {&Outputs::dump, 400},
-                                     {&Outputs::vtk, 950},
-                                     {&Outputs::playback, 300}}};
-
 }  // namespace
-
-std::int64_t frames_of(const Plan& plan) {
-  if (plan.steps == 0) return 1;
-  if (plan.steps_per_output == 0) return 2;
-  return 1 + (plan.steps + plan.steps_per_output - 1) / plan.steps_per_output;
-}
-
-double expected_bytes(const Scene& scene, const Plan& plan) {
-  double of_body = 0;
-  for (const Size& size : sizes)
-    if (scene.run.outputs.*size.asked) of_body += size.bytes;
-  return of_body * static_cast<double>(scene.bodies.size()) * static_cast<double>(frames_of(plan));
-}
 
 OpenedOutput open_touching(const std::filesystem::path& folder, std::uint64_t length) {
   return std::make_unique<Lines>(folder, "touching.jsonl", length, touching_json);

@@ -48,10 +48,6 @@ using Lengths = std::map<std::string, std::uint64_t>;
 /// Those that the scene asks for. Throws InputFailure.
 [[nodiscard]] Outs open_outputs(const Scene& scene, const Plan& plan, const std::filesystem::path& folder,
                                 const Lengths& lengths);
-/// The states that a run writes: the first, the last, and those between.
-[[nodiscard]] std::int64_t frames_of(const Plan& plan);
-/// About how many bytes they take, all outputs together: a body was measured, with two contacts each.
-[[nodiscard]] double expected_bytes(const Scene& scene, const Plan& plan);
 /// The names of all there can be.
 [[nodiscard]] std::vector<std::string> output_names();
 

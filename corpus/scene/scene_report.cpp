@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "corpus/scene/scene_output.hpp"
 #include "corpus/scene/scene_view.hpp"
 
 namespace plumb::scene {
@@ -88,6 +87,18 @@ struct Costs {
   }
 };
 
+/// A body's share of a frame, in the scene `pile`.
+struct Size {
+  bool Outputs::* asked;
+  double bytes;
+};
+constexpr std::array<Size, 6> sizes{{{&Outputs::energy, 2},
+                                     {&Outputs::touching, 20},
+                                     {&Outputs::contacts, 600},
+                                     {&Outputs::dump, 400},
+                                     {&Outputs::vtk, 950},
+                                     {&Outputs::playback, 300}}};
+
 std::size_t turning_bodies(const Plan& plan) {
   return static_cast<std::size_t>(std::ranges::count(plan.turns, true));
 }
@@ -120,6 +131,19 @@ std::string reasons(const Plan& plan) {
 }
 
 }  // namespace
+
+std::int64_t frames_of(const Plan& plan) {
+  if (plan.steps == 0) return 1;
+  if (plan.steps_per_output == 0) return 2;
+  return 1 + (plan.steps + plan.steps_per_output - 1) / plan.steps_per_output;
+}
+
+double expected_bytes(const Scene& scene, const Plan& plan) {
+  double of_body = 0;
+  for (const Size& size : sizes)
+    if (scene.run.outputs.*size.asked) of_body += size.bytes;
+  return of_body * static_cast<double>(scene.bodies.size()) * static_cast<double>(frames_of(plan));
+}
 
 std::string size_text(double bytes) {
   constexpr std::array<const char*, 5> units{"bytes", "kB", "MB", "GB", "TB"};

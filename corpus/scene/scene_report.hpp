@@ -9,6 +9,10 @@
 
 namespace plumb::scene {
 
+/// The states that a run writes: the first, the last, and those between.
+[[nodiscard]] std::int64_t frames_of(const Plan& plan);
+/// About how many bytes they take, all outputs together: a body was measured, with two contacts each.
+[[nodiscard]] double expected_bytes(const Scene& scene, const Plan& plan);
 /// "about 46 GB".
 [[nodiscard]] std::string size_text(double bytes);
 

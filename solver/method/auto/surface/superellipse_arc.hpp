@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 
 #include "solver/method/auto/tolerances.hpp"
 #include "solver/method/per_body.hpp"
@@ -46,10 +47,10 @@ template <class T>
   return out;
 }
 
-/// `multiplied` and `rooted`, of exponents that people use.
+/// `multiplied` and `rooted`, of exponents that people use; built-in scalars alone.
 template <class S>
 inline void choose_powers(SuperellipseArc<S>& arc) {
-  if constexpr (has_one_pair<S>) {
+  if constexpr (std::floating_point<S>) {
     const S nu = first<S>(arc.nu);
     const int whole = nu < S(11) ? static_cast<int>(nu) : 0;
     if (!all_of(arc.nu == S(whole))) return;
