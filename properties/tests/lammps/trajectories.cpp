@@ -170,7 +170,6 @@ thermo_modify norm no
 fix p all print 60 "$(-3*vol*c_p:%.17g) $(c_sums[1]+c_sums[2]+c_sums[3]:%.17g) $(c_w[1]:%.17g)" file p.txt title ""
 fix xy all print 60 "$(-vol*c_p[4]:%.17g) $(c_sums[4]:%.17g) $(c_w[2]:%.17g)" file xy.txt title ""
 )--" + run_line);
-  std::string first;
   for (const int count : {1, 2}) {
     ASSERT_TRUE(run_lammps(path_ / "scene", lammps_program, count)) << read("scene/log." + std::to_string(count));
     int pressed = 0;
