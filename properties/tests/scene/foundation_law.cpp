@@ -38,6 +38,27 @@ TEST(FoundationLaw, OfAFaceIsThatOfAWinklerFoundation) {
   }
 }
 
+/// All pressure on a ball goes through its centre, that of dashpots too.
+TEST(FoundationLaw, DashpotsDoNotSlowABallThatSpins) {
+  for (const bool is_volume : {false, true}) {
+    Scene scene;
+    scene.bodies = {made::ball(1, {0, 0, 0.95}), made::body({{1, 0.8, 0.7}, 4, 4}, {0.3, 0, 2.5})};
+    scene.bodies[0].angular_velocity = {3, 2, 1};
+    scene.walls = {made::floor_at()};
+    scene.effects.gravity = Gravity{{0, 0, -10}};
+    scene.effects.damping = Damping{0.5};
+    if (is_volume)
+      scene.effects.volume = Volume{winkler, 1.5};
+    else
+      scene.effects.foundation = Foundation{winkler};
+    scene.run.duration = 1;
+    scene.run.accuracy = 1e-2;
+    const auto run = made::ended(scene);
+    EXPECT_TRUE(made::spin(*run, 0).isApprox(scene.bodies[0].angular_velocity, 1e-12)) << made::spin(*run, 0);
+    EXPECT_GT(made::spin(*run, 1).norm(), 0.1);  // which fell on the ball
+  }
+}
+
 TEST(FoundationLaw, AWallGivesBackWhatItTakes) {
   Stream stream("foundation law", 5, 1);
   for (const double exponent : {2.0, 8.0}) {

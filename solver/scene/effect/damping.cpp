@@ -41,9 +41,11 @@ double damped(double ahead, double half_step, double inverse_mass, double viscou
   return ahead / (1 + half_step * inverse_mass * viscous);
 }
 
-/// The couple on body 2 of dashpots all over a patch, against its tilting: along each axis a turn has a velocity of its own.
+/// The couple on body 2 of dashpots all over a patch, against its tilting: along each axis a turn has a velocity of its own. A ball's
+/// surface stays where it is as it turns.
 Vec3<double> couple_of(const World& world, std::size_t c, double viscous) {
   const auto [i, j] = world.contacts.pairs[c];
+  if (world.bodies.is_sphere[i] != 0 || world.bodies.is_sphere[j] != 0) return Vec3<double>::Zero();
   const double half_step = world.time_step / 2;
   const Vec3<double> ahead = world.relative_turn(c) + half_step * (world.yield(j, world.state.torque->vector(j)) -
                                                                    world.yield(i, world.state.torque->vector(i)));
