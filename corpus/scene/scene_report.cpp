@@ -87,17 +87,17 @@ struct Costs {
   }
 };
 
-/// A body's share of a frame, in the scene `pile`.
+/// Of a frame: what it takes of itself, and a body's share in the scene `pile`.
 struct Size {
   bool Outputs::* asked;
-  double bytes;
+  double of_frame, of_body;
 };
-constexpr std::array<Size, 6> sizes{{{&Outputs::energy, 2},
-                                     {&Outputs::touching, 20},
-                                     {&Outputs::contacts, 600},
-                                     {&Outputs::dump, 400},
-                                     {&Outputs::vtk, 950},
-                                     {&Outputs::playback, 300}}};
+constexpr std::array<Size, 6> sizes{{{&Outputs::energy, 200, 0},
+                                     {&Outputs::touching, 60, 20},
+                                     {&Outputs::contacts, 60, 600},
+                                     {&Outputs::dump, 300, 400},
+                                     {&Outputs::vtk, 4000, 950},
+                                     {&Outputs::playback, 150, 300}}};
 
 std::size_t turning_bodies(const Plan& plan) {
   return static_cast<std::size_t>(std::ranges::count(plan.turns, true));
@@ -139,10 +139,11 @@ std::int64_t frames_of(const Plan& plan) {
 }
 
 double expected_bytes(const Scene& scene, const Plan& plan) {
-  double of_body = 0;
+  const auto bodies = static_cast<double>(scene.bodies.size());
+  double of_frame = 0;
   for (const Size& size : sizes)
-    if (scene.run.outputs.*size.asked) of_body += size.bytes;
-  return of_body * static_cast<double>(scene.bodies.size()) * static_cast<double>(frames_of(plan));
+    if (scene.run.outputs.*size.asked) of_frame += size.of_frame + size.of_body * bodies;
+  return of_frame * static_cast<double>(frames_of(plan));
 }
 
 std::string size_text(double bytes) {

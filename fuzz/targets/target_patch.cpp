@@ -58,7 +58,7 @@ Outcome examine(std::span<const std::uint8_t> bytes) {
   if (suspected.kind == FindingKind::none) return {false, "none suspected"};
   const Finding finding = judged(suspected, evidence);
   if (finding.kind == FindingKind::none)
-    return {false, fmt::format("suspected by law '{}', severity {:.3g}, and within the bounds", suspected.law,
+    return {false, fmt::format("suspected by law '{}', severity {:.3g}, and not off its bounds", suspected.law,
                                suspected.severity)};
   const bool stop = target_settings().rule.stops(finding);
   if (stop)

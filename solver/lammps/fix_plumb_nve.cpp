@@ -109,13 +109,14 @@ void FixPlumbNve::post_run() {
 }
 
 double FixPlumbNve::compute_scalar() {
+  if (pair_ == nullptr) error->all(FLERR, fmt::format("fix plumb/nve: f_{} is there once a run was prepared", id));
   const EllipsoidBonus shapes(*atom);
   double here = 0, all = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!moves(i)) continue;
     const auto [w, x, y, z] = shapes.quaternion(i);
     const Vec3<double> own = Eigen::Quaterniond(w, x, y, z).conjugate() * VectorOfAtom(atom->angmom[i]);
-    here += own.cwiseAbs2().dot(pair_->bodies().inverse_inertia[pair_->body_of(i)]) / 2;
+    here += own.cwiseAbs2().dot(pair_->inverse_inertia(i)) / 2;
   }
   MPI_Allreduce(&here, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return all;
@@ -203,6 +204,7 @@ void FixPlumbNve::unpack_restart(int i, int place) {
   const double* in = atom->extra[i];
   for (; place > 0; --place) in += static_cast<int>(*in);
   memory_of(i).assign(in + 1, in + static_cast<int>(*in));
+  maxexchange = std::max(maxexchange, static_cast<int>(*in));
 }
 
 double FixPlumbNve::memory_usage() {

@@ -7,6 +7,7 @@
 #include "solver/lammps/fix_plumb_nve.hpp"
 #include "solver/lammps/fix_plumb_wall.hpp"
 #include "solver/scene/body/mass.hpp"
+#include "solver/scene/body/world_setup.hpp"
 
 namespace plumb::lammps {
 namespace {
@@ -107,9 +108,8 @@ void PairPlumbCn::init_style() {
 }
 
 void PairPlumbCn::refuse_walls_of_points() const {
-  const std::string_view prefix = "wall/";
   for (int k = 0; k < modify->nfix; ++k)
-    if (std::string_view(modify->fix[k]->style).starts_with(prefix))
+    if (const std::string_view style = modify->fix[k]->style; style.starts_with("wall/") || style == "indent")
       error->all(FLERR, fmt::format("pair_style plumb/cn: fix {}: {} takes atoms for points: use fix plumb/wall",
                                     modify->fix[k]->id, modify->fix[k]->style));
 }
@@ -175,6 +175,12 @@ scene::SceneBody PairPlumbCn::body(int i) const {
   if (!(std::isfinite(out.density) && out.density > 0))
     error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: d_density must be a positive number", atom->tag[i]));
   return out;
+}
+
+Vec3<double> PairPlumbCn::inverse_inertia(int i) const {
+  scene::Bodies alone;
+  scene::add_body(alone, body(i), true);
+  return alone.inverse_inertia[0];
 }
 
 bool PairPlumbCn::is_fixed(int i) const {
@@ -311,6 +317,10 @@ void PairPlumbCn::place_bodies() {
 void PairPlumbCn::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   if (is_stale_) renew();
+  // As a run begins LAMMPS asks for it whether or not anything reads it.
+  if (vflag_either != 0 && update->setupflag == 0 && part_->world().bodies.walls > 0 &&
+      !std::exchange(has_warned_, true) && comm->me == 0)
+    error->warning(FLERR, std::string("pair_style plumb/cn: pressures are without the forces of walls"));
   part_->keep_contact_forces(vflag_either != 0);
   place_bodies();
   const double step = update->setupflag != 0 ? 0 : update->dt;

@@ -43,6 +43,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void recall();
   /// The body that an atom of this process is, in bodies().
   [[nodiscard]] std::size_t body_of(int atom) const { return static_cast<std::size_t>(body_of_atom_[index(atom)]); }
+  /// Of an atom of this process, also between two runs: principal, body axes.
+  [[nodiscard]] Vec3<double> inverse_inertia(int atom) const;
   [[nodiscard]] const scene::Bodies& bodies() const { return part_->world().bodies; }
   /// Contacts whose solver did not converge, over all processes.
   [[nodiscard]] long long failed_contacts() const;
@@ -78,7 +80,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   int n1_ = -1, n2_ = -1, density_ = -1;  ///< which of the atoms' custom vectors
   std::vector<double> radius_;            ///< of each type, from 1
   std::vector<int> atom_of_body_, body_of_atom_;
-  bool is_stale_ = true;
+  bool is_stale_ = true, has_warned_ = false;
 };
 
 }  // namespace plumb::lammps

@@ -1,6 +1,7 @@
 // When a sequence of finer and finer quadratures may stop.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "solver/patch/lens_moments.hpp"
@@ -27,7 +28,7 @@ class Refinement {
   }
   [[nodiscard]] const LensMoments& finest() const { return finest_; }
   [[nodiscard]] double error() const {
-    if (levels_ < 3) return infinity;
+    if (levels_ < 3 || !std::isfinite(last_step_)) return infinity;
     const double steepest = 0.2, missed = 2;  // a ratio may be small by chance, and one coefficient beside the next
     const double ratio = std::max(step_ / last_step_, steepest);
     if (!(ratio < 0.5)) return step_;

@@ -187,23 +187,29 @@ fix xy all print 60 "$(-vol*c_p[4]:%.17g) $(c_sums[4]:%.17g) $(c_w[2]:%.17g)" fi
 // LAMMPS prepares the pair style for each of these without running anything.
 TEST_F(InLammps, WritesBalancesAndDeletesBetweenRuns) {
   Scene scene = without(crowd(), Conduction::name);
+  // With dashpots a force jumps where a spring is at its limit, and so do the roundings of `balance`.
+  scene.effects.friction->damping = scene.effects.rolling->damping = scene.effects.twisting->damping = 0;
   run_for(scene, 5e-4, 100);
   export_to(path_ / "scene", scene, make_plan(scene));
   const std::string script = read("scene/in.lammps"), run_line = script.substr(script.rfind("run "));
   std::vector<std::string> dumps;
-  // `balance` rounds positions by itself.
-  for (const char* between : {"", "write_restart restart.%\nwrite_data data.written\n",
+  std::vector<Trajectory> states;
+  // `balance` rounds positions.
+  for (const char* between : {"", "write_restart restart.%\nwrite_data data.written\nprint \"$(f_motion)\"\n",
                               "delete_atoms overlap 1e-9 all all compress no\n", "balance 1.1 shift xyz 5 1.1\n"}) {
     (void)file("scene/in.lammps", script + between + run_line);
     ASSERT_TRUE(run_lammps(path_ / "scene", lammps_program, 2)) << between << read("scene/log.2");
     dumps.push_back(read("scene/dump.2"));
+    states.push_back(read_dump(path_ / "scene/dump.2"));
   }
   EXPECT_TRUE(dumps[1] == dumps[0]);
   EXPECT_TRUE(dumps[2] == dumps[0]);
   (void)file("scene/in.lammps", script + "delete_atoms overlap 1e-9 all all\n" + run_line);
   EXPECT_FALSE(run_lammps(path_ / "scene", lammps_program, 2));
   EXPECT_NE(read("scene/log.2").find("atoms have other IDs than in the run before"), std::string::npos);
-  EXPECT_EQ(dumps[3].substr(0, dumps[3].size() / 4), dumps[0].substr(0, dumps[3].size() / 4));
+  const auto apart = deviations(scene, states[0], states[3]);
+  EXPECT_EQ(apart.rbegin()->first, 200);
+  EXPECT_LT(apart.rbegin()->second.largest(), 1e-9);
 }
 
 // A run from a restart file, with other numbers of processes too, is the second run of a script to the bit.
@@ -231,6 +237,12 @@ TEST_F(InLammps, ARestartGoesOnToTheBit) {
     const std::string truth = final_frame(script + "write_restart restart.lammps\n" + run_line, processes);
     for (const int others : {1, 2, 4}) EXPECT_TRUE(final_frame(again, others) == truth) << processes << ' ' << others;
   }
+  // From a file that was written while a run went on, too.
+  const std::string ready = script.substr(0, script.rfind("run "));
+  const std::string truth = final_frame(ready + "run 60\n" + "run 40\n", 2);
+  (void)final_frame(ready + "restart 60 middle.*\n" + run_line, 2);
+  replace("read_restart", "read_restart middle.60");
+  EXPECT_TRUE(final_frame(again.substr(0, again.rfind("run ")) + "run 40\n", 2) == truth);
 }
 
 TEST_F(InLammps, AnIllegalAtomIsNamedWithItsField) {

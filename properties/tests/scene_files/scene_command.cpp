@@ -246,6 +246,8 @@ TEST_F(SceneCommand, EnergiesAreASeries) {
     EXPECT_EQ(series.front()["energy"], run["energy"]["first"]);
     EXPECT_EQ(series.back()["energy"], run["energy"]["last"]);
     EXPECT_EQ(series.size(), run["plan"]["frames"]);
+    const double bytes = static_cast<double>(read(std::string(name) + "/energy.jsonl").size());
+    EXPECT_LT(bytes / static_cast<double>(series.size()), 400);  // 200 are expected
   }
   const Json run = json("steps/run.json");
   EXPECT_EQ(run["plan"]["frames"], run["plan"]["steps"].get<int>() + 1);

@@ -4,7 +4,8 @@
 // force's slope and mass the one that the contact feels along its normal, turning included, so that e is that of the
 // normal velocity at the contact, also off centre (linear: exact; Hertz: Antypov & Elliott 2011, EPL 94, 50004).
 // Of a patch (volume, foundation) the dashpots are spread as its volume is: tilting by w turns each axis's ends by +-w.arm along the
-// normal, and the couple -viscous sum (w.arm) arm resists it. At the centre alone they would let a die rock from edge to edge for seconds.
+// normal, and the couple -viscous sum (w.arm) arm resists it: that of flat faces, which
+// slows a curved body that turns where it is, too; 0 of a ball. At the centre alone they would let a die rock from edge to edge for seconds.
 // The force may pull at the end of a collision: it is what makes e exact.
 // Dashpots act from the first moment of a contact with all their force, and a leapfrog that takes it for whole steps errs by a tenth
 // of e at 30 steps a collision. Here the first and the last kick count the part of their steps that the bodies touch, and the

@@ -14,7 +14,7 @@ constexpr double hertz_damping = 0.912870929175276855;
 /// `factors`: hertz_contact's, of each contact's life; 0 of one that has just begun.
 void press_hertz(double modulus, Column& factors, Contacts& contacts) {
   for (const std::uint32_t c : contacts.pressing) {
-    if (factors[c] == 0) {
+    if (!(factors[c] > 0)) {
       const auto curvature = contacts.curvature->entry(c);
       factors[c] = hertz_contact(curvature[0], curvature[1]).force_factor;
     }
