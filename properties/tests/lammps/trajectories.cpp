@@ -188,7 +188,9 @@ fix xy all print 60 "$(-vol*c_p[4]:%.17g) $(c_sums[4]:%.17g) $(c_w[2]:%.17g)" fi
 TEST_F(InLammps, WritesBalancesAndDeletesBetweenRuns) {
   Scene scene = without(crowd(), Conduction::name);
   // With dashpots a force jumps where a spring is at its limit, and so do the roundings of `balance`.
-  scene.effects.friction->damping = scene.effects.rolling->damping = scene.effects.twisting->damping = 0;
+  scene.effects.friction = Friction{.coefficient = 0.4};
+  scene.effects.rolling = Rolling{.coefficient = 0.1, .damping = 0};
+  scene.effects.twisting = Twisting{.coefficient = 0.1, .damping = 0};
   run_for(scene, 5e-4, 100);
   export_to(path_ / "scene", scene, make_plan(scene));
   const std::string script = read("scene/in.lammps"), run_line = script.substr(script.rfind("run "));
