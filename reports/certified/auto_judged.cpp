@@ -13,6 +13,7 @@
 #include "properties/generators/families.hpp"
 #include "properties/laws/allowance.hpp"
 #include "properties/laws/laws_answer.hpp"
+#include "reports/certified/by_family.hpp"
 #include "reports/certified/parts.hpp"
 #include "reports/report_lines.hpp"
 #include "solver/method/methods.hpp"
@@ -175,22 +176,6 @@ void print_row(const std::string& family, const Counts& c) {
   for (const std::string& line : c.named) print_line("    " + line);
 }
 
-int report(Options& options) {
-  std::uint64_t findings = 0;
-  options.lines.print_table(columns.head());
-  for (const Family& family : families()) {
-    const std::string family_name(family.name);
-    if ((!options.family.empty() && options.family != family_name) || interrupted()) continue;
-    const Counts counts = run(family_name, options);
-    options.lines.add(to_json(family_name, counts, options));
-    findings += counts.named.size();
-    if (!options.lines.is_json()) print_row(family_name, counts);
-    flush_output();
-  }
-  options.lines.write();
-  return findings > 0 ? exit_finding : exit_done;
-}
-
 }  // namespace
 
 int report_auto(int argc, char** argv) {
@@ -199,7 +184,7 @@ int report_auto(int argc, char** argv) {
       "The answers of auto against the reference's bounds; what they do not show right, and a sample, by all laws",
       "plumb report-auto");
   declare(app, options);
-  return run_command(app, argc, argv, [&] { return report(options); });
+  return run_command(app, argc, argv, [&] { return report_by_family(options, columns, run, to_json, print_row); });
 }
 
 }  // namespace plumb::reports

@@ -12,6 +12,7 @@
 #include "corpus/command/text_table.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/laws/laws_patch.hpp"
+#include "reports/certified/by_family.hpp"
 #include "reports/certified/parts.hpp"
 #include "reports/report_lines.hpp"
 #include "solver/method/methods.hpp"
@@ -133,7 +134,7 @@ PatchCounts counts_of(const std::string& family, const PatchOptions& options) {
   return counts;
 }
 
-Json to_json(const std::string& family, const PatchCounts& c, const PatchOptions& options) {
+Json patch_json(const std::string& family, const PatchCounts& c, const PatchOptions& options) {
   Json out = Json::object();
   out["family"] = family;
   out["seed"] = options.seed;
@@ -163,25 +164,10 @@ const TextTable patch_columns({{"family", "<12"},
                                {"widest", ">9.2g"},
                                {"findings", ">10"}});
 
-void print_row(const std::string& family, const PatchCounts& c) {
+void print_patch_row(const std::string& family, const PatchCounts& c) {
   print_line(patch_columns.row(family, c.cases, c.patches, c.without, c.coarse, c.judged_by_bounds - c.unbounded,
                                c.unbounded, c.widest, c.named.size()));
   for (const std::string& line : c.named) print_line("    " + line);
-}
-
-int report_patches(PatchOptions& options) {
-  std::uint64_t findings = 0;
-  options.lines.print_table(patch_columns.head());
-  for (const std::string& family : family_names()) {
-    if ((!options.family.empty() && options.family != family) || interrupted()) continue;
-    const PatchCounts counts = counts_of(family, options);
-    options.lines.add(to_json(family, counts, options));
-    findings += counts.named.size();
-    if (!options.lines.is_json()) print_row(family, counts);
-    flush_output();
-  }
-  options.lines.write();
-  return findings > 0 ? exit_finding : exit_done;
 }
 
 }  // namespace
@@ -191,7 +177,8 @@ int report_patch(int argc, char** argv) {
   CommandLine app("The patches of auto against certified bounds of the lens, and by the laws of patches",
                   "plumb report-patch");
   declare(app, options);
-  return run_command(app, argc, argv, [&] { return report_patches(options); });
+  return run_command(app, argc, argv,
+                     [&] { return report_by_family(options, patch_columns, counts_of, patch_json, print_patch_row); });
 }
 
 }  // namespace plumb::reports

@@ -98,7 +98,7 @@ void FixPlumbNve::setup(int vflag) {
 
 void FixPlumbNve::pre_exchange() {
   pair_->remember();
-  maxexchange = static_cast<int>(longest_memory()) + 1;
+  maxexchange = most_packed();
 }
 
 void FixPlumbNve::post_run() {
@@ -134,17 +134,23 @@ void FixPlumbNve::set_arrays(int i) {
   memory_of(i).clear();
 }
 
+// For other processes and for restart files an atom has how many numbers there are, this one too, and then these.
+
 int FixPlumbNve::pack_exchange(int i, double* out) {
   const std::vector<double>& memory = memory_of(i);
-  out[0] = static_cast<double>(memory.size());
+  out[0] = static_cast<double>(memory.size() + 1);
   std::ranges::copy(memory, out + 1);
   return static_cast<int>(memory.size()) + 1;
 }
 
 int FixPlumbNve::unpack_exchange(int i, double* in) {
-  const auto size = static_cast<std::ptrdiff_t>(in[0]);
-  memory_of(i).assign(in + 1, in + 1 + size);
-  return static_cast<int>(size) + 1;
+  return take(i, in);
+}
+
+int FixPlumbNve::take(int i, const double* in) {
+  const int size = static_cast<int>(in[0]);
+  memory_of(i).assign(in + 1, in + size);
+  return size;
 }
 
 int FixPlumbNve::pack_forward_comm(int count, int* list, double* out, int /*pbc_flag*/, int* /*pbc*/) {
@@ -163,10 +169,10 @@ void FixPlumbNve::unpack_forward_comm(int count, int first, double* in) {
   }
 }
 
-std::size_t FixPlumbNve::longest_memory() const {
+int FixPlumbNve::most_packed() const {
   std::size_t longest = 0;
   for (int i = 0; i < atom->nlocal; ++i) longest = std::max(longest, memories_[static_cast<std::size_t>(i)].size());
-  return longest;
+  return static_cast<int>(longest) + 1;
 }
 
 void FixPlumbNve::write_restart(FILE* file) {
@@ -182,8 +188,6 @@ void FixPlumbNve::restart(char* in) {
   names_ = in + sizeof closed_at_;
 }
 
-// A restart file has of each atom how many numbers there are, this one too, and then these.
-
 /// The first that LAMMPS asks for, on every process: a run that writes while it goes on has what its contacts remember elsewhere.
 int FixPlumbNve::size_restart(int i) {
   if (i == 0) pair_->store();
@@ -191,20 +195,17 @@ int FixPlumbNve::size_restart(int i) {
 }
 
 int FixPlumbNve::maxsize_restart() {
-  return static_cast<int>(longest_memory()) + 1;
+  return most_packed();
 }
 
 int FixPlumbNve::pack_restart(int i, double* out) {
-  const int size = pack_exchange(i, out);
-  out[0] = size;
-  return size;
+  return pack_exchange(i, out);
 }
 
 void FixPlumbNve::unpack_restart(int i, int place) {
   const double* in = atom->extra[i];
   for (; place > 0; --place) in += static_cast<int>(*in);
-  memory_of(i).assign(in + 1, in + static_cast<int>(*in));
-  maxexchange = std::max(maxexchange, static_cast<int>(*in));
+  maxexchange = std::max(maxexchange, take(i, in));
 }
 
 double FixPlumbNve::memory_usage() {

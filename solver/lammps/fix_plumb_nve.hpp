@@ -51,7 +51,9 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
  private:
   void kick();
   [[nodiscard]] bool moves(int atom) const;
-  [[nodiscard]] std::size_t longest_memory() const;
+  /// What pack_exchange() wrote, to an atom; how many numbers it took.
+  int take(int atom, const double* in);
+  [[nodiscard]] int most_packed() const;
 
   PairPlumbCn* pair_ = nullptr;
   std::vector<std::vector<double>> memories_;

@@ -101,14 +101,17 @@ Rest rest_of(Simulation& run, const Scene& scene, double since) {
   return out;
 }
 
+void expect_at_rest(const Rest& rest, std::size_t contacts) {
+  EXPECT_EQ(rest.failed, 0);
+  EXPECT_EQ(rest.contacts, contacts);
+  EXPECT_LT(rest.kinetic, 1e-10);
+  EXPECT_LT(rest.wandered, 0.05);
+}
+
 TEST(Dice, ComeToRestOnTheirFaces) {
   const Scene scene = find_named_scene("dice")->make(1);
   const auto run = started(scene);
-  const Rest rest = rest_of(*run, scene, 0.98 * scene.run.duration);
-  EXPECT_EQ(rest.failed, 0);
-  EXPECT_EQ(rest.contacts, 1U);
-  EXPECT_LT(rest.kinetic, 1e-10);
-  EXPECT_LT(rest.wandered, 0.05);
+  expect_at_rest(rest_of(*run, scene, 0.98 * scene.run.duration), 1U);
   EXPECT_NEAR(made::position(*run, 0).z(), 0.008, 1e-4);
 }
 
@@ -116,11 +119,7 @@ TEST(Tower, StandsStill) {
   Scene scene = find_named_scene("tower")->make(3);
   scene.run.duration = 0.4;
   const auto run = started(scene);
-  const Rest rest = rest_of(*run, scene, 0.35);
-  EXPECT_EQ(rest.failed, 0);
-  EXPECT_EQ(rest.contacts, 3U);
-  EXPECT_LT(rest.kinetic, 1e-10);
-  EXPECT_LT(rest.wandered, 0.05);
+  expect_at_rest(rest_of(*run, scene, 0.35), 3U);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Vec3<double> at = made::position(*run, i);
     EXPECT_LT(at.head<2>().norm(), 1e-6 * 0.008) << i;
@@ -133,11 +132,7 @@ TEST(Wall, StandsStill) {
   Scene scene = find_named_scene("wall")->make(6);
   scene.run.duration = 0.38;
   const auto run = started(scene);
-  const Rest rest = rest_of(*run, scene, 0.36);
-  EXPECT_EQ(rest.failed, 0);
-  EXPECT_EQ(rest.contacts, 5U + 2U);
-  EXPECT_LT(rest.kinetic, 1e-10);
-  EXPECT_LT(rest.wandered, 0.05);
+  expect_at_rest(rest_of(*run, scene, 0.36), 5U + 2U);
 }
 
 // What slides until it rolls keeps v / (1 + I / m r^2). Then the dashpots of its patch slow it: c S w, S the mean square of the patch's
