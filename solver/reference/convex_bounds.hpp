@@ -1,0 +1,32 @@
+// The judge of convex bodies: bounds of a pair's lowest overlap by interval arithmetic, from the bodies' definitions. It includes
+// nothing from method/, and takes no support function from shape/.
+#pragma once
+
+#include "solver/shape/convex.hpp"
+
+namespace plumb::reference {
+
+/// In the case's unit; of either sign; rounded outwards.
+struct ConvexBounds {
+  double lower, upper;
+  int cells;  ///< of directions that were looked at
+};
+
+/// Of the lowest overlap of all directions. `normal`: a unit direction (world) that is thought to be the lowest's, or NaN. `cells`: how
+/// many the search may look at. Deterministic; takes any legal pair.
+[[nodiscard]] ConvexBounds bound_overlap(const ConvexPair& pair, const Vec3<double>& normal, int cells);
+
+/// What is wrong with an answer, proved in interval arithmetic; lengths in the case's unit, each rounded outwards.
+struct ConvexErrors {
+  double overlap;   ///< |overlap - the nearest number within the bounds|
+  double point1;    ///< distance of point1 from body 1's surface
+  double point2;    ///< and of point2 from body 2's
+  double touching1; ///< by how much body 1 reaches beyond the plane through point1 whose normal is the contact's
+  double touching2; ///< and body 2 against it
+  double alignment; ///< |point1 - point2 - overlap normal|
+};
+
+/// Of a converged contact. Its normal is the common normal of lowest overlap where all six are 0, and nearly so where they are small.
+[[nodiscard]] ConvexErrors errors_of(const ConvexPair& pair, const Contact<double>& contact, const ConvexBounds& bounds);
+
+}  // namespace plumb::reference
