@@ -66,7 +66,7 @@ class Bounding {
 
   [[nodiscard]] ConvexBounds run(int cells) {
     int used = 0;
-    if (lowest_.overlap > 0 && lowest_.overlap - lower_ > worthwhile_gap && cells > 0) {
+    if (lowest_.overlap > 0 && lowest_.overlap - lower_ > worthwhile_gap) {
       const CoverBound cover = bound_by_cover(pair_, lowest_, cells);
       lower_ = std::max(lower_, cover.lower);
       used = cover.cells;
