@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/reference/convex/cover_bound.hpp"
 #include "solver/standard_arithmetic.hpp"
@@ -10,8 +9,6 @@
 namespace plumb::reference {
 namespace cores {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_half_space(const ConvexBody& body) {
   return std::holds_alternative<HalfSpace>(body.shape);

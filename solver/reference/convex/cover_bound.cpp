@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 
 #include "solver/reference/frame.hpp"
@@ -10,7 +9,6 @@
 namespace plumb::reference::cores {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int faces = 6;
 constexpr double least_half = 0x1p-40;  // corners of cells are exact doubles down to 2^-50
 constexpr std::array<std::array<double, 2>, 4> corner_places{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
