@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/reference/convex/cover_bound.hpp"
+#include "solver/reference/convex/proved.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb::reference {

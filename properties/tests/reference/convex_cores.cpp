@@ -3,7 +3,7 @@
 
 #include "properties/tests/reference/drawn_bodies.hpp"
 #include "properties/tests/reference/inside.hpp"
-#include "solver/reference/convex/cover_bound.hpp"
+#include "solver/reference/convex/proved.hpp"
 #include "solver/reference/frame.hpp"
 
 namespace plumb::reference::convex_cores_tests {
