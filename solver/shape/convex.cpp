@@ -13,6 +13,8 @@ template <class... Case>
 struct Overloaded : Case... {
   using Case::operator()...;
 };
+template <class... Case>
+Overloaded(Case...) -> Overloaded<Case...>;  // what clang 14 does not deduce by itself
 
 constexpr std::string_view must_be_positive = "must be finite and above 0",
                            must_not_be_negative = "must be finite and not below 0",

@@ -12,6 +12,8 @@ template <class... Case>
 struct Overloaded : Case... {
   using Case::operator()...;
 };
+template <class... Case>
+Overloaded(Case...) -> Overloaded<Case...>;  // what clang 14 does not deduce by itself
 
 I scaled(double x, int exponent) {
   return times_power_of_two<I>(I(x), -exponent);
