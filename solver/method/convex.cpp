@@ -97,7 +97,7 @@ struct Lowest {
 [[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
   const Vec3<double>& c = pair.body2.centre;
   const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
-  const Nearest nearest = nearest_point(pair, Vec3<double>::Zero(), line, 0);
+  const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
   if (nearest.is_inside || !(pair.overlap(nearest.normal) < 0)) return lowest_of_overlapping(pair, line);
   const Descent descent(pair);
   const CommonNormal found = descent.sharpened(nearest);  // of bodies apart there is one common normal

@@ -27,7 +27,7 @@ class Descent {
   }
 
   /// Of cores apart: the nearest points, sharpened.
-  [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return best_of(nearest); }
+  [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return settled(best_of(nearest)); }
 
   /// Whether the points are those of the normal, to rounding.
   [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= 16 * margin(); }
@@ -42,8 +42,7 @@ class Descent {
 
   /// A step, with the target that high above M. Of what it may lead to the one that is a common normal, among those that are lowest.
   [[nodiscard]] CommonNormal after(const CommonNormal& at, double height) const {
-    const Nearest nearest = nearest_point(pair_, (at.overlap + height) * at.normal, at.normal, 0);
-    return best_of(nearest);
+    return best_of(NearestPoint(pair_, (at.overlap + height) * at.normal, at.normal).find());
   }
 
   /// The same contact with its points, where a step ended beside it: rounding turns the normal of a target close to M the most.

@@ -113,40 +113,69 @@ struct Nearest {
   bool is_inside;
 };
 
-/// `along`: unit, a guess of the normal. Ends where the gap is `tolerance`, or where rounding lets nothing more be gained.
-[[nodiscard]] inline Nearest nearest_point(const PlacedCores& pair, const Vec3<double>& target,
-                                           const Vec3<double>& along, double tolerance) {
-  constexpr int most_steps = 100;
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  Nearest out{{}, along, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false};
-  Mixture& mixture = out.mixture;
-  mixture.of[0] = pair.support(along);
-  mixture.weight[0] = 1;
-  mixture.count = 1;
-  for (int step = 0; step < most_steps; ++step) {
-    const Vec3<double> x = mixture.w() - target;
-    out.distance = x.norm();
-    if (mixture.count == Mixture::most || out.distance <= rounding * pair.size) return out.is_inside = true, out;
-    out.normal = -x / out.distance;
-    const Difference seen = pair.support(out.normal);
-    out.gap = std::min(out.gap, out.distance + (seen.w() - target).dot(out.normal));
-    if (out.gap <= std::max(tolerance, rounding * pair.size)) return out;
-    std::array<Vec3<double>, 4> y;
-    for (int k = 0; k < mixture.count; ++k)
-      y[static_cast<std::size_t>(k)] = mixture.of[static_cast<std::size_t>(k)].w() - target;
-    y[static_cast<std::size_t>(mixture.count)] = seen.w() - target;
+/// `along`: unit, a guess of the normal. Ends where the gap is gone and no corner is new, or where rounding lets nothing more be gained.
+/// A gap is of second order in the normal: a corner that is new is taken in all the same, for the normal's sake.
+class NearestPoint {
+ public:
+  NearestPoint(const PlacedCores& pair, const Vec3<double>& target, const Vec3<double>& along)
+      : pair_(pair), target_(target),
+        out_{{}, along, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false} {
+    out_.mixture.of[0] = pair.support(along);
+    out_.mixture.weight[0] = 1;
+    out_.mixture.count = 1;
+  }
+
+  [[nodiscard]] Nearest find() {
+    constexpr int most_steps = 100, most_idle = 4;
+    for (int step = 0, idle = 0; step < most_steps && idle < most_idle; ++step) {
+      const Vec3<double> x = out_.mixture.w() - target_;
+      out_.distance = x.norm();
+      out_.is_inside = out_.mixture.count == Mixture::most || out_.distance <= rounding * pair_.size;
+      if (out_.is_inside) break;
+      out_.normal = -x / out_.distance;
+      const Difference seen = pair_.support(out_.normal);
+      out_.gap = std::min(out_.gap, out_.distance + (seen.w() - target_).dot(out_.normal));
+      if (out_.gap <= rounding * pair_.size && is_known(seen)) break;
+      const double before = x.squaredNorm(), after = take_in(seen, before * (1 + rounding));
+      if (!(after <= before * (1 + rounding))) break;
+      if (!(after < before)) ++idle;
+    }
+    return out_;
+  }
+
+ private:
+  static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+
+  [[nodiscard]] bool is_known(const Difference& seen) const {
+    const Mixture& m = out_.mixture;
+    return std::any_of(m.of.begin(), m.of.begin() + m.count, [&](const Difference& known) {
+      return known.piece1 == seen.piece1 && known.piece2 == seen.piece2;
+    });
+  }
+
+  /// The mixture nearest to the target of which `seen` is one: the square of its distance, and taken where that is no more than `most`.
+  double take_in(const Difference& seen, double most) {
+    Mixture& mixture = out_.mixture;
+    std::array<Vec3<double>, Mixture::most> y;
+    for (int k = 0; k < mixture.count; ++k) y[index(k)] = mixture.of[index(k)].w() - target_;
+    y[index(mixture.count)] = seen.w() - target_;
     const SimplexFaces faces(y, mixture.count + 1);
-    if (!(faces.nearest().distance2 < x.squaredNorm())) return out;
+    const NearestInSimplex& nearest = faces.nearest();
+    if (!(nearest.distance2 <= most)) return nearest.distance2;
     const Mixture before = mixture;
-    const auto& nearest = faces.nearest();
     mixture.count = nearest.count;
     for (int k = 0; k < nearest.count; ++k) {
-      const auto from = static_cast<std::size_t>(nearest.corners[static_cast<std::size_t>(k)]);
-      mixture.of[static_cast<std::size_t>(k)] = static_cast<int>(from) == before.count ? seen : before.of[from];
-      mixture.weight[static_cast<std::size_t>(k)] = nearest.weight[static_cast<std::size_t>(k)];
+      const int from = nearest.corners[index(k)];
+      mixture.of[index(k)] = from == before.count ? seen : before.of[index(from)];
+      mixture.weight[index(k)] = nearest.weight[index(k)];
     }
+    return nearest.distance2;
   }
-  return out;
-}
+  [[nodiscard]] static std::size_t index(int k) { return static_cast<std::size_t>(k); }
+
+  const PlacedCores& pair_;
+  Vec3<double> target_;
+  Nearest out_;
+};
 
 }  // namespace plumb::detail
