@@ -1,0 +1,196 @@
+// Any two convex bodies: every answer is judged by bounds and errors in interval arithmetic, which share no code with the solver.
+#include <gtest/gtest.h>
+
+#include "properties/tests/allocations.hpp"
+#include "properties/tests/reference/drawn_bodies.hpp"
+#include "solver/method/convex.hpp"
+#include "solver/reference/convex_bounds.hpp"
+
+namespace plumb {
+namespace {
+
+using reference::bodies_tests::draw_pair;
+using reference::bodies_tests::shape_count;
+
+constexpr int judge_cells = 20'000;
+constexpr double overlap_floor = 1e-12, touching_floor = 1e-12, points_floor = 1e-9;  // of the size
+
+/// The largest of an answer's errors, each over what it may be; below 1 the answer is right.
+double severity(const ConvexPair& pair, const Contact<double>& contact) {
+  const double size = size_of(pair);
+  const auto bounds = reference::bound_overlap(pair, contact.normal, judge_cells);
+  const auto e = reference::errors_of(pair, contact, bounds);
+  return std::max({e.overlap / overlap_floor, e.touching1 / touching_floor, e.touching2 / touching_floor,
+                   e.alignment / touching_floor, e.point1 / points_floor, e.point2 / points_floor}) /
+         size;
+}
+
+bool are_half_spaces(std::size_t kind1, std::size_t kind2) {
+  return kind1 == shape_count - 1 && kind2 == shape_count - 1;
+}
+
+/// Of each two shapes so many pairs.
+template <class F>
+void for_drawn_pairs(int each, std::uint64_t seed, const F& use) {
+  Stream stream(seed);
+  for (std::size_t kind1 = 0; kind1 < shape_count; ++kind1)
+    for (std::size_t kind2 = 0; kind2 < shape_count; ++kind2)
+      for (int i = 0; i < each && !are_half_spaces(kind1, kind2); ++i) {
+        SCOPED_TRACE(std::to_string(kind1) + " " + std::to_string(kind2) + " " + std::to_string(i));
+        use(draw_pair(kind1, kind2, stream));
+      }
+}
+
+ConvexPair at(const Shape& first, const Shape& second, const Vec3<double>& position,
+              const std::array<double, 4>& quaternion = {1, 0, 0, 0}) {
+  ConvexPair out;
+  out.body1.shape = first;
+  out.body2.shape = second;
+  out.body2.position = position;
+  out.body2.quaternion = quaternion;
+  return out;
+}
+
+TEST(Convex, EveryAnswerIsRight) {
+  int stalled = 0, asked = 0;
+  for_drawn_pairs(6, 1, [&](const ConvexPair& pair) {
+    const Contact<double> contact = solve_convex(pair, {}, nullptr);
+    ++asked;
+    if (contact.status == Status::converged)
+      EXPECT_LE(severity(pair, contact), 1);
+    else
+      ++stalled;
+  });
+  EXPECT_LE(stalled * 100, asked);
+}
+
+TEST(Convex, ExchangedBodiesHaveTheSameContact) {
+  for_drawn_pairs(1, 2, [](const ConvexPair& pair) {
+    const Contact<double> contact = solve_convex(pair, {}, nullptr),
+                          exchanged = solve_convex({pair.body2, pair.body1}, {}, nullptr);
+    if (contact.status != Status::converged || exchanged.status != Status::converged) return;
+    EXPECT_NEAR(contact.overlap, exchanged.overlap, overlap_floor * size_of(pair));
+  });
+}
+
+TEST(Convex, AUnitOfLengthChangesNoBit) {
+  constexpr double unit = 0x1p-40;
+  Stream stream(3);
+  for (int i = 0; i < 20; ++i) {
+    ConvexPair pair = draw_pair(2, 5, stream);
+    const Contact<double> contact = solve_convex(pair, {}, nullptr);
+    for (ConvexBody* body : {&pair.body1, &pair.body2}) body->position *= unit, body->swept_radius *= unit;
+    auto& cylinder = std::get<Cylinder>(pair.body1.shape);
+    cylinder = {cylinder.half_length * unit, cylinder.radius * unit};
+    std::get<Box>(pair.body2.shape).half_extents *= unit;
+    const Contact<double> small = solve_convex(pair, {}, nullptr);
+    EXPECT_EQ(small.overlap, contact.overlap * unit);
+    EXPECT_EQ(small.normal, contact.normal);
+  }
+}
+
+TEST(Convex, ARadiusIsAddedToTheOverlap) {
+  for_drawn_pairs(1, 4, [](ConvexPair pair) {
+    pair.body1.swept_radius = pair.body2.swept_radius = 0;
+    const Contact<double> core = solve_convex(pair, {}, nullptr);
+    pair.body1.swept_radius = 0.25;
+    pair.body2.swept_radius = 0.5;
+    const Contact<double> swept = solve_convex(pair, {}, nullptr);
+    if (core.status != Status::converged || swept.status != Status::converged) return;
+    EXPECT_NEAR(swept.overlap, core.overlap + 0.75, overlap_floor * size_of(pair));
+  });
+}
+
+TEST(Convex, PairsOfSuperellipsoidsAreThoseOfAuto) {
+  Stream stream(5);
+  for (int i = 0; i < 50; ++i) {
+    ConvexPair pair = draw_pair(0, 0, stream);
+    pair.body1.swept_radius = pair.body2.swept_radius = 0;
+    const auto body = [](const ConvexBody& b) {
+      return Body{std::get<Superellipsoid<double>>(b.shape), b.position, b.quaternion};
+    };
+    const Contact<double> contact = solve_convex(pair, {}, nullptr),
+                          known = find_method("auto")->solve({body(pair.body1), body(pair.body2)}, {}, nullptr);
+    EXPECT_EQ(contact.status, known.status);
+    if (known.status != Status::converged) continue;
+    EXPECT_EQ(contact.overlap, known.overlap);
+    EXPECT_EQ(contact.normal, known.normal);
+    EXPECT_EQ(contact.point1, known.point1);
+  }
+}
+
+/// What has faces, edges and axes, and where they may lie on one another.
+TEST(Convex, AlignedBodiesAreRightOrStalled) {
+  const std::array<Shape, 8> shapes{Superellipsoid<double>{{1, 1, 0.5}, 2, 2},
+                                    Capsule{1, 0.5},
+                                    Cylinder{1, 0.5},
+                                    Cone{1, 2},
+                                    Frustum{{1, 0.5}, 1},
+                                    Box{{1, 1, 1}},
+                                    Box{{1, 0.5, 0.25}},
+                                    PolySuperellipsoid{{1, 0.5, 0.75, 0.75, 0.25, 1}, 4, 3}};
+  const std::array<std::array<double, 4>, 4> turns{{{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1e-9, 0, 0}, {1, 1e-6, 1e-6, 0}}};
+  const std::array<Vec3<double>, 6> places{
+      {{0, 0, 0}, {0, 0, 1}, {0, 0, 1.5}, {1, 0, 0}, {0.5, 0.25, 0.125}, {1e-9, 0, 2}}};
+  int stalled = 0, asked = 0;
+  for (const Shape& first : shapes)
+    for (const Shape& second : shapes)
+      for (const auto& turn : turns)
+        for (const Vec3<double>& place : places) {
+          const ConvexPair pair = at(first, second, place, turn);
+          const Contact<double> contact = solve_convex(pair, {}, nullptr);
+          ++asked;
+          if (contact.status != Status::converged)
+            ++stalled;
+          else
+            EXPECT_LE(severity(pair, contact), 1)
+                << name(first) << " " << name(second) << " at " << place.transpose() << " turned by " << turn[1];
+        }
+  EXPECT_LE(stalled * 12, asked);  // circles of equal overlaps about a common axis are not searched to their end
+}
+
+TEST(Convex, ACubeRestsOnACube) {
+  const Contact<double> contact = solve_convex(at(Box{{1, 1, 1}}, Box{{1, 1, 1}}, {0.5, 0.25, 1.875}), {}, nullptr);
+  EXPECT_EQ(contact.status, Status::converged);
+  EXPECT_EQ(contact.verdict, Verdict::overlapping);
+  EXPECT_NEAR(contact.overlap, 0.125, 1e-15);
+  EXPECT_NEAR((contact.normal - Vec3<double>::UnitZ()).norm(), 0, 1e-15);
+  EXPECT_NEAR(contact.point1[2], 1, 1e-15);
+  EXPECT_NEAR(contact.point2[2], 0.875, 1e-15);
+}
+
+TEST(Convex, OfAFaceOnAPlaneTheMiddleIsTaken) {
+  const Contact<double> box = solve_convex(at(HalfSpace{}, Box{{1, 0.5, 0.25}}, {3, 2, 0.125}), {}, nullptr);
+  EXPECT_EQ(box.overlap, 0.125);
+  EXPECT_NEAR((box.point2 - Vec3<double>(3, 2, -0.125)).norm(), 0, 1e-15);
+  const Contact<double> disc = solve_convex(at(HalfSpace{}, Cylinder{0.25, 1}, {3, 2, 0.125}), {}, nullptr);
+  EXPECT_NEAR((disc.point2 - Vec3<double>(3, 2, -0.125)).norm(), 0, 1e-14);
+}
+
+TEST(Convex, WhatIsNotAskedForIsNotANumber) {
+  const ConvexPair pair = at(Box{{1, 1, 1}}, Capsule{1, 0.5}, {0, 0, 1.5});
+  const Contact<double> verdict = solve_convex(pair, {.overlap = false, .normal = false, .points = false}, nullptr);
+  EXPECT_EQ(verdict.verdict, Verdict::overlapping);
+  EXPECT_TRUE(std::isnan(verdict.overlap));
+  EXPECT_TRUE(std::isnan(verdict.normal[0]));
+  EXPECT_TRUE(std::isnan(verdict.point1[0]));
+}
+
+TEST(Convex, IllegalPairsAreRefused) {
+  EXPECT_EQ(solve_convex(at(HalfSpace{}, HalfSpace{}, {0, 0, 0}), {}, nullptr).status, Status::invalid_input);
+  EXPECT_EQ(solve_convex(at(Box{{1, -1, 1}}, Cone{1, 1}, {0, 0, 0}), {}, nullptr).status, Status::invalid_input);
+  EXPECT_EQ(solve_convex(at(Polyhedron{}, Cone{1, 1}, {0, 0, 0}), {}, nullptr).status, Status::invalid_input);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(Convex, NothingIsAllocated) {
+  std::vector<ConvexPair> pairs;
+  for_drawn_pairs(1, 6, [&](const ConvexPair& pair) { pairs.push_back(pair); });
+  const long before = allocations;
+  for (const ConvexPair& pair : pairs) (void)solve_convex(pair, {}, nullptr);
+  EXPECT_EQ(allocations, before);
+}
+#endif
+
+}  // namespace
+}  // namespace plumb
