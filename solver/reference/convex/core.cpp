@@ -1,0 +1,221 @@
+#include "solver/reference/convex/core.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/shape/hull.hpp"
+
+namespace plumb::reference::cores {
+namespace {
+
+template <class... Case>
+struct Overloaded : Case... {
+  using Case::operator()...;
+};
+
+I scaled(double x, int exponent) {
+  return times_power_of_two<I>(I(x), -exponent);
+}
+
+IVec3<I> scaled(const Vec3<double>& v, int exponent) {
+  return {scaled(v[0], exponent), scaled(v[1], exponent), scaled(v[2], exponent)};
+}
+
+double rough(const I& x) {
+  return low(x) + (high(x) - low(x)) / 2;
+}
+
+Core octants(const std::array<double, 6>& semi_axes, double n1, double n2, int exponent) {
+  OctantsCore out{{}, {IVec3<I>(I(1.0), I(1.0), I(1.0)), n1, n2, DualExponent<I>(n1), DualExponent<I>(n2), {}}};
+  for (std::size_t i = 0; i < 6; ++i) out.semi_axes[i] = scaled(semi_axes[i], exponent);
+  return out;
+}
+
+/// The centroid lies (R^2 + 2 R r + 3 r^2) / (4 (R^2 + R r + r^2)) of the height above the bottom.
+Core frustum(const Frustum& s, int exponent) {
+  const I from = scaled(s.radii[0], exponent), to = scaled(s.radii[1], exponent), height = scaled(s.height, exponent);
+  const I ends = square<I>(from) + square<I>(to), mixed = from * to;
+  const I share = (ends + I(2.0) * (mixed + square<I>(to))) / (I(4.0) * (ends + mixed));
+  return DiscsCore{-(height * share), height * (I(1.0) - share), from, to};
+}
+
+Core corners(const Hull& hull, int exponent) {
+  CornersCore out;
+  for (const Vec3<double>& corner : hull.corners) {
+    out.corners.push_back(scaled(corner, exponent));
+    const IVec3<I>& box = out.corners.back();
+    out.rough.emplace_back(rough(box[0]), rough(box[1]), rough(box[2]));
+  }
+  return out;
+}
+
+I greatest(const I& a, const I& b) {
+  return {std::max(low(a), low(b)), std::max(high(a), high(b))};
+}
+
+/// The greatest x u over -before <= x <= after.
+I greatest_product(const I& u, const I& after, const I& before) {
+  if (low(u) >= 0) return u * after;
+  if (high(u) <= 0) return -(u * before);
+  return {0, std::max(high(I(high_end<I>(u) * after)), high(I(-low_end<I>(u) * before)))};
+}
+
+I support_in(const OctantsCore& core, const IVec3<I>& u) {
+  IVec3<I> q;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    q[k] = greatest_product(u[k], core.semi_axes[2 * i], core.semi_axes[2 * i + 1]);
+  }
+  return support_value<I>(core.norm, q);
+}
+I support_in(const DiscsCore& core, const IVec3<I>& u) {
+  const I across = root<I>(square<I>(u[0]) + square<I>(u[1]));
+  return greatest(core.bottom * u[2] + core.bottom_radius * across, core.top * u[2] + core.top_radius * across);
+}
+I support_in(const BoxCore& core, const IVec3<I>& u) {
+  I out(0.0);
+  for (int i = 0; i < 3; ++i) out += core.half_extents[i] * magnitude<I>(u[i]);
+  return out;
+}
+I support_in(const CornersCore& core, const IVec3<I>& u) {
+  I out = dot<I>(core.corners[0], u);
+  for (const IVec3<I>& corner : core.corners) out = greatest(out, dot<I>(corner, u));
+  return out;
+}
+
+bool is_proved(const OctantsCore& core, const Vec3<double>& x) {
+  EnclosedBody<I> octant = core.norm;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    octant.semi_axes[k] = core.semi_axes[x[k] >= 0 ? 2 * i : 2 * i + 1];
+    if (!is_positive(octant.semi_axes[k])) return false;
+  }
+  return is_inside<I>(octant, x);
+}
+bool is_proved(const DiscsCore& core, const Vec3<double>& x) {
+  if (!(x[2] >= high(core.bottom) && x[2] <= low(core.top))) return false;
+  const I above = I(x[2]) - core.bottom, below = core.top - I(x[2]);
+  const I height = core.top - core.bottom;
+  if (!is_positive(height)) return false;
+  const I radius = (core.bottom_radius * below + core.top_radius * above) / height;
+  if (!(low(radius) >= 0)) return false;
+  return high(I(square<I>(I(x[0])) + square<I>(I(x[1])))) <= low(square<I>(low_end<I>(radius)));
+}
+bool is_proved(const BoxCore& core, const Vec3<double>& x) {
+  for (int i = 0; i < 3; ++i)
+    if (!(std::abs(x[i]) <= low(core.half_extents[i]))) return false;
+  return true;
+}
+
+/// Of a core that holds the origin.
+template <class C>
+IVec3<I> drawn_in(const C& core, const Vec3<double>& x) {
+  if (is_proved(core, x)) return enclosed<I>(x);
+  constexpr int least = -51, greatest_draw = -2;
+  for (int e = least; e <= greatest_draw; ++e) {
+    const Vec3<double> y = x * (1 - std::ldexp(1.0, e));
+    if (is_proved(core, y)) return enclosed<I>(y);
+  }
+  return enclosed<I>(Vec3<double>(0, 0, 0));
+}
+
+/// |(x, y)|_m for x, y >= 0, and (x, y) over it.
+struct RoughNorm {
+  double value, first, second;
+
+  RoughNorm(double x, double y, double m) {
+    const double larger = std::max(x, y);
+    const double sum = larger > 0 ? std::pow(x / larger, m) + std::pow(y / larger, m) : 1;
+    value = larger * std::pow(sum, 1 / m);
+    first = value > 0 ? x / value : 0;
+    second = value > 0 ? y / value : 0;
+  }
+};
+
+/// The gradient of |(|(a x, b y)|_m2, c z)|_m1.
+CorePoint farthest_in(const OctantsCore& core, const Vec3<double>& u) {
+  const double scale = u.cwiseAbs().maxCoeff();
+  Vec3<double> reach, q;  // along the axes on the side of u
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    reach[k] = u[k] >= 0 ? rough(core.semi_axes[2 * i]) : -rough(core.semi_axes[2 * i + 1]);
+    q[k] = reach[k] * (u[k] / scale);
+  }
+  const double e1 = 1 / (core.norm.n1 - 1), e2 = 1 / (core.norm.n2 - 1);  // m - 1
+  const RoughNorm inner(q[0], q[1], 1 + e2), outer(inner.value, q[2], 1 + e1);
+  const double level = std::pow(outer.first, e1);
+  return {reach.cwiseProduct(
+      Vec3<double>(level * std::pow(inner.first, e2), level * std::pow(inner.second, e2), std::pow(outer.second, e1)))};
+}
+CorePoint farthest_in(const DiscsCore& core, const Vec3<double>& u) {
+  const double across = std::hypot(u[0], u[1]);
+  const double bottom = rough(core.bottom) * u[2] + rough(core.bottom_radius) * across;
+  const double top = rough(core.top) * u[2] + rough(core.top_radius) * across;
+  const bool is_top = top > bottom;
+  const double radius = rough(is_top ? core.top_radius : core.bottom_radius),
+               z = rough(is_top ? core.top : core.bottom);
+  if (!(across > 0)) return {{0, 0, z}};
+  return {{radius * (u[0] / across), radius * (u[1] / across), z}};
+}
+CorePoint farthest_in(const BoxCore& core, const Vec3<double>& u) {
+  CorePoint out;
+  for (int i = 0; i < 3; ++i) out.at[i] = std::copysign(low(core.half_extents[i]), u[i]);
+  return out;
+}
+CorePoint farthest_in(const CornersCore& core, const Vec3<double>& u) {
+  std::size_t best = 0;
+  double most = core.rough[0].dot(u);
+  for (std::size_t i = 1; i < core.rough.size(); ++i) {
+    const double reach = core.rough[i].dot(u);
+    if (!(reach > most)) continue;
+    most = reach;
+    best = i;
+  }
+  return {core.rough[best], static_cast<int>(best)};
+}
+
+}  // namespace
+
+Core core_of(const Shape& shape, int exponent) {
+  const auto box = [&](double x, double y, double z) -> Core {
+    return BoxCore{scaled(Vec3<double>(x, y, z), exponent)};
+  };
+  return std::visit(
+      Overloaded{[&](const Superellipsoid<double>& s) {
+                   const Vec3<double>& a = s.semi_axes;
+                   return octants({a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2, exponent);
+                 },
+                 [&](const Capsule& s) { return box(0, 0, s.half_length); },
+                 [&](const Cylinder& s) -> Core {
+                   const I half = scaled(s.half_length, exponent), radius = scaled(s.radius, exponent);
+                   return DiscsCore{-half, half, radius, radius};
+                 },
+                 [&](const Cone& s) { return frustum({{s.radius, 0}, s.height}, exponent); },
+                 [&](const Frustum& s) { return frustum(s, exponent); },
+                 [&](const Box& s) { return box(s.half_extents[0], s.half_extents[1], s.half_extents[2]); },
+                 [&](const Polyhedron& s) { return corners(*s.hull, exponent); },
+                 [&](const PolySuperellipsoid& s) { return octants(s.semi_axes, s.n1, s.n2, exponent); },
+                 [&](const HalfSpace&) { return box(0, 0, 0); }},
+      shape);
+}
+
+I radius_about_core(const Shape& shape, int exponent) {
+  const auto* capsule = std::get_if<Capsule>(&shape);
+  return capsule ? scaled(capsule->radius, exponent) : I(0.0);
+}
+
+I support_of(const Core& core, const IVec3<I>& u) {
+  return std::visit([&](const auto& c) { return support_in(c, u); }, core);
+}
+
+IVec3<I> proved_point(const Core& core, const CorePoint& point) {
+  return std::visit(Overloaded{[&](const CornersCore& c) { return c.corners[static_cast<std::size_t>(point.corner)]; },
+                               [&](const auto& c) { return drawn_in(c, point.at); }},
+                    core);
+}
+
+CorePoint farthest(const Core& core, const Vec3<double>& u) {
+  return std::visit([&](const auto& c) { return farthest_in(c, u); }, core);
+}
+
+}  // namespace plumb::reference::cores
