@@ -26,7 +26,7 @@ double rough(const I& x) {
 }
 
 Core octants(const std::array<double, 6>& semi_axes, double n1, double n2, int exponent) {
-  OctantsCore out{{}, {IVec3<I>(I(1.0), I(1.0), I(1.0)), n1, n2, DualExponent<I>(n1), DualExponent<I>(n2), {}}};
+  OctantsCore out{{}, n1, n2};
   for (std::size_t i = 0; i < 6; ++i) out.semi_axes[i] = scaled(semi_axes[i], exponent);
   return out;
 }
@@ -49,6 +49,10 @@ Core corners(const Hull& hull, int exponent) {
   return out;
 }
 
+bool is_sphere(const Superellipsoid<double>& s) {
+  return s.n1 == 2 && s.n2 == 2 && (s.semi_axes.array() == s.semi_axes[0]).all();
+}
+
 I greatest(const I& a, const I& b) {
   return {std::max(low(a), low(b)), std::max(high(a), high(b))};
 }
@@ -60,13 +64,22 @@ I greatest_product(const I& u, const I& after, const I& before) {
   return {0, std::max(high(I(high_end<I>(u) * after)), high(I(-low_end<I>(u) * before)))};
 }
 
+/// |(x, y)|_m for x, y >= 0 and the exponent m = n/(n-1), over the larger so that no power underflows.
+I norm_of(const I& x, const I& y, double n) {
+  if (n == 2) return root<I>(square<I>(x) + square<I>(y));
+  const I &larger = high(x) > high(y) ? x : y, &smaller = high(x) > high(y) ? y : x;
+  if (!is_positive(larger)) return {std::max(low(x), low(y)), high(I(high_end<I>(x) + high_end<I>(y)))};
+  const DualExponent<I> m(n);
+  return larger * power<I>(I(I(1.0) + power<I>(I(smaller / larger), m.m)), I(I(1.0) / m.m));
+}
+
 I support_in(const OctantsCore& core, const IVec3<I>& u) {
   IVec3<I> q;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     q[k] = greatest_product(u[k], core.semi_axes[2 * i], core.semi_axes[2 * i + 1]);
   }
-  return support_value<I>(core.norm, q);
+  return norm_of(norm_of(q[0], q[1], core.n2), q[2], core.n1);
 }
 I support_in(const DiscsCore& core, const IVec3<I>& u) {
   const I across = root<I>(square<I>(u[0]) + square<I>(u[1]));
@@ -84,7 +97,7 @@ I support_in(const CornersCore& core, const IVec3<I>& u) {
 }
 
 bool is_proved(const OctantsCore& core, const Vec3<double>& x) {
-  EnclosedBody<I> octant = core.norm;
+  EnclosedBody<I> octant{{}, core.n1, core.n2, DualExponent<I>(core.n1), DualExponent<I>(core.n2), {}};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     octant.semi_axes[k] = core.semi_axes[x[k] >= 0 ? 2 * i : 2 * i + 1];
@@ -141,7 +154,7 @@ CorePoint farthest_in(const OctantsCore& core, const Vec3<double>& u) {
     reach[k] = u[k] >= 0 ? rough(core.semi_axes[2 * i]) : -rough(core.semi_axes[2 * i + 1]);
     q[k] = reach[k] * (u[k] / scale);
   }
-  const double e1 = 1 / (core.norm.n1 - 1), e2 = 1 / (core.norm.n2 - 1);  // m - 1
+  const double e1 = 1 / (core.n1 - 1), e2 = 1 / (core.n2 - 1);  // m - 1
   const RoughNorm inner(q[0], q[1], 1 + e2), outer(inner.value, q[2], 1 + e1);
   const double level = std::pow(outer.first, e1);
   return {reach.cwiseProduct(
@@ -183,6 +196,7 @@ Core core_of(const Shape& shape, int exponent) {
   return std::visit(
       Overloaded{[&](const Superellipsoid<double>& s) {
                    const Vec3<double>& a = s.semi_axes;
+                   if (is_sphere(s)) return box(0, 0, 0);
                    return octants({a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2, exponent);
                  },
                  [&](const Capsule& s) { return box(0, 0, s.half_length); },
@@ -200,8 +214,9 @@ Core core_of(const Shape& shape, int exponent) {
 }
 
 I radius_about_core(const Shape& shape, int exponent) {
-  const auto* capsule = std::get_if<Capsule>(&shape);
-  return capsule ? scaled(capsule->radius, exponent) : I(0.0);
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return scaled(capsule->radius, exponent);
+  const auto* round = std::get_if<Superellipsoid<double>>(&shape);
+  return round != nullptr && is_sphere(*round) ? scaled(round->semi_axes[0], exponent) : I(0.0);
 }
 
 I support_of(const Core& core, const IVec3<I>& u) {

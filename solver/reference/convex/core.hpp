@@ -1,5 +1,5 @@
 // The core of a convex body: the body without the radius by which it is swept, in its own axes and an enclosed unit of length. A
-// capsule's core is its segment. Four kinds cover all shapes but the half-space.
+// capsule's core is its segment, a sphere's a point. Four kinds cover all shapes but the half-space.
 //
 // Trusted: support_of and proved_point, and what makes a core. Not trusted: farthest, which only guesses.
 #pragma once
@@ -18,7 +18,7 @@ using I = DoubleInterval;
 /// Octants of superellipsoids; of a superellipsoid all alike.
 struct OctantsCore {
   std::array<I, 6> semi_axes;  ///< in PolySuperellipsoid's order
-  EnclosedBody<I> norm;        ///< for its exponents
+  double n1, n2;
 };
 
 /// The hull of two discs at z = bottom and z = top. The origin lies inside.
