@@ -124,7 +124,7 @@ struct ShapeRow {
 
 template <std::size_t... I>
 auto rows_of(std::index_sequence<I...> /*alternatives*/) {
-  return std::array{ShapeRow{name(Shape(std::variant_alternative_t<I, Shape>{})), [](const Field& fields) -> Shape {
+  return std::array{ShapeRow{name(Shape(std::in_place_index<I>)), [](const Field& fields) -> Shape {
                                return read_fields<std::variant_alternative_t<I, Shape>>(fields);
                              }}...};
 }
