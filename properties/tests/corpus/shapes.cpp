@@ -133,8 +133,7 @@ TEST_F(Commands, EveryOtherReaderRefusesAShapeInOneLine) {
   (void)file("a.json", case_of(R"({"box": {"half_extents": [1, 1, 1]}})"));
   const std::string line =
       "a.json: bodies[0].shape: is no superellipsoid: not taken here (plumb solve, certify, check and replay take it)";
-  for (const char* arguments :
-       {"path a.json --method auto", "promote a.json --to open --why why", "certify a.json --problem midway"})
+  for (const char* arguments : {"path a.json --method auto", "certify a.json --problem midway"})
     expect_refusal(arguments, line);
   expect_refusal("certify a.json --all", "a.json: bodies: --all, --effort and --proof are for superellipsoids");
   expect_refusal("solve a.json --method new_cn", "a.json: bodies: new_cn takes superellipsoids alone");
