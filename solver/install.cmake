@@ -65,7 +65,7 @@ plumb_install_library(batch plumb_batch)
 plumb_install_library(c plumb_c)
 plumb_install_pkgconfig(plumb plumb "Contacts of ellipsoids and superquadrics by their common normal")
 if(PLUMB_REFERENCE)
-  plumb_install_headers(reference/reference.hpp reference/search/stationary.hpp reference/condition/condition_proof.hpp reference/condition/nearby.hpp
+  plumb_install_headers(reference/reference.hpp reference/convex_bounds.hpp reference/search/stationary.hpp reference/condition/condition_proof.hpp reference/condition/nearby.hpp
                         reference/touch/touch.hpp)
   plumb_install_library(reference plumb_reference)
   plumb_install_library(certify plumb_certify)

@@ -1,13 +1,24 @@
-// The contact of any two convex bodies: their common normal of lowest overlap, by support functions.
+// The contact of any two convex bodies: their common normal of lowest overlap, by support functions. Radii are taken off first, for they
+// change no normal; what is left are the cores.
+//
+// Half-spaces          the plane's own normal
+// Superellipsoids      `auto`
+// Cores apart          the nearest points, by an active set, sharpened by Newton's method (convex/nearest.hpp, stationary.hpp): there is one
+//                      common normal
+// Polytopes            the face normals and the crossings of edges, all of them (convex/polytopes.hpp)
+// Others               a descent to a common normal (convex/descent.hpp), and a branch and bound that shows that none is lower
+//                      (convex/direction_search.hpp)
 #pragma once
 
 #include "solver/shape/convex.hpp"
 
 namespace plumb {
 
-/// Solves a pair. Overlap, normal, points and verdict as those of `auto`; of faces that lie on one another the points are in the middle
-/// of what they share. Curvature, derivatives and patch are not found: NaN. `last`: the contact a step before, or nullptr.
-/// Never throws and never allocates; an illegal pair gives Status::invalid_input. Pairs of superellipsoids are `auto`'s.
+/// Solves a pair. Overlap, normal, points and verdict as those of `auto`: converged, the overlap is the lowest of all directions to 256 epsilon
+/// of the pair's size, and the points are those of the normal to 1024. Of faces that lie on one another the points are some of what they
+/// share. Curvature, derivatives and patch are not found: NaN. `last`: the contact a step before, or nullptr. `evaluations`: cells of
+/// directions that a search looked at. Never throws and never allocates; an illegal pair gives Status::invalid_input. Pairs of
+/// superellipsoids are `auto`'s.
 [[nodiscard]] Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Contact<double>* last);
 
 }  // namespace plumb

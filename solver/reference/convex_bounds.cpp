@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/reference/convex/cover_bound.hpp"
+#include "solver/reference/convex/proved.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb::reference {
 namespace cores {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_half_space(const ConvexBody& body) {
   return std::holds_alternative<HalfSpace>(body.shape);
@@ -66,7 +64,7 @@ class Bounding {
 
   [[nodiscard]] ConvexBounds run(int cells) {
     int used = 0;
-    if (lowest_.overlap > 0 && lowest_.overlap - lower_ > worthwhile_gap && cells > 0) {
+    if (lowest_.overlap > 0 && lowest_.overlap - lower_ > worthwhile_gap) {
       const CoverBound cover = bound_by_cover(pair_, lowest_, cells);
       lower_ = std::max(lower_, cover.lower);
       used = cover.cells;

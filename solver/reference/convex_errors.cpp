@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/reference/convex/placed_cores.hpp"
 #include "solver/reference/convex_bounds.hpp"
@@ -13,7 +12,7 @@ namespace {
 /// What is no number bounds nothing.
 double not_below_zero(double x) {
   if (x <= 0) return 0;
-  return x > 0 ? x : std::numeric_limits<double>::infinity();
+  return x > 0 ? x : infinity;
 }
 
 ConvexBody point_at(const Vec3<double>& x) {
@@ -22,7 +21,7 @@ ConvexBody point_at(const Vec3<double>& x) {
 
 /// The lowest overlap of a body and a point is the point's depth below the surface, or minus its distance.
 double distance_from_surface(const ConvexBody& body, const Vec3<double>& x, const Vec3<double>& normal) {
-  if (!x.allFinite()) return std::numeric_limits<double>::infinity();
+  if (!x.allFinite()) return infinity;
   const ConvexBounds depth = bound_overlap({body, point_at(x)}, normal, 0);
   return std::max(not_below_zero(depth.upper), not_below_zero(-depth.lower));
 }
@@ -42,7 +41,7 @@ I tilt(const ConvexBody& half_space, const Vec3<double>& n) {
 
 /// By how much a body reaches beyond the plane through x with normal n; a half-space, within `size` of x.
 double reach_beyond(const ConvexBody& body, const Vec3<double>& x, const Vec3<double>& n, double size) {
-  if (!x.allFinite() || !n.allFinite()) return std::numeric_limits<double>::infinity();
+  if (!x.allFinite() || !n.allFinite()) return infinity;
   if (std::holds_alternative<HalfSpace>(body.shape)) {
     const double depth = not_below_zero(bound_overlap({body, point_at(x)}, n, 0).upper);
     return in_world(I(depth) + I(size) * tilt(body, n), 0);

@@ -58,7 +58,8 @@ struct PolySuperellipsoid {
 struct HalfSpace {};
 
 /// The closed list. An alternative's place in it is its number in C.
-using Shape = std::variant<Superellipsoid<double>, Capsule, Cylinder, Cone, Frustum, Box, Polyhedron, PolySuperellipsoid, HalfSpace>;
+using Shape = std::variant<Superellipsoid<double>, Capsule, Cylinder, Cone, Frustum, Box, Polyhedron,
+                           PolySuperellipsoid, HalfSpace>;
 
 /// A shape, swept by a sphere, and where it is.
 struct ConvexBody {

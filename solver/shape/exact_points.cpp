@@ -17,7 +17,7 @@ constexpr double orientation_error = (7 + 56 * half_epsilon) * half_epsilon;
 // Of coordinates up to 1 all that underflow can lose, in the scaling and in the products, is far below this.
 constexpr double underflow_error = 0x1p-1000;
 
-int sign(double x) {
+int sign_of(double x) {
   return (x > 0) - (x < 0);
 }
 
@@ -61,7 +61,7 @@ int ExactPoints::turn(int axis, int a, int b, int c) const {
   const auto at = [&](int i) -> const Vec3<double>& { return scaled_[static_cast<std::size_t>(i)]; };
   const Vec3<double> u = at(b) - at(a), v = at(c) - at(a);
   const double rough = cross(u, v, axis);
-  if (std::abs(rough) > turn_error * permanent(u, v, axis) + underflow_error) return sign(rough);
+  if (std::abs(rough) > turn_error * permanent(u, v, axis) + underflow_error) return sign_of(rough);
   return component(axis, a, b, c).sign();
 }
 
@@ -73,7 +73,7 @@ int ExactPoints::orientation(int a, int b, int c, int d) const {
     rough += cross(u, v, axis) * w[axis];
     size += permanent(u, v, axis) * std::abs(w[axis]);
   }
-  if (std::abs(rough) > orientation_error * size + underflow_error) return sign(rough);
+  if (std::abs(rough) > orientation_error * size + underflow_error) return sign_of(rough);
   const Integers n = normal(a, b, c), e = difference(d, a);
   return Integer(n[0] * e[0] + n[1] * e[1] + n[2] * e[2]).sign();
 }

@@ -8,7 +8,7 @@
 
 #include "properties/generators/generators.hpp"
 
-namespace plumb {
+namespace plumb::curvature_tests {
 namespace {
 
 using Shape = Superellipsoid<double>;
@@ -145,4 +145,4 @@ TEST(Curvature, IsNoNaNAtTheEndsOfTheRange) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::curvature_tests

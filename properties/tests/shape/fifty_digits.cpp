@@ -6,7 +6,7 @@
 #include "solver/shape/chart.hpp"
 #include "solver/shape/curvature.hpp"
 
-namespace plumb {
+namespace plumb::fifty_digits_tests {
 namespace {
 
 using Fine = Real50;
@@ -283,4 +283,4 @@ TEST(FiftyDigits, CurvatureLosesNoMoreThanTheQuotientOfItsRadii) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::fifty_digits_tests

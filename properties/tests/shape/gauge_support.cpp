@@ -5,7 +5,7 @@
 #include "properties/generators/generators.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
-namespace plumb {
+namespace plumb::gauge_support_tests {
 namespace {
 
 using Shape = Superellipsoid<double>;
@@ -170,4 +170,4 @@ TEST(GaugeSupport, SecondDerivativesAtZeroCoordinates) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::gauge_support_tests

@@ -68,9 +68,11 @@ I greatest_product(const I& u, const I& after, const I& before) {
 I norm_of(const I& x, const I& y, double n) {
   if (n == 2) return root<I>(square<I>(x) + square<I>(y));
   const I &larger = high(x) > high(y) ? x : y, &smaller = high(x) > high(y) ? y : x;
-  if (!is_positive(larger)) return {std::max(low(x), low(y)), high(I(high_end<I>(x) + high_end<I>(y)))};
+  const double most = high(I(high_end<I>(x) + high_end<I>(y)));
+  if (!is_positive(larger)) return {std::max(low(x), low(y)), most};
   const DualExponent<I> m(n);
-  return larger * power<I>(I(I(1.0) + power<I>(I(smaller / larger), m.m)), I(I(1.0) / m.m));
+  const I out = larger * power<I>(I(I(1.0) + power<I>(I(smaller / larger), m.m)), I(I(1.0) / m.m));
+  return {low(out), std::min(high(out), most)};
 }
 
 I support_in(const OctantsCore& core, const IVec3<I>& u) {

@@ -4,6 +4,7 @@
 // Trusted: support_of and proved_point, and what makes a core. Not trusted: farthest, which only guesses.
 #pragma once
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace plumb::reference::cores {
 
 using I = DoubleInterval;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Octants of superellipsoids; of a superellipsoid all alike.
 struct OctantsCore {

@@ -2,45 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <queue>
 
+#include "solver/reference/convex/proved.hpp"
 #include "solver/reference/frame.hpp"
 
 namespace plumb::reference::cores {
 namespace {
 
-constexpr std::array<std::array<double, 2>, 4> corner_places{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
-
-/// A box that holds sum of weights times points of A, and the sum of the weights.
-struct ProvedMixture {
-  IVec3<I> w{I(0.0), I(0.0), I(0.0)};
-  I sum{0.0};
-
-  ProvedMixture(const PlacedCores& pair, const Mixture& mixture) {
-    for (std::size_t i = 0; i < mixture.atoms.size(); ++i) {
-      const IVec3<I> point = pair.proved(mixture.atoms[i]);
-      const I weight(mixture.weights[i]);
-      for (int k = 0; k < 3; ++k) w[k] += weight * point[k];
-      sum += weight;
-    }
-  }
-  [[nodiscard]] double everywhere() const { return low(I(-(length_of<I>(w) / sum))); }
-};
-
-IVec3<I> enclosed_corner(const Mat3<double>& frame, const Vec3<double>& at) {
-  IVec3<I> out;
-  for (int i = 0; i < 3; ++i)
-    out[i] = I(frame(i, 0)) * I(at[0]) + I(frame(i, 1)) * I(at[1]) + I(frame(i, 2)) * I(at[2]);
-  return out;
-}
-
-/// Whether directions F v are all directions.
-bool is_proved_regular(const Mat3<double>& frame) {
-  const IVec3<I> x = enclosed<I>(Vec3<double>(frame.col(0))), y = enclosed<I>(Vec3<double>(frame.col(1))),
-                 z = enclosed<I>(Vec3<double>(frame.col(2)));
-  return is_positive(dot<I>(x, cross_product<I>(y, z)));
-}
+constexpr int faces = 6;
+constexpr double least_half = 0x1p-40;  // corners of cells are exact doubles down to 2^-50
 
 struct Node {
   Cell cell;
@@ -53,10 +24,12 @@ class CoverSearch {
       : pair_(pair), frame_(frame_about(lowest.n)), lowest_(lowest), level_(lowest.overlap), cells_(cells) {}
 
   CoverBound run() {
-    for (int face = 0; face < 6; ++face) add(face_of_cube(face), {});
-    while (static_cast<int>(nodes_.size()) + 4 <= cells_ && -queue_.top().first < target()) split();
-    return {is_proved_regular(frame_) ? proved() : -std::numeric_limits<double>::infinity(),
-            static_cast<int>(nodes_.size())};
+    if (cells_ < faces || !is_proved_regular(frame_)) return {-infinity, 0};
+    for (int face = 0; face < faces; ++face) add(face_of_cube(face), {});
+    while (!queue_.empty() && static_cast<int>(nodes_.size()) + 4 <= cells_ && -queue_.top().first < target())
+      split_or_leave();
+    for (; !queue_.empty(); queue_.pop()) leave(queue_.top().second);
+    return {lower_, static_cast<int>(nodes_.size())};
   }
 
  private:
@@ -79,19 +52,18 @@ class CoverSearch {
     level_ = lowest_.overlap;
   }
 
-  void split() {
-    const Node node = std::move(nodes_[static_cast<std::size_t>(queue_.top().second)]);
+  void split_or_leave() {
+    const int index = queue_.top().second;
     queue_.pop();
+    const Node node = nodes_[static_cast<std::size_t>(index)];
+    if (node.cell.half < least_half) return leave(index);
     for (int k = 0; k < 4; ++k) add(node.cell.quarter(k), node.mixture.atoms);
   }
 
-  [[nodiscard]] double proved() {
-    double out = std::numeric_limits<double>::infinity();
-    for (; !queue_.empty(); queue_.pop()) {
-      const Node& node = nodes_[static_cast<std::size_t>(queue_.top().second)];
-      out = std::min(out, proved_in(pair_, node.mixture, frame_, node.cell));
-    }
-    return out;
+  /// The leaf stays as it is.
+  void leave(int index) {
+    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    lower_ = std::min(lower_, proved_in(pair_, node.mixture, frame_, node.cell));
   }
 
   const PlacedCores& pair_;
@@ -99,27 +71,12 @@ class CoverSearch {
   LowDirection& lowest_;
   double level_;
   const int cells_;
+  double lower_ = infinity;
   std::vector<Node> nodes_;
   std::priority_queue<std::pair<double, int>> queue_;  // of the leaves; highest -value first
 };
 
 }  // namespace
-
-double proved_in(const PlacedCores& pair, const Mixture& mixture, const Mat3<double>& frame, const Cell& cell) {
-  const ProvedMixture proved(pair, mixture);
-  double out = std::numeric_limits<double>::infinity();
-  for (const auto& [du, dv] : corner_places) {
-    const IVec3<I> corner = enclosed_corner(frame, cell.at(du, dv));
-    const double reach = low(I(dot<I>(proved.w, corner) / (proved.sum * length_of<I>(corner))));
-    if (!(reach >= 0)) return proved.everywhere();
-    out = std::min(out, reach);
-  }
-  return out;
-}
-
-double proved_everywhere(const PlacedCores& pair, const Mixture& mixture) {
-  return ProvedMixture(pair, mixture).everywhere();
-}
 
 CoverBound bound_by_cover(const PlacedCores& pair, LowDirection& lowest, int cells) {
   return CoverSearch(pair, lowest, cells).run();

@@ -9,7 +9,6 @@
 namespace plumb::reference::cores {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of w.v, lengths being of order 1
 
 Points points_of(const std::vector<Atom>& atoms) {

@@ -1,0 +1,216 @@
+#include "solver/method/convex.hpp"
+
+#include <optional>
+
+#include "solver/method/automatic.hpp"
+#include "solver/method/common.hpp"
+#include "solver/method/convex/direction_search.hpp"
+#include "solver/method/convex/polytopes.hpp"
+#include "solver/method/method_table.hpp"
+#include "solver/standard_arithmetic.hpp"
+
+namespace plumb {
+namespace detail {
+namespace {
+
+/// The core of a shape in the pair's unit, 2^exponent of the caller's.
+struct CoreOf {
+  PowerOfTwo<double> unit;
+
+  explicit CoreOf(int exponent) : unit(-exponent) {}
+
+  RoundedCore operator()(const Superellipsoid<double>& s) const {
+    const Vec3<double> a = unit(s.semi_axes);
+    if (s.n1 == 2 && s.n2 == 2 && a[0] == a[1] && a[1] == a[2]) return {SegmentCore{0}, a[0]};
+    return {SmoothCore{{a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2}, 0};
+  }
+  RoundedCore operator()(const Capsule& s) const { return {SegmentCore{unit(s.half_length)}, unit(s.radius)}; }
+  RoundedCore operator()(const Cylinder& s) const {
+    const double r = unit(s.radius), l = unit(s.half_length);
+    return {FrustumCore{{-l, l}, {r, r}}, 0};
+  }
+  RoundedCore operator()(const Cone& s) const { return (*this)(Frustum{{s.radius, 0}, s.height}); }
+  RoundedCore operator()(const Frustum& s) const {
+    const double r = unit(s.radii[0]), t = unit(s.radii[1]), h = unit(s.height);
+    const double below = h / 4 * ((r * r + 2 * r * t + 3 * t * t) / (r * r + r * t + t * t));
+    return {FrustumCore{{-below, h - below}, {r, t}}, 0};
+  }
+  RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
+  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit(1.0)}, 0}; }
+  RoundedCore operator()(const PolySuperellipsoid& s) const {
+    SmoothCore core{{}, s.n1, s.n2};
+    std::transform(s.semi_axes.begin(), s.semi_axes.end(), core.semi_axes.begin(), unit);
+    return {core, 0};
+  }
+  RoundedCore operator()(const HalfSpace&) const { return {SegmentCore{0}, 0}; }
+};
+
+/// The frame of a pair: origin at body 1, lengths over 2^exponent.
+struct ConvexFrame {
+  int exponent;
+  Vec3<double> origin;
+
+  explicit ConvexFrame(const ConvexPair& pair)
+      : exponent(exponent_above(size_of(pair)) - 1), origin(pair.body1.position) {}
+
+  [[nodiscard]] Vec3<double> to_world(const Vec3<double>& x) const { return PowerOfTwo<double>(exponent)(x) + origin; }
+  [[nodiscard]] double to_world(double length) const { return PowerOfTwo<double>(exponent)(length); }
+  /// Large units are divided out before the subtraction, small ones after it, as in PairFrame.
+  [[nodiscard]] Vec3<double> to_centre(const ConvexPair& pair) const {
+    const int before = std::max(exponent, 0);
+    const PowerOfTwo<double> large(-before), small(before - exponent);
+    return small(Vec3<double>(large(pair.body2.position) - large(pair.body1.position)));
+  }
+};
+
+[[nodiscard]] PlacedCores placed(const ConvexPair& pair, const ConvexFrame& frame) {
+  const CoreOf core_of(frame.exponent);
+  const RoundedCore first = std::visit(core_of, pair.body1.shape), second = std::visit(core_of, pair.body2.shape);
+  const Vec3<double> centre = frame.to_centre(pair);
+  const double size = PowerOfTwo<double>(-frame.exponent)(size_of(pair));
+  return {{first.core, rotation<double>(pair.body1.quaternion), Vec3<double>::Zero()},
+          {second.core, rotation<double>(pair.body2.quaternion), centre},
+          first.radius + core_of.unit(pair.body1.swept_radius),
+          second.radius + core_of.unit(pair.body2.swept_radius),
+          std::max(size, centre.cwiseAbs().maxCoeff())};
+}
+
+/// A common normal, whether it is known to be the lowest, and what that took.
+struct Lowest {
+  CommonNormal contact;
+  bool is_proved;
+  int cells;
+};
+
+[[nodiscard]] Lowest lowest_of_overlapping(const PlacedCores& pair, const Vec3<double>& line) {
+  const Descent descent(pair);
+  PolytopeMinimum polytopes(pair);
+  const auto normal = polytopes.lowest();
+  const CommonNormal first = descent.from(normal.value_or(line));
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * pair.size;
+  if (normal && first.overlap > rounding && descent.is_exact(first)) return {first, true, 0};
+  DirectionSearch search(pair, first);
+  const bool is_complete = search.run();
+  return {search.best(), is_complete && descent.is_exact(search.best()), search.cells()};
+}
+
+[[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
+  const Vec3<double>& c = pair.body2.centre;
+  const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
+  const Nearest nearest = nearest_point(pair, Vec3<double>::Zero(), line, 0);
+  if (nearest.is_inside || !(pair.overlap(nearest.normal) < 0)) return lowest_of_overlapping(pair, line);
+  const Descent descent(pair);
+  const CommonNormal found = descent.sharpened(nearest);  // of bodies apart there is one common normal
+  return {found, descent.is_exact(found), 0};
+}
+
+/// The middle of the face of a core that is farthest along u: of its support points a little to all sides of u, those that are as far to
+/// rounding.
+[[nodiscard]] Vec3<double> middle_of_face(const PlacedCore& core, const Vec3<double>& u, double size) {
+  constexpr double aside = 0x1p-40, rounding = 16 * std::numeric_limits<double>::epsilon();
+  constexpr int sides = 8;
+  const Vec3<double> s = u.unitOrthogonal(), t = u.cross(s), at = core.support(u).point;
+  Vec3<double> sum = Vec3<double>::Zero();
+  int count = 0;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * EIGEN_PI * k / sides;
+    const Vec3<double> x = core.support(u + aside * (std::cos(angle) * s + std::sin(angle) * t)).point;
+    if ((at - x).dot(u) <= rounding * size) sum += x, ++count;
+  }
+  return count > 0 ? Vec3<double>(sum / count) : at;
+}
+
+/// Of a half-space, one of the two, and a core: its own normal is the only one.
+[[nodiscard]] Lowest lowest_on_plane(const PlacedCores& pair, bool is_first) {
+  const PlacedCore &plane = is_first ? pair.body1 : pair.body2, &other = is_first ? pair.body2 : pair.body1;
+  const Vec3<double> outward = plane.rotation.col(2), lowest = middle_of_face(other, -outward, pair.size);
+  const double depth = (plane.centre - lowest).dot(outward);
+  const Vec3<double> on_plane = lowest + depth * outward;
+  if (is_first) return {{outward, depth, on_plane, lowest}, true, 0};
+  return {{-outward, depth, lowest, on_plane}, true, 0};
+}
+
+[[nodiscard]] Lowest lowest_of(const ConvexPair& bodies, const PlacedCores& pair) {
+  if (std::holds_alternative<HalfSpace>(bodies.body1.shape)) return lowest_on_plane(pair, true);
+  if (std::holds_alternative<HalfSpace>(bodies.body2.shape)) return lowest_on_plane(pair, false);
+  return lowest_of_cores(pair);
+}
+
+/// A contact in the world, of cores whose bodies reach `radius` beyond them.
+struct WorldContact {
+  double overlap;
+  Vec3<double> normal, point1, point2;
+};
+
+void write(const WorldContact& found, Verdict verdict, const Want& want, Contact<double>& out) {
+  out.verdict = verdict;
+  if (want.overlap) out.overlap = found.overlap;
+  if (want.normal) out.normal = found.normal;
+  if (!want.points) return;
+  out.point1 = found.point1;
+  out.point2 = found.point2;
+  out.contact_point = found.point1 / 2 + found.point2 / 2;
+}
+
+/// Two superellipsoids swept by spheres: `auto` knows the cores' contact, and the bodies' has the same normal.
+[[nodiscard]] Contact<double> solve_swept(const ConvexPair& bodies, const Pair& cores, const Want& want,
+                                          const Contact<double>* last) {
+  const double r1 = bodies.body1.swept_radius, r2 = bodies.body2.swept_radius;
+  if (r1 + r2 == 0) return automatic<double>(cores, want, last);
+  Want all;
+  all.iteration_limit = want.iteration_limit;
+  all.tolerance = want.tolerance;
+  const Contact<double> core = automatic<double>(cores, all, last);
+  Contact<double> out;
+  out.method = core.method;
+  out.status = core.status;
+  out.iterations = core.iterations;
+  out.evaluations = core.evaluations;
+  out.chart1 = core.chart1, out.chart2 = core.chart2, out.last_chart1 = core.last_chart1,
+  out.last_chart2 = core.last_chart2;
+  const double overlap = core.overlap + r1 + r2;
+  write({overlap, core.normal, core.point1 + r1 * core.normal, core.point2 - r2 * core.normal},
+        verdict_of<double>(overlap, size_of(bodies)), want, out);
+  finish<double>(out, want);
+  return out;
+}
+
+[[nodiscard]] Contact<double> solve_by_cores(const ConvexPair& bodies, const Want& want) {
+  constexpr double undecided = 64;  // epsilon of the size: what a common normal is exact to
+  const ConvexFrame frame(bodies);
+  const PlacedCores pair = placed(bodies, frame);
+  const Lowest found = lowest_of(bodies, pair);
+  const CommonNormal& at = found.contact;
+  Contact<double> out;
+  out.method = "auto";
+  out.status = found.is_proved ? Status::converged : Status::stalled;
+  out.evaluations = found.cells;
+  const double overlap = at.overlap + pair.radius1 + pair.radius2;
+  write({frame.to_world(overlap), at.normal, frame.to_world(Vec3<double>(at.point1 + pair.radius1 * at.normal)),
+         frame.to_world(Vec3<double>(at.point2 - pair.radius2 * at.normal))},
+        verdict_of<double>(overlap, pair.size, undecided), want, out);
+  finish<double>(out, want);
+  return out;
+}
+
+}  // namespace
+}  // namespace detail
+
+Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Contact<double>* last) {
+  const StandardArithmetic mode;
+  if (!find_input_error(pair).reason.empty()) return detail::refusal<double>();
+  const auto *first = std::get_if<Superellipsoid<double>>(&pair.body1.shape),
+             *second = std::get_if<Superellipsoid<double>>(&pair.body2.shape);
+  Want found = want;
+  found.curvature = found.derivatives = found.patch = false;
+  Contact<double> out = first != nullptr && second != nullptr
+                            ? detail::solve_swept(pair,
+                                                  {{*first, pair.body1.position, pair.body1.quaternion},
+                                                   {*second, pair.body2.position, pair.body2.quaternion}},
+                                                  found, last)
+                            : detail::solve_by_cores(pair, found);
+  if (out.status != Status::converged) detail::withhold<double>(out);
+  return out;
+}
+
+}  // namespace plumb

@@ -1,0 +1,124 @@
+// What is left of a shape when its rounding radius is taken away and its unit is changed: the core, by its support points.
+//
+// A support point x(u) is a point of the core farthest along u; h(u) = x(u).u. The directions divide into pieces on which x is smooth: the
+// corners of a polytope, the two rims of a frustum, one piece for what is smooth all over. Between pieces faces and edges lie: there
+// several x are farthest, and every mixture of them is.
+#pragma once
+
+#include <cmath>
+#include <variant>
+
+#include "solver/shape/hull.hpp"
+#include "solver/shape/superellipsoid.hpp"
+
+namespace plumb::detail {
+
+/// A support point, and the piece that it is of.
+struct CorePoint {
+  Vec3<double> point;
+  int piece;
+};
+
+/// x on a piece, and its derivative by u: Hess h, symmetric, for a unit u.
+struct PieceSupport {
+  Vec3<double> point;
+  Mat3<double> hessian;
+};
+
+/// Corners (0, 0, -l) and (0, 0, l); a point where l = 0.
+struct SegmentCore {
+  double half_length;
+
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    const int end = u[2] > 0 ? 1 : 0;
+    return {corner(end), end};
+  }
+  [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
+    return {corner(piece), Mat3<double>::Zero()};
+  }
+  [[nodiscard]] Vec3<double> corner(int end) const { return {0, 0, end == 0 ? -half_length : half_length}; }
+};
+
+/// Corner k has the positive half-extent along axis i where bit i of k is set.
+struct BoxCore {
+  Vec3<double> half_extents;
+
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    const int k = (u[0] > 0 ? 1 : 0) + (u[1] > 0 ? 2 : 0) + (u[2] > 0 ? 4 : 0);
+    return {corner(k), k};
+  }
+  [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
+    return {corner(piece), Mat3<double>::Zero()};
+  }
+  [[nodiscard]] Vec3<double> corner(int k) const {
+    const auto along = [&](int i) { return (k >> i) % 2 == 0 ? -half_extents[i] : half_extents[i]; };
+    return {along(0), along(1), along(2)};
+  }
+};
+
+/// The corners of a hull, in another unit.
+struct HullCore {
+  const Hull* hull;
+  double unit;
+
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    int best = 0;
+    double height = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < static_cast<int>(hull->corners.size()); ++k)
+      if (const double of_k = hull->corners[static_cast<std::size_t>(k)].dot(u); of_k > height) height = of_k, best = k;
+    return {corner(best), best};
+  }
+  [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
+    return {corner(piece), Mat3<double>::Zero()};
+  }
+  [[nodiscard]] Vec3<double> corner(int k) const { return hull->corners[static_cast<std::size_t>(k)] * unit; }
+};
+
+/// The hull of two circles about the z axis, the lower of which is piece 0; either radius may be 0. A cylinder, a cone, a frustum.
+struct FrustumCore {
+  std::array<double, 2> heights, radii;
+
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    const double across = std::hypot(u[0], u[1]);
+    const auto height = [&](std::size_t end) { return radii[end] * across + heights[end] * u[2]; };
+    const int end = height(1) > height(0) ? 1 : 0;
+    return {support(end, u).point, end};
+  }
+  [[nodiscard]] PieceSupport support(int piece, const Vec3<double>& u) const {
+    const auto end = static_cast<std::size_t>(piece);
+    const double across = std::hypot(u[0], u[1]);
+    const Vec3<double> out = across > 0 ? Vec3<double>(u[0] / across, u[1] / across, 0) : Vec3<double>(1, 0, 0);
+    const Vec3<double> along(-out[1], out[0], 0);
+    return {radii[end] * out + Vec3<double>(0, 0, heights[end]), radii[end] / across * along * along.transpose()};
+  }
+};
+
+/// A superellipsoid; of other half-axes in each octant where poly.
+struct SmoothCore {
+  std::array<double, 6> semi_axes;
+  double n1, n2;
+
+  [[nodiscard]] Superellipsoid<double> octant(const Vec3<double>& u) const {
+    const auto axis = [&](std::size_t i) { return semi_axes[2 * i + (u[static_cast<int>(i)] < 0 ? 1 : 0)]; };
+    return {{axis(0), axis(1), axis(2)}, n1, n2};
+  }
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    return {support_point<double>(octant(u), u).gradient, 0};
+  }
+  [[nodiscard]] PieceSupport support(int, const Vec3<double>& u) const {
+    const NormHessian<double> at = support_hessian<double>(octant(u), u);
+    return {at.gradient, at.hessian};
+  }
+  /// g, 1 on the surface, with its derivatives by x.
+  [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const { return gauge_hessian<double>(octant(x), x); }
+};
+
+using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, SmoothCore>;
+
+/// A core and the radius about it.
+struct RoundedCore {
+  Core core;
+  double radius;
+};
+
+}  // namespace plumb::detail

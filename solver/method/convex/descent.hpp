@@ -1,0 +1,87 @@
+// From a direction to the common normal that it leads to.
+//
+// A target just outside of M on the line along n has a nearest point on M; the normal there is the next n. o falls from one to the next: where
+// M's surface is curved with radius R the angle to the common normal becomes (o + h)/(R + h) times what it was, h the target's height above
+// the surface, and on a face it is gone at once. Newton takes over where the pieces are known.
+#pragma once
+
+#include "solver/method/convex/stationary.hpp"
+
+namespace plumb::detail {
+
+class Descent {
+ public:
+  explicit Descent(const PlacedCores& pair) : pair_(pair) {}
+
+  /// Of cores that are not apart, from a unit n on. The overlap is no higher than o(n), but for rounding.
+  [[nodiscard]] CommonNormal from(const Vec3<double>& n) const {
+    constexpr int most_steps = 60;
+    CommonNormal best = seen(n);
+    for (int step = 0; step < most_steps; ++step) {
+      const CommonNormal next = after(best, std::ldexp(pair_.size, step < 2 ? -6 : -10));
+      const bool is_lower = next.overlap < best.overlap - margin();
+      if (is_lower || (next.overlap <= best.overlap + margin() && defect(next) <= defect(best))) best = next;
+      if (!is_lower) break;
+    }
+    return settled(best);
+  }
+
+  /// Of cores apart: the nearest points, sharpened.
+  [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return best_of(nearest); }
+
+  /// Whether the points are those of the normal, to rounding.
+  [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= 16 * margin(); }
+
+ private:
+  [[nodiscard]] double margin() const { return 64 * std::numeric_limits<double>::epsilon() * pair_.size; }
+
+  [[nodiscard]] CommonNormal seen(const Vec3<double>& n) const {
+    const Difference at = pair_.support(n);
+    return {n, at.w().dot(n), at.point1, at.point2};
+  }
+
+  /// A step, with the target that high above M. Of what it may lead to the one that is a common normal, among those that are lowest.
+  [[nodiscard]] CommonNormal after(const CommonNormal& at, double height) const {
+    const Nearest nearest = nearest_point(pair_, (at.overlap + height) * at.normal, at.normal, 0);
+    return best_of(nearest);
+  }
+
+  /// The same contact with its points, where a step ended beside it: rounding turns the normal of a target close to M the most.
+  [[nodiscard]] CommonNormal settled(CommonNormal best) const {
+    for (const int height : {-3, -6, -14}) {
+      if (is_exact(best)) return best;
+      const CommonNormal next = after(best, std::ldexp(pair_.size, height));
+      if (next.overlap <= best.overlap + margin() && defect(next) < defect(best)) best = next;
+    }
+    return best;
+  }
+
+  [[nodiscard]] CommonNormal best_of(const Nearest& nearest) const {
+    const Mixture& mixture = nearest.mixture;
+    const auto along = [&](const Vec3<double>& n) {
+      return CommonNormal{n, pair_.overlap(n), mixture.point1(), mixture.point2()};
+    };
+    CommonNormal best = along(nearest.normal);
+    const auto consider = [&](const CommonNormal& other) {
+      if (other.overlap < best.overlap - margin() ||
+          (other.overlap <= best.overlap + margin() && defect(other) < defect(best)))
+        best = other;
+    };
+    if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));
+    const StationaryNewton newton(pair_, mixture, nearest.normal);
+    for (const auto& [gauge1, gauge2] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
+      if (const auto solved = newton.solve(gauge1, gauge2)) return consider(*solved), best;
+    return best;
+  }
+
+  /// By how much the points are not those of the normal, a length: off the planes that touch the cores, or off the line along it.
+  [[nodiscard]] double defect(const CommonNormal& of) const {
+    const Difference farthest = pair_.support(of.normal);
+    return std::max({(farthest.point1 - of.point1).dot(of.normal), (of.point2 - farthest.point2).dot(of.normal),
+                     (of.point1 - of.point2 - of.overlap * of.normal).norm()});
+  }
+
+  const PlacedCores& pair_;
+};
+
+}  // namespace plumb::detail

@@ -1,0 +1,66 @@
+// Two cores in their pair's frame (world axes, origin at body 1, lengths over a power of two), and what the solver sees of them: the
+// support points of their difference M = {x1 - x2}. o(n) = max over w in M of w.n is the overlap along n; the origin is as deep in M, or
+// as far from it, as the lowest o says.
+#pragma once
+
+#include "solver/method/convex/core.hpp"
+#include "solver/pose.hpp"
+
+namespace plumb::detail {
+
+/// A support point w = point1 - point2 of M, and the pieces that it is of.
+struct Difference {
+  Vec3<double> point1, point2;
+  int piece1, piece2;
+
+  [[nodiscard]] Vec3<double> w() const { return point1 - point2; }
+};
+
+struct PlacedCore {
+  Core core;
+  Mat3<double> rotation;
+  Vec3<double> centre;
+
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    const Vec3<double> v = rotation.transpose() * u;
+    const CorePoint at = std::visit([&](const auto& of) { return support_of(of, v); }, core);
+    return {rotation * at.point + centre, at.piece};
+  }
+  [[nodiscard]] PieceSupport support(int piece, const Vec3<double>& u) const {
+    const Vec3<double> v = rotation.transpose() * u;
+    const PieceSupport at = std::visit([&](const auto& of) { return support_of(of, piece, v); }, core);
+    return {rotation * at.point + centre, rotation * at.hessian * rotation.transpose()};
+  }
+  [[nodiscard]] bool is_smooth() const { return std::holds_alternative<SmoothCore>(core); }
+  /// Of a smooth core, with its derivatives by a point of the frame.
+  [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const {
+    const NormHessian<double> at = std::get<SmoothCore>(core).gauge(rotation.transpose() * (x - centre));
+    return {at.value, rotation * at.gradient, rotation * at.hessian * rotation.transpose()};
+  }
+
+ private:
+  template <class C>
+  [[nodiscard]] static CorePoint support_of(const C& of, const Vec3<double>& v) {
+    return of.support(v);
+  }
+  template <class C>
+  [[nodiscard]] static PieceSupport support_of(const C& of, int piece, const Vec3<double>& v) {
+    return of.support(piece, v);
+  }
+};
+
+struct PlacedCores {
+  PlacedCore body1, body2;
+  double radius1, radius2;  ///< the bodies reach so far beyond their cores
+  double
+      size;  ///< the larger bounding radius, in [1, 2), or the centre distance where that is more: what rounding is relative to
+
+  [[nodiscard]] Difference support(const Vec3<double>& n) const {
+    const CorePoint first = body1.support(n), second = body2.support(-n);
+    return {first.point, second.point, first.piece, second.piece};
+  }
+  /// o(n).
+  [[nodiscard]] double overlap(const Vec3<double>& n) const { return support(n).w().dot(n); }
+};
+
+}  // namespace plumb::detail

@@ -1,0 +1,133 @@
+// The lowest overlap along the face normals and edges of two polytopes: where they overlap it is the lowest of all.
+//
+// o is linear between them: a minimum lies on the normal of a face of one body, or where the normals of an edge of one cross those of an
+// edge of the other, that is along the product of the edges. Which edges cross is decided by signs; a pair that rounding hides is close to
+// a face normal, and o there, being continuous, is the same to rounding. So no tolerance decides which face or edge it is.
+#pragma once
+
+#include "solver/method/convex/descent.hpp"
+
+namespace plumb::detail {
+
+/// An edge: its direction, of any length, one of its corners, and the normals of its two faces; a segment's has none.
+struct EdgeOfCore {
+  Vec3<double> direction, corner;
+  std::array<Vec3<double>, 2> normals;
+  bool has_faces;
+};
+
+/// What a polytope says of its faces and edges, in body axes.
+struct SegmentEdges {
+  const SegmentCore& core;
+
+  [[nodiscard]] static int faces() { return 0; }
+  [[nodiscard]] static Vec3<double> face_normal(int) { return Vec3<double>::Zero(); }
+  [[nodiscard]] int edges() const { return core.half_length > 0 ? 1 : 0; }
+  [[nodiscard]] EdgeOfCore edge(int) const { return {Vec3<double>::UnitZ(), core.corner(0), {}, false}; }
+};
+
+struct BoxEdges {
+  const BoxCore& core;
+
+  [[nodiscard]] static int faces() { return 6; }
+  [[nodiscard]] static Vec3<double> face_normal(int k) { return (k % 2 == 0 ? -1.0 : 1.0) * Vec3<double>::Unit(k / 2); }
+  [[nodiscard]] static int edges() { return 12; }
+  /// Four along each axis.
+  [[nodiscard]] EdgeOfCore edge(int k) const {
+    const int axis = k / 4, second = (axis + 1) % 3, third = (axis + 2) % 3;
+    const double along_second = k % 2 == 0 ? -1 : 1, along_third = k / 2 % 2 == 0 ? -1 : 1;
+    const Vec3<double> n2 = along_second * Vec3<double>::Unit(second), n3 = along_third * Vec3<double>::Unit(third);
+    return {
+        Vec3<double>::Unit(axis), core.half_extents.cwiseProduct(n2 + n3 + Vec3<double>::Unit(axis)), {n2, n3}, true};
+  }
+};
+
+struct HullEdges {
+  const HullCore& core;
+
+  [[nodiscard]] int faces() const { return static_cast<int>(core.hull->faces.size()); }
+  [[nodiscard]] const Vec3<double>& face_normal(int k) const {
+    return core.hull->faces[static_cast<std::size_t>(k)].normal;
+  }
+  [[nodiscard]] int edges() const { return static_cast<int>(core.hull->edges.size()); }
+  [[nodiscard]] EdgeOfCore edge(int k) const {
+    const HullEdge& e = core.hull->edges[static_cast<std::size_t>(k)];
+    const Vec3<double> from = core.corner(e.corners[0]), to = core.corner(e.corners[1]);
+    if (e.faces[0] < 0) return {to - from, from, {}, false};
+    return {to - from, from, {face_normal(e.faces[0]), face_normal(e.faces[1])}, true};
+  }
+};
+
+class PolytopeMinimum {
+ public:
+  explicit PolytopeMinimum(const PlacedCores& pair) : pair_(pair) {}
+
+  /// nullopt: a body is no polytope, or neither has a face or an edge.
+  [[nodiscard]] std::optional<Vec3<double>> lowest() {
+    const auto of_both = [&](const auto& first, const auto& second) { look_at(first, second); };
+    const bool are_polytopes = with_edges(pair_.body1.core, [&](const auto& first) {
+      (void)with_edges(pair_.body2.core, [&](const auto& second) { of_both(first, second); });
+    });
+    if (!are_polytopes || !std::isfinite(best_)) return std::nullopt;
+    return normal_;
+  }
+
+ private:
+  template <class F>
+  static bool with_edges(const Core& core, const F& use) {
+    if (const auto* segment = std::get_if<SegmentCore>(&core)) return use(SegmentEdges{*segment}), true;
+    if (const auto* box = std::get_if<BoxCore>(&core)) return use(BoxEdges{*box}), true;
+    if (const auto* hull = std::get_if<HullCore>(&core)) return use(HullEdges{*hull}), true;
+    return false;
+  }
+
+  void consider(const Vec3<double>& n) {
+    const double overlap = pair_.overlap(n);
+    if (overlap < best_) best_ = overlap, normal_ = n;
+  }
+
+  template <class First, class Second>
+  void look_at(const First& first, const Second& second) {
+    const Mat3<double>&r1 = pair_.body1.rotation, &r2 = pair_.body2.rotation;
+    for (int k = 0; k < first.faces(); ++k) consider(r1 * first.face_normal(k));
+    for (int k = 0; k < second.faces(); ++k) consider(-(r2 * second.face_normal(k)));
+    for (int j = 0; j < second.edges(); ++j) {
+      const EdgeOfCore against = in_frame_of_body1(second.edge(j));
+      for (int i = 0; i < first.edges(); ++i) look_at_edges(first.edge(i), against);
+    }
+  }
+
+  /// Its normals turned against body 1.
+  [[nodiscard]] EdgeOfCore in_frame_of_body1(const EdgeOfCore& edge) const {
+    const Mat3<double> turn = pair_.body1.rotation.transpose() * pair_.body2.rotation;
+    return {turn * edge.direction,
+            pair_.body1.rotation.transpose() * (pair_.body2.rotation * edge.corner + pair_.body2.centre),
+            {-(turn * edge.normals[0]), -(turn * edge.normals[1])},
+            edge.has_faces};
+  }
+
+  /// Body axes of body 1.
+  void look_at_edges(const EdgeOfCore& a, const EdgeOfCore& b) {
+    if (!is_crossed_by(a, b.direction) || !is_crossed_by(b, a.direction)) return;
+    const Vec3<double> product = a.direction.cross(b.direction);
+    if (!(product.squaredNorm() > 0)) return;
+    const Vec3<double> n = product.normalized();
+    for (const double sign : {1.0, -1.0})
+      if (is_on_side_of(a, sign * n) && is_on_side_of(b, sign * n) && sign * n.dot(a.corner - b.corner) < best_)
+        consider(pair_.body1.rotation * (sign * n));
+  }
+
+  /// Whether the plane across `direction` goes between the edge's two normals, or through one.
+  [[nodiscard]] static bool is_crossed_by(const EdgeOfCore& edge, const Vec3<double>& direction) {
+    return !edge.has_faces || edge.normals[0].dot(direction) * edge.normals[1].dot(direction) <= 0;
+  }
+  [[nodiscard]] static bool is_on_side_of(const EdgeOfCore& edge, const Vec3<double>& n) {
+    return !edge.has_faces || n.dot(edge.normals[0] + edge.normals[1]) >= 0;
+  }
+
+  const PlacedCores& pair_;
+  double best_ = std::numeric_limits<double>::infinity();
+  Vec3<double> normal_ = Vec3<double>::UnitZ();
+};
+
+}  // namespace plumb::detail

@@ -1,0 +1,239 @@
+// Newton for a common normal whose pieces are known.
+//
+// Unknowns   n; o; l_i, the weights of the pieces x_i(n) of body 1, and m_j, those of the pieces y_j(-n) of body 2
+// Equations  sum l_i x_i - sum m_j y_j = o n     the points lie along the normal
+//            x_i.n = x_0.n,  y_j.n = y_0.n       all pieces are farthest
+//            sum l_i = 1,  sum m_j = 1,  n.n = 1
+//
+// One piece of each body: two points of smooth surfaces. Two of one body: a point of an edge or of a cone's side; three: of a face.
+// A smooth core is described by its support point x(n), or, where it is so flat that x(n) jumps, by x itself:
+//            grad g(x) = s n,  g(x) = 1          two more unknowns x and s
+#pragma once
+
+#include <Eigen/LU>
+
+#include "solver/method/convex/nearest.hpp"
+
+namespace plumb::detail {
+
+/// A common normal of the cores.
+struct CommonNormal {
+  Vec3<double> normal;
+  double overlap;
+  Vec3<double> point1, point2;
+};
+
+/// A body's part in a contact: the pieces that it lies on, and how it is described.
+struct ActivePieces {
+  static constexpr int most = 3;
+  std::array<int, most> piece{};
+  std::array<double, most> weight{};
+  int count = 0;
+  bool by_gauge = false;
+  Vec3<double> x = Vec3<double>::Zero();  ///< by_gauge
+  double s = 1;
+
+  /// False: there is no room for one more.
+  bool add(int which, double by) {
+    for (int k = 0; k < count; ++k)
+      if (piece[static_cast<std::size_t>(k)] == which) return weight[static_cast<std::size_t>(k)] += by, true;
+    if (count == most) return false;
+    piece[static_cast<std::size_t>(count)] = which;
+    weight[static_cast<std::size_t>(count++)] = by;
+    return true;
+  }
+  [[nodiscard]] bool is_mixture() const {
+    constexpr double rounding = 1e-12;
+    return std::all_of(weight.begin(), weight.begin() + count, [](double l) { return l >= -rounding; });
+  }
+};
+
+class StationaryNewton {
+ public:
+  StationaryNewton(const PlacedCores& pair, const Mixture& from, const Vec3<double>& normal)
+      : pair_(pair), start_(from), start_normal_(normal) {
+    for (int k = 0; k < from.count; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      if (!(from.weight[at] > 0)) continue;
+      fits_ = fits_ && pieces_[0].add(from.of[at].piece1, from.weight[at]) &&
+              pieces_[1].add(from.of[at].piece2, from.weight[at]);
+    }
+    fits_ = fits_ && pieces_[0].count + pieces_[1].count <= most_pieces;
+  }
+
+  /// nullopt: it does not converge, or not to a contact. Each smooth core may be described by its gauge.
+  [[nodiscard]] std::optional<CommonNormal> solve(bool by_gauge1, bool by_gauge2) const {
+    if (!fits_ || (by_gauge1 && !pair_.body1.is_smooth()) || (by_gauge2 && !pair_.body2.is_smooth()))
+      return std::nullopt;
+    Iteration iteration{pair_, start_normal_, start_.w().dot(start_normal_), pieces_, {}, {}};
+    iteration.describe(0, by_gauge1, start_.point1());
+    iteration.describe(1, by_gauge2, start_.point2());
+    return iteration.run();
+  }
+
+ private:
+  static constexpr int most_pieces = 4;  // n has two degrees of freedom
+  static constexpr int most_unknowns = 3 + 1 + most_pieces + 2 * 4;
+  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
+
+  struct Iteration {
+    const PlacedCores& pair;
+    Vec3<double> n;
+    double overlap;
+    std::array<ActivePieces, 2> pieces;
+    System jacobian;
+    Column residual;
+
+    [[nodiscard]] const PlacedCore& body(int i) const { return i == 0 ? pair.body1 : pair.body2; }
+    [[nodiscard]] ActivePieces& of(int i) { return pieces[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const ActivePieces& of(int i) const { return pieces[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] static double sign(int i) { return i == 0 ? 1 : -1; }
+
+    void describe(int i, bool by_gauge, const Vec3<double>& x) {
+      of(i).by_gauge = by_gauge;
+      if (!by_gauge) return;
+      const NormHessian<double> g = body(i).gauge(x);
+      of(i).x = x;
+      of(i).s = g.gradient.norm();
+    }
+
+    [[nodiscard]] std::optional<CommonNormal> run() {
+      constexpr int most_steps = 16;
+      constexpr double rounding = 16 * std::numeric_limits<double>::epsilon(), near = 0.1;
+      const Vec3<double> start = n;
+      double last = std::numeric_limits<double>::infinity();
+      for (int step = 0; step < most_steps; ++step) {
+        const double now = evaluate();
+        const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2);
+        if (is_solved) return is_contact() && (n - start).norm() < near ? std::optional(contact()) : std::nullopt;
+        if (!(now < 1e3 * last) || !take_step()) return std::nullopt;
+        last = std::min(last, now);
+      }
+      return std::nullopt;
+    }
+
+    /// The residual's largest component, a length.
+    double evaluate() {
+      const int m = of(0).count + of(1).count,
+                unknowns = 4 + m + 4 * (of(0).by_gauge ? 1 : 0) + 4 * (of(1).by_gauge ? 1 : 0);
+      jacobian = System::Zero(unknowns, unknowns);
+      residual = Column::Zero(unknowns);
+      jacobian.topLeftCorner<3, 3>() = -overlap * Mat3<double>::Identity();
+      jacobian.block<3, 1>(0, 3) = -n;
+      residual.head<3>() = -overlap * n;
+      jacobian.block<1, 3>(3, 0) = 2 * n.transpose();
+      residual[3] = n.squaredNorm() - 1;
+      int weights = 4, gauges = 4 + m;
+      for (int i = 0; i < 2; ++i) {
+        if (of(i).by_gauge)
+          add_gauge(i, weights, gauges), gauges += 4;
+        else
+          add_pieces(i, weights);
+        weights += of(i).count;
+      }
+      return residual.cwiseAbs().maxCoeff();
+    }
+
+    /// `at`: the place of the body's weights among the unknowns, and of its equations about pieces.
+    void add_pieces(int i, int at) {
+      const Vec3<double> u = sign(i) * n;
+      Vec3<double> first;
+      residual[at] = -1;
+      for (int k = 0; k < of(i).count; ++k) {
+        const double weight = of(i).weight[static_cast<std::size_t>(k)];
+        const PieceSupport x = body(i).support(of(i).piece[static_cast<std::size_t>(k)], u);
+        if (k == 0) first = x.point;
+        residual.head<3>() += sign(i) * weight * x.point;
+        jacobian.topLeftCorner<3, 3>() += weight * x.hessian;  // of body 2: both signs turn
+        jacobian.block<3, 1>(0, at + k) = sign(i) * x.point;
+        residual[at] += weight;
+        jacobian(at, at + k) = 1;
+        if (k == 0) continue;
+        residual[at + k] = (x.point - first).dot(u);
+        jacobian.block<1, 3>(at + k, 0) = sign(i) * (x.point - first).transpose();
+      }
+    }
+
+    /// One piece, of weight 1; its equations are as lengths are.
+    void add_gauge(int i, int at, int unknown) {
+      const Vec3<double>& x = of(i).x;
+      const NormHessian<double> g = body(i).gauge(x);
+      const double unit = 1 / g.gradient.norm();
+      residual.head<3>() += sign(i) * x;
+      jacobian.block<3, 3>(0, unknown) = sign(i) * Mat3<double>::Identity();
+      jacobian(at, at) = 1;
+      residual.segment<3>(unknown) = unit * g.gradient - unit * of(i).s * sign(i) * n;
+      jacobian.block<3, 3>(unknown, unknown) = unit * g.hessian;
+      jacobian.block<3, 3>(unknown, 0) = -unit * of(i).s * sign(i) * Mat3<double>::Identity();
+      jacobian.block<3, 1>(unknown, unknown + 3) = -unit * sign(i) * n;
+      residual[unknown + 3] = unit * (g.value - 1);
+      jacobian.block<1, 3>(unknown + 3, unknown) = unit * g.gradient.transpose();
+    }
+
+    [[nodiscard]] bool take_step() {
+      if (!jacobian.allFinite() || !residual.allFinite()) return false;
+      const Column step = jacobian.partialPivLu().solve(residual);
+      if (!step.allFinite()) return false;
+      n = (n - step.head<3>()).normalized();
+      overlap -= step[3];
+      int weights = 4, gauges = 4 + of(0).count + of(1).count;
+      for (int i = 0; i < 2; ++i) {
+        for (int k = 0; k < of(i).count; ++k) of(i).weight[static_cast<std::size_t>(k)] -= step[weights + k];
+        weights += of(i).count;
+        if (!of(i).by_gauge) continue;
+        of(i).x -= step.segment<3>(gauges);
+        of(i).s -= step[gauges + 3];
+        gauges += 4;
+      }
+      return true;
+    }
+
+    /// Its points lie on the pieces, no other point of the bodies is farther, and o does not fall on any side.
+    [[nodiscard]] bool is_contact() const {
+      constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+      return of(0).is_mixture() && of(1).is_mixture() && pair.overlap(n) <= overlap + rounding * pair.size &&
+             is_lowest_nearby();
+    }
+
+    /// On the directions along which all pieces stay farthest, the second derivative of o is not below 0.
+    [[nodiscard]] bool is_lowest_nearby() const {
+      Mat3<double> second = -overlap * Mat3<double>::Identity();
+      Vec3<double> kink = Vec3<double>::Zero();
+      for (int i = 0; i < 2; ++i) {
+        Vec3<double> first;
+        for (int k = 0; k < of(i).count; ++k) {
+          const PieceSupport x = body(i).support(of(i).piece[static_cast<std::size_t>(k)], sign(i) * n);
+          second += of(i).weight[static_cast<std::size_t>(k)] * x.hessian;
+          if (k == 0)
+            first = x.point;
+          else
+            kink = x.point - first;
+        }
+      }
+      const int kinks = of(0).count + of(1).count - 2;
+      if (kinks == 2 || !second.allFinite()) return true;  // infinite: on a flat
+      const Vec3<double> s = kinks == 1 ? n.cross(kink).normalized() : n.unitOrthogonal(), t = n.cross(s);
+      const double ss = s.dot(second * s), tt = t.dot(second * t), st = s.dot(second * t);
+      return ss >= 0 && (kinks == 1 || (tt >= 0 && ss * tt >= st * st));
+    }
+
+    [[nodiscard]] CommonNormal contact() const { return {n, overlap, point(0), point(1)}; }
+    [[nodiscard]] Vec3<double> point(int i) const {
+      if (of(i).by_gauge) return of(i).x;
+      Vec3<double> out = Vec3<double>::Zero();
+      for (int k = 0; k < of(i).count; ++k)
+        out += of(i).weight[static_cast<std::size_t>(k)] *
+               body(i).support(of(i).piece[static_cast<std::size_t>(k)], sign(i) * n).point;
+      return out;
+    }
+  };
+
+  const PlacedCores& pair_;
+  const Mixture& start_;
+  Vec3<double> start_normal_;
+  std::array<ActivePieces, 2> pieces_;
+  bool fits_ = true;
+};
+
+}  // namespace plumb::detail
