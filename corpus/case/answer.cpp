@@ -242,9 +242,9 @@ Json answer_json(const Answer& answer) {
     return out;
   }
   out.update(contact_json(contact, answer.want));
-  if (answer.want.points) {
-    put_object(out, "angles_deg", angles_json(answer.pair, contact, sign_of(contact.overlap)));
-    put_object(out, "residuals", residues_json(answer.pair, contact));
+  if (answer.want.points && answer.pair) {
+    put_object(out, "angles_deg", angles_json(*answer.pair, contact, sign_of(contact.overlap)));
+    put_object(out, "residuals", residues_json(*answer.pair, contact));
   }
   if (answer.want.curvature) put_curvature(out, contact);
   if (answer.want.derivatives) put_derivatives(out, contact);

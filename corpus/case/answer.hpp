@@ -11,8 +11,8 @@ namespace plumb {
 
 /// What was asked, what came, and how long it took.
 struct Answer {
-  std::string name;  ///< of the case
-  Pair pair;
+  std::string name;          ///< of the case
+  std::optional<Pair> pair;  ///< nothing where a shape is no superellipsoid's: no angles and no residuals
   Want want;
   Contact<double> contact;
   std::optional<double> nanoseconds;

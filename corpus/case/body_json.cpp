@@ -1,23 +1,10 @@
 #include "corpus/case/body_json.hpp"
 
 #include "corpus/case/angles.hpp"
+#include "corpus/case/shape_json.hpp"
 
 namespace plumb {
 namespace {
-
-Superellipsoid<double> read_shape(const Field& shape) {
-  shape.require_object({"superellipsoid"});
-  const Field fields = shape.member("superellipsoid");
-  fields.require_object({"semi_axes", "exponents"});
-  Superellipsoid<double> out;
-  out.semi_axes = fields.member("semi_axes").vector();
-  if (const auto exponents = fields.find("exponents")) {
-    const auto n = exponents->numbers<2>();
-    out.n1 = n[0];
-    out.n2 = n[1];
-  }
-  return out;
-}
 
 std::array<double, 4> read_orientation(const Field& orientation) {
   orientation.require_object({"quaternion_wxyz", "euler_zxz", "euler_zxz_deg"});
@@ -31,28 +18,43 @@ std::array<double, 4> read_orientation(const Field& orientation) {
   orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
 }
 
-void require_legal(const Field& field, const Body& body) {
-  const InputError error = find_input_error({body, body});
-  if (!error.reason.empty()) throw FieldError(field.path_of(error.field), std::string(error.reason));
+/// `path`: of the shape, which may lie deeper than "shape".
+void require_legal(const Field& field, const InputError& error, const std::string& path) {
+  if (error.reason.empty()) return;
+  constexpr std::string_view shape = "shape.";
+  const bool is_of_shape = error.field.starts_with(shape);
+  throw FieldError(is_of_shape ? path + "." + std::string(error.field.substr(shape.size()))
+                               : field.path_of(error.field),
+                   std::string(error.reason));
 }
 
 }  // namespace
 
 Body read_body(const Field& field, bool placed) {
   Body out;
-  out.shape = read_shape(field.member("shape"));
+  const Field shape = field.member("shape");
+  out.shape = read_superellipsoid(shape);
   if (!placed) out.position = field.member("position").vector();
   out.quaternion = read_orientation(field.member("orientation"));
-  require_legal(field, out);
+  require_legal(field, find_input_error({out, out}), shape.path());
+  return out;
+}
+
+ConvexBody read_convex_body(const Field& field) {
+  SweptShape swept = read_shape(field.member("shape"));
+  const ConvexBody out{std::move(swept.shape), swept.swept_radius, field.member("position").vector(),
+                       read_orientation(field.member("orientation"))};
+  require_legal(field, find_input_error({out, {}}), swept.path);
   return out;
 }
 
 Json body_json(const Body& body) {
-  Json shape;
-  shape["semi_axes"] = vector_json(body.shape.semi_axes);
-  shape["exponents"] = {body.shape.n1, body.shape.n2};
+  return body_json({body.shape, 0, body.position, body.quaternion});
+}
+
+Json body_json(const ConvexBody& body) {
   Json out;
-  out["shape"]["superellipsoid"] = shape;
+  out["shape"] = shape_json(body.shape, body.swept_radius);
   out["position"] = vector_json(body.position);
   out["orientation"]["quaternion_wxyz"] = body.quaternion;
   return out;

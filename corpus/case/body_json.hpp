@@ -3,6 +3,7 @@
 
 #include "corpus/json/fields.hpp"
 #include "solver/contact.hpp"
+#include "solver/shape/convex.hpp"
 
 namespace plumb {
 
@@ -10,7 +11,11 @@ namespace plumb {
 /// else places it, it has no position. Euler angles are evaluated in 50 digits. Throws FieldError.
 [[nodiscard]] Body read_body(const Field& field, bool placed = false);
 
+/// The same of every shape, always with a position.
+[[nodiscard]] ConvexBody read_convex_body(const Field& field);
+
 /// Position and quaternion.
 [[nodiscard]] Json body_json(const Body& body);
+[[nodiscard]] Json body_json(const ConvexBody& body);
 
 }  // namespace plumb

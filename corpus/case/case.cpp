@@ -5,23 +5,23 @@
 #include "corpus/case/angles.hpp"
 #include "corpus/case/body_json.hpp"
 #include "corpus/case/contract_words.hpp"
+#include "corpus/case/shape_json.hpp"
 #include "corpus/json/fields.hpp"
 #include "solver/reference/reference.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr const char* case_format = "plumb/case-1";
+constexpr std::array<std::string_view, 2> case_formats{"plumb/case-1", "plumb/case-2"};
 
 void require_format(const Field& root) {
   root.require_object({"format", "name", "bodies", "placement", "motion", "expect", "provenance"});
-  root.member("format").require_text(case_format);
+  require_word(root.member("format"), case_formats);
 }
 
-/// Without a position when a placement gives it.
-Body read_case_body(const Field& field, bool placed) {
+Field require_body(Field field) {
   field.require_object({"shape", "position", "orientation"});
-  return read_body(field, placed);
+  return field;
 }
 
 Vec3<double> read_placement(const Field& placement, const Pair& pair) {
@@ -95,7 +95,8 @@ Pair read_pair(const Field& root) {
   const Field second = bodies.element(1, 2, "bodies");
   if (placement && second.has("position"))
     placement->fail("stands instead of bodies[1].position: give only one of them");
-  Pair pair{read_case_body(bodies.element(0, 2, "bodies"), false), read_case_body(second, placement.has_value())};
+  Pair pair{read_body(require_body(bodies.element(0, 2, "bodies"))),
+            read_body(require_body(second), placement.has_value())};  // without a position when a placement gives it
   if (placement) pair.body2.position = read_placement(*placement, pair);
   return pair;
 }
@@ -106,13 +107,52 @@ Json bodies_json(const Pair& pair) {
 
 namespace {
 
-Case read_case(const Json& tree) {
+Json bodies_json(const ConvexPair& pair) {
+  return {body_json(pair.body1), body_json(pair.body2)};
+}
+
+/// The first of the two that is no superellipsoid.
+std::optional<Field> find_other_shape(const Field& bodies) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto shape = bodies.element(i, 2, "bodies").find("shape");
+    if (shape && is_other_shape(*shape)) return shape;
+  }
+  return std::nullopt;
+}
+
+ConvexPair read_convex_pair(const Field& root) {
+  for (const char* key : {"placement", "motion"})
+    if (const auto field = root.find(key)) field->fail("is for two superellipsoids");
+  const Field bodies = root.member("bodies");
+  const std::array both{bodies.element(0, 2, "bodies"), bodies.element(1, 2, "bodies")};
+  const ConvexPair out{read_convex_body(require_body(both[0])), read_convex_body(require_body(both[1]))};
+  // Each is legal by itself.
+  const InputError error = find_input_error(out);
+  if (!error.reason.empty())
+    throw FieldError(both[error.body == 1 ? 1 : 0].path_of(error.field), std::string(error.reason));
+  return out;
+}
+
+void read_bodies(Case& out, const Field& root, CaseShapes shapes) {
+  const auto other = find_other_shape(root.member("bodies"));
+  if (!other) {
+    out.pair = read_pair(root);
+    if (const auto motion = root.find("motion")) out.pair.motion = motion->vector();
+    return;
+  }
+  if (root.member("format").text() == case_formats[0])
+    other->fail("is no superellipsoid: takes \"format\": \"plumb/case-2\"");
+  if (shapes == CaseShapes::superellipsoids)
+    other->fail("is no superellipsoid: not taken here (plumb solve, certify, check and replay take it)");
+  out.convex = read_convex_pair(root);
+}
+
+Case read_case(const Json& tree, CaseShapes shapes) {
   const Field root(tree);
   require_format(root);
   Case out;
   if (const auto name = root.find("name")) out.name = name->text();
-  out.pair = read_pair(root);
-  if (const auto motion = root.find("motion")) out.pair.motion = motion->vector();
+  read_bodies(out, root, shapes);
   if (const auto expect = root.find("expect")) out.expect = read_expect(*expect);
   if (const auto provenance = root.find("provenance")) out.provenance = provenance->value();
   out.extra = read_extra(tree);
@@ -138,9 +178,9 @@ bool Expect::empty() const {
   return expect_json(*this).is_null();
 }
 
-Case parse_case(const std::string& text, const std::string& file, int line) {
+Case parse_case(const std::string& text, const std::string& file, int line, CaseShapes shapes) {
   try {
-    return read_case(read_json(text));
+    return read_case(read_json(text), shapes);
   } catch (const FieldError& error) {
     throw InputFailure(file, line, error.field, error.what());
   }
@@ -148,9 +188,9 @@ Case parse_case(const std::string& text, const std::string& file, int line) {
 
 std::string format_case(const Case& c) {
   Json out;
-  out["format"] = case_format;
+  out["format"] = case_formats[c.convex ? 1 : 0];
   out["name"] = c.name;
-  out["bodies"] = bodies_json(c.pair);
+  out["bodies"] = c.convex ? bodies_json(*c.convex) : bodies_json(c.pair);
   if (!c.pair.motion.isZero(0)) out["motion"] = vector_json(c.pair.motion);
   if (!c.expect.empty()) out["expect"] = expect_json(c.expect);
   if (!c.provenance.is_null()) out["provenance"] = c.provenance;

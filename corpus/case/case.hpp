@@ -1,4 +1,4 @@
-// Case files, format plumb/case-1: the one reader and writer. Format and meaning: corpus/formats/case.md.
+// Case files, formats plumb/case-1 and plumb/case-2: the one reader and writer. Format and meaning: corpus/formats/case.md.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include "corpus/json/json_text.hpp"
 #include "corpus/json/object_reader.hpp"
 #include "solver/contact.hpp"
+#include "solver/shape/convex.hpp"
 
 namespace plumb {
 
@@ -35,7 +36,12 @@ struct Case {
   Expect expect;
   Json provenance;  ///< anything; null when absent
   Json extra;       ///< the top-level fields whose names begin with "x_", as an object; null when there are none
+  /// Where a shape is no superellipsoid's; `pair` says nothing then. Only who asks for every shape gets such a case.
+  std::optional<ConvexPair> convex = {};
 };
+
+/// What a reader of cases can do: it refuses the others.
+enum class CaseShapes { superellipsoids, every };
 
 /// Unusable input or output: what() is the one line "FILE:LINE: FIELD: REASON" (line in .jsonl only).
 class InputFailure : public std::runtime_error {
@@ -56,16 +62,17 @@ class Field;
 
 /// Reads one case from JSON text; `file` and `line` (0: none) name the source in errors. Euler angles and placement are
 /// evaluated in 50 digits and each component is rounded once to the nearest double.
-[[nodiscard]] Case parse_case(const std::string& text, const std::string& file, int line = 0);
+[[nodiscard]] Case parse_case(const std::string& text, const std::string& file, int line = 0,
+                              CaseShapes shapes = CaseShapes::superellipsoids);
 
-/// The case as one line of JSON: position and quaternion only, each number the shortest that reads back the same.
+/// The case as one line of JSON, in the oldest format that has its shapes: position and quaternion only, each number the shortest that reads back the same.
 [[nodiscard]] std::string format_case(const Case& c);
 
 /// A source of cases read one after the other: a .json file holds one, a .jsonl file and standard input ("-") hold one a line
 /// or a single one over several. The cases before a bad line are handed out before it throws.
 class CaseReader {
  public:
-  explicit CaseReader(const std::string& path);
+  explicit CaseReader(const std::string& path, CaseShapes shapes = CaseShapes::superellipsoids);
   /// nullopt at the end; throws InputFailure.
   [[nodiscard]] std::optional<Case> next();
   /// Line of the case that next() handed out last; 0 in a file that is one case.
@@ -75,6 +82,7 @@ class CaseReader {
 
  private:
   ObjectReader objects_;
+  CaseShapes shapes_;
 };
 
 /// Every case file at or under the paths, sorted by path: a file that is named is one whatever its name, in a folder *.json

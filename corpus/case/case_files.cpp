@@ -33,12 +33,13 @@ void fail_with(const std::string& file, int error) {
   throw InputFailure(file, 0, "", std::strerror(error));
 }
 
-CaseReader::CaseReader(const std::string& path) : objects_(path, ObjectReader::layout_of(path)) {}
+CaseReader::CaseReader(const std::string& path, CaseShapes shapes)
+    : objects_(path, ObjectReader::layout_of(path)), shapes_(shapes) {}
 
 std::optional<Case> CaseReader::next() {
   const std::optional<std::string> text = objects_.next();
   if (!text) return std::nullopt;
-  return parse_case(*text, objects_.file(), objects_.line());
+  return parse_case(*text, objects_.file(), objects_.line(), shapes_);
 }
 
 namespace {

@@ -9,8 +9,10 @@
 #include "corpus/certificate/reference_json.hpp"
 #include "corpus/json/decimal.hpp"
 #include "corpus/json/fields.hpp"
+#include "solver/method/convex.hpp"
 #include "solver/reference/condition/condition_proof.hpp"
 #include "solver/reference/condition/nearby.hpp"
+#include "solver/reference/convex_bounds.hpp"
 
 namespace plumb {
 namespace {
@@ -223,6 +225,16 @@ void put_first_touch(Json& out, const FirstTouchProof& found, int digits) {
   out["global"] = name(found.proved ? Claim::proved : Claim::open);
   if (!found.reason.empty() && !out.contains("reason")) out["reason"] = found.reason;
   out["distance"] = bounds_json(found.distance, digits);
+}
+
+void put_convex(Json& out, const ConvexPair& pair, int digits) {
+  const Contact<double> guess = solve_convex(pair, {}, nullptr);
+  const reference::ConvexBounds found = reference::bound_overlap(pair, guess.normal, kConvexCells);
+  put_overlap(out, {found.lower, found.upper}, digits);
+  out["unique"] = name(Claim::open);
+  out["reason"] = "of shapes other than superellipsoids the overlap and the verdict alone are proved: not the normal, "
+                  "not the points";
+  out["digits"] = digits;
 }
 
 void put_stationary(Json& out, const StationarySet& found, int digits) {

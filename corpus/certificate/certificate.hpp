@@ -7,8 +7,12 @@
 #include "solver/reference/reference.hpp"
 #include "solver/reference/search/stationary.hpp"
 #include "solver/reference/touch/touch.hpp"
+#include "solver/shape/convex.hpp"
 
 namespace plumb {
+
+/// Directions that bounds of any shapes may look at: milliseconds, and at most seconds.
+inline constexpr int kConvexCells = 100'000;
 
 /// Verdict and bounds of the overlap; a bound that is infinite is absent.
 void put_overlap(Json& out, const Bounds& overlap, int digits);
@@ -20,6 +24,9 @@ void put_reference(Json& out, const Reference& found, int digits);
 /// or bounds nothing (is_beyond_first_order), "solutions_within": balls that hold the normals and points of every input within 8 epsilon.
 /// "nearby": how far the exact answers to such inputs are, each number changed alone.
 void put_condition_claims(Json& out, const Pair& pair, const Solution& found);
+
+/// Bounds and verdict of a pair of any shapes, and what is not proved of it.
+void put_convex(Json& out, const ConvexPair& pair, int digits);
 
 /// "stationary": every common normal that is proved, and "complete": whether these are proved to be all.
 void put_stationary(Json& out, const StationarySet& found, int digits);

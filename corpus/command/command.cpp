@@ -6,7 +6,6 @@
 #include <exception>
 #include <optional>
 
-#include "corpus/case/case.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "corpus/json/number_text.hpp"
 
@@ -130,14 +129,18 @@ std::string refuse_seconds(const std::string& text) {
   return seconds && *seconds > 0 && *seconds <= 1e6 ? "" : "'" + text + "' is not a number above 0, at most 1e6";
 }
 
-void each_case(const std::string& file, const std::function<void(const Case&, int line)>& work) {
-  CaseReader reader(file);
+void each_case(const std::string& file, const std::function<void(const Case&, int line)>& work, CaseShapes shapes) {
+  CaseReader reader(file, shapes);
   bool any = false;
   while (!interrupted()) {
     const std::optional<Case> c = reader.next();
     if (!c) break;
     any = true;
-    work(*c, reader.line());
+    try {
+      work(*c, reader.line());
+    } catch (const FieldError& error) {
+      throw InputFailure(reader.file(), reader.line(), error.field, error.what());
+    }
   }
   if (!any && !interrupted()) throw InputFailure(reader.file(), 0, "", "holds no case");
 }

@@ -6,12 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "corpus/case/case.hpp"
 #include "corpus/command/command_line.hpp"
 #include "corpus/solvers/solver.hpp"
 
 namespace plumb {
-
-struct Case;
 
 /// --solver and --solver-command, any number of either, --solver-limit and --solver-memory.
 struct ForeignOption {
@@ -52,8 +51,9 @@ void declare_seed(CommandLine& app, std::uint64_t& seed, const std::string& help
 /// The same of a time: a number above 0.
 [[nodiscard]] std::string refuse_seconds(const std::string& text);
 
-/// Hands each case of a file to `work` until Ctrl-C. Throws InputFailure, also where the file holds none.
-void each_case(const std::string& file, const std::function<void(const Case&, int line)>& work);
+/// Hands each case of a file to `work` until Ctrl-C. Throws InputFailure, also where the file holds none and for a FieldError of `work`.
+void each_case(const std::string& file, const std::function<void(const Case&, int line)>& work,
+               CaseShapes shapes = CaseShapes::superellipsoids);
 
 /// Text and a line feed on standard output; throws when it cannot be written.
 void print_line(const std::string& text);

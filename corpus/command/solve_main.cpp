@@ -28,7 +28,9 @@ struct Options {
 
 void declare(CommandLine& app, Options& options) {
   app.add_option("CASE", options.cases, "case file, .jsonl with one case a line, or - for standard input")->required();
-  app.add_option("--method", options.methods, "NAME,.. or all; default auto (plumb methods lists them)");
+  app.add_option(
+      "--method", options.methods,
+      "NAME,.. or all; default auto (plumb methods lists them), which alone knows other shapes than superellipsoids");
   declare_solver(app, options.foreign, "a shared library that implements solver/plumb_solver.h");
   app.add_option("--want", options.want,
                  "what to compute: overlap,normal,points,curvature,derivatives,patch; or verdict alone")
@@ -68,18 +70,27 @@ std::vector<Solver> chosen_solvers(const Options& options) {
   return solvers;
 }
 
-/// The last call's answer, which is that of every call, and the smallest time; or why there is none.
+/// The last call's answer, which is that of every call, and the smallest time.
+template <class AnyPair>
+void ask(Answer& answer, const AnyPair& pair, const Solver& solver, const Options& options) {
+  Contact<double> start;
+  if (options.warm) start = solve_timed(solver, pair, answer.want, nullptr).contact;
+  for (int i = 0; i < options.repeat && (i == 0 || !interrupted()); ++i) {
+    const TimedContact timed = solve_timed(solver, pair, answer.want, options.warm ? &start : nullptr);
+    answer.contact = timed.contact;
+    answer.nanoseconds = std::min(answer.nanoseconds.value_or(timed.nanoseconds), timed.nanoseconds);
+  }
+}
+
+/// The answer, or why there is none.
 Answer solve_case(const Case& c, const Solver& solver, const Want& want, const Options& options) {
-  Answer answer{c.name, c.pair, want, {}, {}};
+  Answer answer{c.name, c.convex ? std::nullopt : std::optional(c.pair), want, {}, {}};
   if (!solver.is_own) answer.problem = solver.abilities.problem;
   try {
-    Contact<double> start;
-    if (options.warm) start = solver.solve(c.pair, want, nullptr);
-    for (int i = 0; i < options.repeat && (i == 0 || !interrupted()); ++i) {
-      const TimedContact timed = solve_timed(solver, c.pair, want, options.warm ? &start : nullptr);
-      answer.contact = timed.contact;
-      answer.nanoseconds = std::min(answer.nanoseconds.value_or(timed.nanoseconds), timed.nanoseconds);
-    }
+    if (c.convex)
+      ask(answer, *c.convex, solver, options);
+    else
+      ask(answer, c.pair, solver, options);
   } catch (const NoAnswer& none) {
     answer.contact = {};
     answer.contact.method = solver.name;
@@ -99,15 +110,18 @@ int solve(const Options& options) {
   const Want want = parse_want(options.want);
   const std::vector<Solver> solvers = chosen_solvers(options);
   int code = exit_done;
-  each_case(options.cases, [&](const Case& c, int) {
+  const auto work = [&](const Case& c, int) {
     std::vector<Answer> answers;
     for (const Solver& solver : solvers) {
+      if (c.convex && !solver.solve_convex) continue;
       answers.push_back(solve_case(c, solver, want, options));
       if (answers.back().none && !solver.published) code = exit_finding;
     }
+    if (answers.empty()) throw FieldError("bodies", solvers.front().name + " takes superellipsoids alone");
     print_answers(answers, options.json);
     flush_output();
-  });
+  };
+  each_case(options.cases, work, CaseShapes::every);
   return code;
 }
 

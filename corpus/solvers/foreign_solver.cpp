@@ -163,13 +163,26 @@ Solver load_peer(const std::string& name) {
   return solver;
 }
 
-TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& want, const Contact<double>* last) {
-  if (solver.pool) return ask_pool(*solver.pool, pair, last);
+namespace {
+
+template <class Solve>
+TimedContact timed(const Solve& solve) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  TimedContact out{solver.solve(pair, want, last)};
+  TimedContact out{solve()};
   out.nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
   return out;
+}
+
+}  // namespace
+
+TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& want, const Contact<double>* last) {
+  if (solver.pool) return ask_pool(*solver.pool, pair, last);
+  return timed([&] { return solver.solve(pair, want, last); });
+}
+
+TimedContact solve_timed(const Solver& solver, const ConvexPair& pair, const Want& want, const Contact<double>* last) {
+  return timed([&] { return solver.solve_convex(pair, want, last); });
 }
 
 bool is_given_up(const Solver& solver) {

@@ -7,20 +7,23 @@
 
 #include "corpus/case/case.hpp"
 #include "corpus/json/nearest_word.hpp"
+#include "solver/method/convex.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {
 namespace {
 
 Solver solver_of(const Method& method) {
-  return {std::string(method.name),
-          {.problem = method.problem},
-          std::string(method.summary),
-          method.is_published(),
-          true,
-          [solve = method.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
-            return solve(pair, want, last);
-          }};
+  Solver out{std::string(method.name),
+             {.problem = method.problem},
+             std::string(method.summary),
+             method.is_published(),
+             true,
+             [solve = method.solve](const Pair& pair, const Want& want, const Contact<double>* last) {
+               return solve(pair, want, last);
+             }};
+  if (method.name == "auto") out.solve_convex = solve_convex;
+  return out;
 }
 
 std::string known_names() {

@@ -12,6 +12,7 @@
 
 #include "corpus/solvers/abilities.hpp"
 #include "solver/contact.hpp"
+#include "solver/shape/convex.hpp"
 
 namespace plumb {
 
@@ -28,6 +29,8 @@ struct Solver {
   std::function<Contact<double>(const Pair&, const Want&, const Contact<double>* last)> solve;
   std::string option = {};  ///< of a foreign one: " --solver PATH", as one would type it to load it again
   std::shared_ptr<SolverPool> pool = nullptr;  ///< the processes of a foreign solver, whose solve() may throw NoAnswer
+  /// The same of bodies of every shape; empty where it knows superellipsoids alone.
+  std::function<Contact<double>(const ConvexPair&, const Want&, const Contact<double>* last)> solve_convex = nullptr;
 };
 
 /// What a foreign solver did instead of an answer; what() says it in words. Its process is gone, the next call gets another.
@@ -83,6 +86,9 @@ struct TimedContact {
   double nanoseconds = 0;  ///< of the solver alone, wherever it runs; of a program what it says, or else there and back
 };
 [[nodiscard]] TimedContact solve_timed(const Solver& solver, const Pair& pair, const Want& want,
+                                       const Contact<double>* last);
+/// By its solve_convex.
+[[nodiscard]] TimedContact solve_timed(const Solver& solver, const ConvexPair& pair, const Want& want,
                                        const Contact<double>* last);
 
 /// After so many answers that did not come a foreign solver is not asked any more: each takes the whole limit.

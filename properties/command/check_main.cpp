@@ -13,6 +13,7 @@
 #include "corpus/solvers/solver.hpp"
 #include "properties/laws/accuracy_option.hpp"
 #include "properties/laws/judged_answer.hpp"
+#include "properties/laws/laws_convex.hpp"
 #include "solver/reference/search/stationary.hpp"
 
 namespace plumb {
@@ -42,7 +43,7 @@ struct Cases {
 
 Cases read_cases(const std::string& path) {
   Cases cases;
-  CaseReader reader(path);
+  CaseReader reader(path, CaseShapes::every);
   try {
     for (auto c = reader.next(); c; c = reader.next()) cases.read.push_back(std::move(*c));
   } catch (const InputFailure& failure) {
@@ -120,6 +121,19 @@ Json hit_json(const Pair& pair, const Contact<double>& answer) {
           {"complete", all.complete}};
 }
 
+FindingKind print(const Json& judgement, FindingKind finding) {
+  print_line(write_json(judgement));
+  flush_output();
+  return finding;
+}
+
+FindingKind check_convex(const Case& c, const GivenAnswer& answer, const Accuracy& accuracy) {
+  const Judgement judgement = judge_convex(*c.convex, answer.contact, accuracy, false);
+  Json out = judgement_json(c, answer, judgement, nullptr);
+  out["reference"] = name(Effort::bounds);
+  return print(out, judgement.finding.kind);
+}
+
 FindingKind check_answer(const Case& c, const GivenAnswer& answer, const ReferenceSource& source,
                          const Accuracy& accuracy) {
   Judge judge(c.pair, source);
@@ -130,9 +144,7 @@ FindingKind check_answer(const Case& c, const GivenAnswer& answer, const Referen
   if (judgement.finding.kind == FindingKind::wrong_branch) {
     if (Json hit = hit_json(c.pair, answer.contact); !hit.is_null()) out["hit"] = std::move(hit);
   }
-  print_line(write_json(out));
-  flush_output();
-  return judgement.finding.kind;
+  return print(out, judgement.finding.kind);
 }
 
 int check(const Options& options) {
@@ -147,7 +159,11 @@ int check(const Options& options) {
     if (!answer) break;
     any = true;
     const Case& c = case_of(answer->name, cases, {answers.file(), answers.line(), options.cases});
-    if (check_answer(c, *answer, source, accuracy) != FindingKind::none) code = exit_finding;
+    if (c.convex && answer->problem != Problem::common_normal)
+      throw InputFailure(answers.file(), answers.line(), "method", answer->method + " is for superellipsoids");
+    const FindingKind found =
+        c.convex ? check_convex(c, *answer, accuracy) : check_answer(c, *answer, source, accuracy);
+    if (found != FindingKind::none) code = exit_finding;
   }
   if (cases.failure) throw *cases.failure;
   if (!any && !interrupted()) throw InputFailure(answers.file(), 0, "", "holds no answer");

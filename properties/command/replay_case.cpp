@@ -78,7 +78,7 @@ void compare_points(std::vector<std::string>& differences, const Answered& answe
   if (!answered.c.expect.points) return;
   const auto& [point1, point2] = *answered.c.expect.points;
   const double error1 = (answered.contact.point1 - point1).norm(), error2 = (answered.contact.point2 - point2).norm();
-  const double allowed = default_radius * size_of(answered.c.pair);
+  const double allowed = default_radius * (answered.c.convex ? size_of(*answered.c.convex) : size_of(answered.c.pair));
   // A point that is NaN differs.
   if (error1 <= allowed && error2 <= allowed) return;
   differences.push_back(fmt::format("points off by {:.3g} and {:.3g}, allowed {:.3g}", error1, error2, allowed));
@@ -97,15 +97,23 @@ std::string why_unsolved(const Solution& solution) {
 }
 
 /// What a case with an answer of its own expects is about that one.
-Reply reply_of(Judge& judge, const Case& c, const Solver& solver, const Accuracy& accuracy) {
+Reply reply_of(std::optional<Judge>& judge, const Case& c, const Solver& solver, const Accuracy& accuracy) {
   const bool is_cases_own = own_method(c) == solver.name && !c.extra.contains("x_answer");
-  return {solver.name,  solver.abilities.problem,
-          is_cases_own, !solver.published,
-          false,        solve_and_judge(judge, c.pair, solver, accuracy)};
+  return {solver.name,
+          solver.abilities.problem,
+          is_cases_own,
+          !solver.published,
+          false,
+          judge ? solve_and_judge(*judge, c.pair, solver, accuracy) : solve_and_judge(*c.convex, solver, accuracy)};
 }
 
-Reply reply_of(Judge& judge, const RecordedAnswer& recorded) {
-  return {recorded.given.method, recorded.given.problem, true, false, true, judge_recorded(judge, recorded)};
+Reply reply_of(std::optional<Judge>& judge, const Case& c, const RecordedAnswer& recorded) {
+  return {recorded.given.method,
+          recorded.given.problem,
+          true,
+          false,
+          true,
+          judge ? judge_recorded(*judge, recorded) : judge_recorded(*c.convex, recorded)};
 }
 
 /// What the folder asks is about the case's own method.
@@ -121,8 +129,9 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const auto recorded = instead ? std::nullopt : recorded_answer(c, file, line);
-  Judge judge(c.pair, source);
-  const Reply reply = recorded ? reply_of(judge, *recorded)
+  std::optional<Judge> judge;
+  if (!c.convex) judge.emplace(c.pair, source);
+  const Reply reply = recorded ? reply_of(judge, c, *recorded)
                                : reply_of(judge, c, instead ? *instead : solver_of_case(c, file, line), accuracy);
   const auto& [contact, judgement, nanoseconds, asked] = reply.judged;
   Replayed out{file, line, c.name, reply.method, judgement.finding, {}, {}, 0};
@@ -133,7 +142,7 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
     out.unjudged = "not asked: the solver claims no answer to such a pair";
     return out;
   }
-  if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge.solution(reply.problem));
+  if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge->solution(reply.problem));
   const Answered answered{c, contact, out.finding};
   const std::optional<Life> life = reply.is_cases_own ? life_of(file) : std::nullopt;
   compare_words(out.differences, answered, reply);

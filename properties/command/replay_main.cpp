@@ -64,7 +64,7 @@ Reading read_all(const std::vector<std::string>& paths) {
   Reading out;
   try {
     for (const auto& file : find_case_files(paths)) {
-      CaseReader reader(file.string());
+      CaseReader reader(file.string(), CaseShapes::every);
       for (std::optional<Case> c = reader.next(); c; c = reader.next())
         out.cases.push_back({*std::move(c), file.string(), reader.line()});
     }

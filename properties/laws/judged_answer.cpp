@@ -3,6 +3,7 @@
 #include <exception>
 #include <limits>
 
+#include "properties/laws/laws_convex.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb {
@@ -59,22 +60,48 @@ JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solve
   return out;
 }
 
+JudgedAnswer solve_and_judge(const ConvexPair& pair, const Solver& solver, const Accuracy& accuracy) {
+  JudgedAnswer out;
+  out.asked = solver.solve_convex != nullptr;
+  if (!out.asked) return out;
+  const TimedContact timed = solve_timed(solver, pair, Want{}, nullptr);
+  out.answer = timed.contact;
+  out.nanoseconds = timed.nanoseconds;
+  out.judgement = judge_convex(pair, out.answer, accuracy, true);
+  return out;
+}
+
 Problem problem_of(const std::string& method) {
   const Method* const known = find_method(method);
   return known == nullptr ? Problem::common_normal : known->problem;
 }
 
-JudgedAnswer judge_recorded(Judge& judge, const RecordedAnswer& recorded) {
+namespace {
+
+template <class JudgeIt>
+JudgedAnswer judge_recorded_by(const RecordedAnswer& recorded, const JudgeIt& judge_it) {
   JudgedAnswer out;
   out.answer = recorded.given.contact;
   if (!recorded.none) {
-    out.judgement = judge.judge(recorded.given.problem, out.answer);
+    out.judgement = judge_it(out.answer);
     return out;
   }
   out.judgement.finding = {finding_kind(recorded.none->finding).value_or(FindingKind::crash),
                            std::numeric_limits<double>::infinity(), "returns", recorded.none->detail};
   out.judgement.judged = true;
   return out;
+}
+
+}  // namespace
+
+JudgedAnswer judge_recorded(Judge& judge, const RecordedAnswer& recorded) {
+  return judge_recorded_by(recorded,
+                           [&](const Contact<double>& answer) { return judge.judge(recorded.given.problem, answer); });
+}
+
+JudgedAnswer judge_recorded(const ConvexPair& pair, const RecordedAnswer& recorded) {
+  return judge_recorded_by(recorded,
+                           [&](const Contact<double>& answer) { return judge_convex(pair, answer, {}, false); });
 }
 
 Finding finding_of(const NoAnswer& none) {

@@ -19,11 +19,15 @@ struct JudgedAnswer {
 [[nodiscard]] JudgedAnswer solve_and_judge(Judge& judge, const Pair& pair, const Solver& solver,
                                            const Accuracy& accuracy = {});
 
+/// The same of bodies of every shape: whoever knows superellipsoids alone is not asked.
+[[nodiscard]] JudgedAnswer solve_and_judge(const ConvexPair& pair, const Solver& solver, const Accuracy& accuracy);
+
 /// What a method of that name answers; the common normal where there is none of that name.
 [[nodiscard]] Problem problem_of(const std::string& method);
 
 /// An answer that is there already, judged by the laws that need no solver, as `plumb check` does; where there is none, its finding.
 [[nodiscard]] JudgedAnswer judge_recorded(Judge& judge, const RecordedAnswer& recorded);
+[[nodiscard]] JudgedAnswer judge_recorded(const ConvexPair& pair, const RecordedAnswer& recorded);
 
 [[nodiscard]] Finding finding_of(const NoAnswer& none);
 

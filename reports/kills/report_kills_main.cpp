@@ -57,10 +57,12 @@ void declare(CommandLine& app, Options& options) {
 
 const std::filesystem::path kCases = std::filesystem::path(PLUMB_SOURCE_DIR) / "corpus/cases";
 
+/// Of superellipsoids.
 std::vector<Case> read_cases(const std::filesystem::path& file) {
   std::vector<Case> out;
-  CaseReader reader(file.string());
-  while (std::optional<Case> c = reader.next()) out.push_back(std::move(*c));
+  CaseReader reader(file.string(), CaseShapes::every);
+  while (std::optional<Case> c = reader.next())
+    if (!c->convex) out.push_back(std::move(*c));
   return out;
 }
 
@@ -75,6 +77,7 @@ std::vector<WorkSet> kept_cases() {
     if (is_motion(file)) continue;
     WorkSet& set = out.emplace_back(WorkSet{file.stem().string(), {}});
     for (const Case& c : read_cases(file)) set.pairs.push_back(c.pair);
+    if (set.pairs.empty()) out.pop_back();
   }
   return out;
 }

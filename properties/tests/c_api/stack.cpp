@@ -30,12 +30,13 @@ Pairs family(const std::string& name, std::uint64_t cases) {
   return out;
 }
 
-/// Every case that is kept: among them those whose searches take the most.
+/// Every pair of superellipsoids that is kept: among them those whose searches take the most.
 Pairs kept() {
   Pairs out;
   for (const auto& file : find_case_files({PLUMB_SOURCE_DIR "/corpus/cases"})) {
-    CaseReader reader(file.string());
-    while (const auto c = reader.next()) out.push_back(c->pair);
+    CaseReader reader(file.string(), CaseShapes::every);
+    while (const auto c = reader.next())
+      if (!c->convex) out.push_back(c->pair);
   }
   return out;
 }
