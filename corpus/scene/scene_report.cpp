@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "corpus/scene/scene_file.hpp"
 #include "corpus/scene/scene_view.hpp"
 
 namespace plumb::scene {
@@ -130,6 +131,43 @@ std::string reasons(const Plan& plan) {
   return out + row("solver", "gives", "", joined(words_of(plan)) + fmt::format(", to {:.3g}", plan.want.tolerance));
 }
 
+/// The pairs of materials that can meet, and what they have of those effects that mix.
+Json materials_json(const Scene& scene, const Plan& plan) {
+  Json out = Json::array();
+  const PairEffects& pairs = plan.pair_effects;
+  for (std::size_t a = 0; a < pairs.materials; ++a)
+    for (std::size_t b = a; b < pairs.materials; ++b) {
+      if (pairs.meets[pairs.at(a, b)] == 0) continue;
+      Json effects = effects_json(pairs.of[pairs.at(a, b)]);
+      for (const Effect& effect : scene::effects())
+        if (!effect.is_of_pairs) effects.erase(std::string(effect.name));
+      const MaterialPair* given = given_pair(scene, a, b);
+      out.push_back({{"between", {scene.materials[a].name, scene.materials[b].name}},
+                     {"given", given == nullptr ? Json::object() : effects_json(given->effects)},
+                     {"effects", effects}});
+    }
+  return out;
+}
+
+std::string numbers_of(const Json& effect) {
+  std::string out;
+  for (const auto& [field, value] : effect.items())
+    out += (out.empty() ? "" : " ") + fmt::format("{:.6g}", value.get<double>());
+  return out;
+}
+
+std::string material_rows(const Scene& scene, const Plan& plan) {
+  std::string out;
+  for (const Json& pair : materials_json(scene, plan)) {
+    out += pair["between"][0].get<std::string>() + " and " + pair["between"][1].get<std::string>() + ": ";
+    std::vector<std::string> words;
+    for (const auto& [name, effect] : pair["effects"].items())
+      words.push_back(name + " " + numbers_of(effect) + (pair["given"].contains(name) ? " (given)" : ""));
+    out += (words.empty() ? "nothing" : joined(words)) + "\n";
+  }
+  return out;
+}
+
 }  // namespace
 
 std::int64_t frames_of(const Plan& plan) {
@@ -199,7 +237,7 @@ std::string plan_table(const Scene& scene, const Plan& plan, const Seconds& seco
   }
   for (const std::string& owner : other_owners(plan, costs.memory, seconds))
     out += row(owner, "", costs.columns_of(owner), "");
-  return out + reasons(plan);
+  return out + reasons(plan) + material_rows(scene, plan);
 }
 
 std::string contacts_table(const Simulation& run) {

@@ -39,6 +39,7 @@ struct Role {
 /// One effect; the functions of one that is not asked for are never called.
 struct Effect {
   std::string_view name;
+  bool is_of_pairs;  ///< of materials: each may have its own
   bool (*is_asked)(const Effects& effects);
   /// Gives the scene the neutral one.
   void (*ask)(Effects& effects);

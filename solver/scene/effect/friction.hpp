@@ -24,6 +24,10 @@ struct Friction {
     visit("stiffness_ratio", self.stiffness_ratio, Range::positive);
     visit("damping", self.damping, Range::fraction);
   }
+
+  [[nodiscard]] static Friction mixed(const Friction& first, const Friction& second) {
+    return geometric_mean(first, second);
+  }
 };
 
 [[nodiscard]] Role role(const Friction& friction, const Scene& scene);
