@@ -15,12 +15,13 @@ namespace {
 
 constexpr const char* scene_format = "plumb/scene-1";
 
-constexpr std::array<OutputWord, 6> words_of_outputs{{{"touching", &Outputs::touching},
+constexpr std::array<OutputWord, 7> words_of_outputs{{{"touching", &Outputs::touching},
                                                       {"contacts", &Outputs::contacts},
                                                       {"dump", &Outputs::dump},
                                                       {"vtk", &Outputs::vtk},
                                                       {"playback", &Outputs::playback},
-                                                      {"energy", &Outputs::energy}}};
+                                                      {"energy", &Outputs::energy},
+                                                      {"lives", &Outputs::lives}}};
 
 // What the fields of effects are of: read_value() for each kind, and its opposite.
 
@@ -187,7 +188,8 @@ Wall read_wall(const Field& field, const std::vector<Material>& materials) {
 void read_word(const Field& field, Outputs& out) {
   const std::string text = field.text();
   const auto found = std::ranges::find(words_of_outputs, text, &OutputWord::word);
-  if (found == words_of_outputs.end()) field.fail("must be one of touching, contacts, dump, vtk, playback, energy");
+  if (found == words_of_outputs.end())
+    field.fail("must be one of touching, contacts, dump, vtk, playback, energy, lives");
   if (std::exchange(out.*found->asked, true)) field.fail("stands twice");
 }
 

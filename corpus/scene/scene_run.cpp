@@ -97,6 +97,7 @@ void SceneRun::write_frame() {
 void SceneRun::write_checkpoint() {
   if (written_ == nullptr) return;
   Checkpoint out{0, run_.snapshot(), {}, seconds(), written_->recorder.state()};
+  for (const auto& output : written_->outputs) output->flush();
   for (const auto& output : written_->outputs) out.lengths[output->name()] = output->length();
   written_->folder.write_checkpoint(std::move(out));
 }
@@ -105,6 +106,8 @@ void SceneRun::advance(Progress& progress) {
   while (!run_.is_done()) {
     run_.step();
     lost_body_ = run_.lost_body();
+    if (written_ != nullptr)
+      for (const auto& output : written_->outputs) output->step(run_);
     if (lost_body_) break;
     if (is_frame()) write_frame();
     if (run_.is_done()) break;

@@ -24,6 +24,7 @@ struct Needs {
   bool spin = false;                                         ///< every movable body's angular velocity, also a sphere's
   bool normal_force = false;                                 ///< the column of forces along the normals
   bool contact_force = false;                                ///< all of each contact's, for who reads it
+  bool lives = false;                                        ///< of each contact from its first overlap to its last
   bool normal_mass = false;                                  ///< the mass that an impulse along the normal feels
   bool radius = false;                                       ///< of the contact: rolling.hpp
   double range = 0;                                          ///< bodies this far apart count as contacts

@@ -44,6 +44,7 @@ struct Outputs {
   bool vtk = false;         ///< VTK files
   bool playback = false;    ///< for the page
   bool energy = false;      ///< of each effect and of motion
+  bool lives = false;       ///< of each contact how long, how deep, how strong
 };
 
 /// How long, how finely, and what is written.

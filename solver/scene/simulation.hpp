@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/lives.hpp"
 #include "solver/scene/plan.hpp"
 
 namespace plumb::scene {
@@ -106,6 +107,10 @@ class Simulation {
   /// A body whose place or velocity is no longer a finite number: the time step is too long for the forces.
   [[nodiscard]] std::optional<std::size_t> lost_body() const;
 
+  /// Of contacts, where the scene asks for lives: those that ended in the last step, and those that go on.
+  [[nodiscard]] const std::vector<Life>& ended_lives() const { return ended_lives_; }
+  [[nodiscard]] std::vector<Life> lasting_lives() const;
+
   /// From now on `look` is called after each round of the solver, with every call in it but those that proved two bodies apart.
   void observe(std::function<void(std::span<const SolveNote>)> look);
   /// The two bodies of a contact as a case holds them; no wall.
@@ -125,6 +130,7 @@ class Simulation {
   std::unique_ptr<World> world_;
   std::vector<Pass> kicks_, drifts_, forces_;
   std::function<void(std::span<const SolveNote>)> look_;
+  std::vector<Life> ended_lives_;
   std::int64_t step_ = 0;
   Totals totals_;
 };

@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{sample_scene_with(R"("duration")", R"("time")"), "run.time: unknown field"},
         Refusal{sample_scene_with(R"("every")", R"("each")"), "run.outputs.each: unknown field"},
         Refusal{sample_scene_with(R"("dump")", R"("film")"),
-                "run.outputs.write[2]: must be one of touching, contacts, dump, vtk, playback, energy"},
+                "run.outputs.write[2]: must be one of touching, contacts, dump, vtk, playback, energy, lives"},
         Refusal{sample_scene_with(R"("dump")", R"("vtk")"), "run.outputs.write[3]: stands twice"},
         Refusal{sample_scene_with(R"("name": "sample")", R"("name": 1)"), "name: must be a string, not a number"},
         Refusal{R"({"format": "plumb/scene-1", "bodies": []})", "bodies: there is none"},

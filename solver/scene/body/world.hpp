@@ -73,6 +73,7 @@ struct Contacts {
   Column* radius = nullptr;        ///< 1: 1 / (1/r1 + 1/r2) of the distances to the centres; r2 of a wall is infinite
   Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
   Column* force = nullptr;         ///< 3: all of it, on body 2
+  Column* life = nullptr;          ///< of lives.hpp
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
   double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/scene/body/mass.hpp"
+#include "solver/scene/contact/lives.hpp"
 #include "solver/scene/contact/neighbours.hpp"
 
 namespace plumb::scene {
@@ -61,6 +62,7 @@ void add_contacts(World& world, const Plan& plan) {
     contacts.normal_force = pair("normal_force", "contacts", 1);
     contacts.stiffness = pair("stiffness", "contacts", 1);
   }
+  if (plan.needs.lives) contacts.life = &add_lives(world);
   if (plan.needs.contact_force) contacts.force = pair("contact_force", "contacts", 3);
   if (plan.needs.radius) contacts.radius = pair("radius", "contacts", 1);
   if (plan.needs.normal_mass) contacts.inverse_mass = pair("inverse_mass", "contacts", 1);
