@@ -154,21 +154,29 @@ Snapshot Simulation::snapshot() const {
   return out;
 }
 
-bool Simulation::fits(const Snapshot& snapshot) const {
-  if (snapshot.step < 0 || snapshot.step > plan_.steps || !are_pairs(snapshot.pairs, world_->bodies)) return false;
+std::optional<Simulation::Misfit> Simulation::misfit(const Snapshot& snapshot) const {
+  if (snapshot.step < 0 || snapshot.step > plan_.steps)
+    return Misfit{"step", "must be from 0 to " + std::to_string(plan_.steps)};
+  if (!are_pairs(snapshot.pairs, world_->bodies)) return Misfit{"pairs", "are none of the scene's bodies and walls"};
   std::set<std::string_view> kept;
   for (const auto& [name, values] : snapshot.columns) {
     const Column* column = world_->columns.find(name);
-    if (column == nullptr || !column->kind().is_kept || !kept.insert(name).second) return false;
+    const std::string field = "columns." + name;
+    if (column == nullptr || !column->kind().is_kept) return Misfit{field, "the scene keeps no such column"};
+    if (!kept.insert(name).second) return Misfit{field, "stands twice"};
     const std::size_t entries = column->kind().of == ColumnKind::body ? world_->bodies.all() : snapshot.pairs.size();
-    if (values.size() != entries * column->width()) return false;
+    if (values.size() != entries * column->width())
+      return Misfit{field, "has " + std::to_string(values.size()) + " numbers, and the scene " +
+                               std::to_string(entries * column->width())};
   }
-  const auto is_kept = [](const Column& column) { return column.kind().is_kept; };
-  return std::ranges::count_if(world_->columns, is_kept) == static_cast<std::ptrdiff_t>(kept.size());
+  for (const Column& column : world_->columns)
+    if (column.kind().is_kept && !kept.contains(column.name()))
+      return Misfit{"columns." + std::string(column.name()), "missing"};
+  return std::nullopt;
 }
 
 bool Simulation::restore(const Snapshot& snapshot) {
-  if (!fits(snapshot)) return false;
+  if (misfit(snapshot)) return false;
   world_->contacts.pairs = snapshot.pairs;
   world_->columns.renew(ColumnKind::pair, snapshot.pairs.size());
   for (const auto& [name, values] : snapshot.columns) world_->columns.find(name)->values() = values;

@@ -101,6 +101,11 @@ class Simulation {
 
   /// What restore takes.
   [[nodiscard]] Snapshot snapshot() const;
+  /// Why a snapshot is none of this scene and plan: its field, and the reason.
+  struct Misfit {
+    std::string field, reason;
+  };
+  [[nodiscard]] std::optional<Misfit> misfit(const Snapshot& snapshot) const;
   /// Of this scene and plan; false, and nothing changed, when it does not fit.
   [[nodiscard]] bool restore(const Snapshot& snapshot);
 
@@ -120,7 +125,6 @@ class Simulation {
   [[nodiscard]] std::map<std::string, double> seconds() const;
 
  private:
-  [[nodiscard]] bool fits(const Snapshot& snapshot) const;
   void list_passes();
   void use_pairs(std::vector<std::array<std::uint32_t, 2>> pairs);
   void update_list();
