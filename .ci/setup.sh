@@ -21,6 +21,7 @@ declare -A plumb_packages=(
   [python]="python3 python3-dev python3-numpy pybind11-dev python3-matplotlib python3-pip mypy"
   [check]="git clang-format-19 clang-tidy-19 python3-yaml"
   [fem]="gmsh python3-gmsh calculix-ccx python3-numpy python3-matplotlib"
+  [verify]="python3 python3-numpy python3-mpmath"
   [record]="git"
   [board]="libccd-dev libfcl-dev libbullet-dev libsimbody-dev libmujoco-dev libdart-dev libnlopt-dev libceres-dev coinor-libipopt-dev"
 )

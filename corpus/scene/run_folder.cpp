@@ -82,7 +82,7 @@ std::optional<Checkpoint> RunFolder::checkpoint() const {
   const fs::path path = path_ / checkpoint_file;
   auto out = read_checkpoint(path);
   if (out && out->key != key_)
-    throw InputFailure(path.string(), 0, "", "is of another scene, or of another plan of it");
+    throw InputFailure(path.string(), 0, "key", "is of another scene, or of another plan of it");
   return out;
 }
 

@@ -15,12 +15,13 @@ namespace {
 
 constexpr const char* scene_format = "plumb/scene-1";
 
-constexpr std::array<OutputWord, 6> words_of_outputs{{{"touching", &Outputs::touching},
+constexpr std::array<OutputWord, 7> words_of_outputs{{{"touching", &Outputs::touching},
                                                       {"contacts", &Outputs::contacts},
                                                       {"dump", &Outputs::dump},
                                                       {"vtk", &Outputs::vtk},
                                                       {"playback", &Outputs::playback},
-                                                      {"energy", &Outputs::energy}}};
+                                                      {"energy", &Outputs::energy},
+                                                      {"lives", &Outputs::lives}}};
 
 // What the fields of effects are of: read_value() for each kind, and its opposite.
 
@@ -98,24 +99,74 @@ void read_effects(const Field& field, Effects& out) {
   });
 }
 
-Json effects_json(const Effects& effects) {
-  Json out = Json::object();
-  each_effect(effects, [&](const auto& slot) {
-    if (slot) out[std::string(EffectIn<decltype(slot)>::name)] = struct_json(*slot);
-  });
-  return out;
-}
-
 bool read_truth(const Field& field) {
   if (!field.value().is_boolean()) field.fail("must be true or false");
   return field.value().get<bool>();
 }
 
-SceneBody read_scene_body(const Field& field) {
-  field.require_object(
-      {"shape", "position", "orientation", "density", "velocity", "angular_velocity", "fixed", "temperature"});
+/// Effects that mix, by the names of their slots.
+template <class Visit>
+void each_mixing(Effects& effects, const Visit& visit) {
+  each_effect(effects, [&](auto& slot) {
+    if constexpr (Mixes<EffectIn<decltype(slot)>>) visit(EffectIn<decltype(slot)>::name, slot);
+  });
+}
+
+/// An object with those effects and other fields.
+void read_mixing(const Field& field, std::vector<std::string_view> names, Effects& out) {
+  each_mixing(out, [&](std::string_view name, auto&) { names.push_back(name); });
+  field.require_object(std::span<const std::string_view>(names));
+  each_mixing(out, [&](std::string_view name, auto& slot) {
+    if (const auto given = field.find(name)) read_struct(*given, slot.emplace());
+  });
+}
+
+Material read_material(const std::string& name, const Field& field) {
+  Material out;
+  out.name = name;
+  read_mixing(field, {"density", "rigid"}, out.effects);
+  if (const auto density = field.find("density")) out.density = density->number();
+  if (const auto rigid = field.find("rigid")) out.is_rigid = read_truth(*rigid);
+  return out;
+}
+
+std::size_t material_index(const Field& field, const std::vector<Material>& materials) {
+  const auto found = std::ranges::find(materials, field.text(), &Material::name);
+  if (found == materials.end()) field.fail("there is no such material");
+  return static_cast<std::size_t>(found - materials.begin());
+}
+
+MaterialPair read_material_pair(const Field& field, const std::vector<Material>& materials) {
+  MaterialPair out;
+  read_mixing(field, {"between"}, out.effects);
+  const Field between = field.member("between");
+  for (const std::size_t k : {0, 1}) out.between[k] = material_index(between.element(k, 2, "names"), materials);
+  return out;
+}
+
+void read_materials(const Field& field, Scene& out) {
+  constexpr const char* pairs = "pairs";
+  for (const auto& [name, member] : field.members())
+    if (name != pairs && !name.starts_with("x_")) out.materials.push_back(read_material(name, member));
+  if (out.materials.empty()) field.fail("names none");
+  if (const auto given = field.find(pairs))
+    for (const Field& pair : given->elements()) out.material_pairs.push_back(read_material_pair(pair, out.materials));
+}
+
+/// Of a body or a wall.
+std::size_t read_its_material(const Field& field, const std::vector<Material>& materials) {
+  if (!materials.empty()) return material_index(field.member("material"), materials);
+  if (const auto given = field.find("material")) given->fail("the scene names no materials");
+  return 0;
+}
+
+SceneBody read_scene_body(const Field& field, const std::vector<Material>& materials) {
+  field.require_object({"shape", "position", "orientation", "density", "velocity", "angular_velocity", "fixed",
+                        "temperature", "material"});
   SceneBody out;
   out.body = read_body(field);
+  out.material = read_its_material(field, materials);
+  if (!materials.empty()) out.density = materials[out.material].density.value_or(out.density);
   if (const auto density = field.find("density")) out.density = density->number();
   if (const auto velocity = field.find("velocity")) out.velocity = velocity->vector();
   if (const auto turning = field.find("angular_velocity")) out.angular_velocity = turning->vector();
@@ -124,9 +175,10 @@ SceneBody read_scene_body(const Field& field) {
   return out;
 }
 
-Wall read_wall(const Field& field) {
-  field.require_object({"point", "normal", "temperature"});
+Wall read_wall(const Field& field, const std::vector<Material>& materials) {
+  field.require_object({"point", "normal", "temperature", "material"});
   Wall out;
+  out.material = read_its_material(field, materials);
   out.point = field.member("point").vector();
   out.normal = field.member("normal").vector();
   if (const auto temperature = field.find("temperature")) out.temperature = temperature->number();
@@ -136,7 +188,8 @@ Wall read_wall(const Field& field) {
 void read_word(const Field& field, Outputs& out) {
   const std::string text = field.text();
   const auto found = std::ranges::find(words_of_outputs, text, &OutputWord::word);
-  if (found == words_of_outputs.end()) field.fail("must be one of touching, contacts, dump, vtk, playback, energy");
+  if (found == words_of_outputs.end())
+    field.fail("must be one of touching, contacts, dump, vtk, playback, energy, lives");
   if (std::exchange(out.*found->asked, true)) field.fail("stands twice");
 }
 
@@ -179,13 +232,16 @@ Run read_run(const Field& field) {
 SceneFile read_tree(const Json& tree) {
   const Field root(tree);
   if (root.has("format")) root.member("format").require_text(scene_format);
-  root.require_object({"format", "name", "bodies", "walls", "effects", "run", "provenance"});
+  root.require_object({"format", "name", "materials", "bodies", "walls", "effects", "run", "provenance"});
   root.member("format").require_text(scene_format);
   SceneFile out;
   if (const auto name = root.find("name")) out.scene.name = name->text();
-  for (const Field& body : root.member("bodies").elements()) out.scene.bodies.push_back(read_scene_body(body));
+  if (const auto materials = root.find("materials")) read_materials(*materials, out.scene);
+  const std::vector<Material>& materials = out.scene.materials;
+  for (const Field& body : root.member("bodies").elements())
+    out.scene.bodies.push_back(read_scene_body(body, materials));
   if (const auto walls = root.find("walls"))
-    for (const Field& wall : walls->elements()) out.scene.walls.push_back(read_wall(wall));
+    for (const Field& wall : walls->elements()) out.scene.walls.push_back(read_wall(wall, materials));
   if (const auto effects = root.find("effects")) read_effects(*effects, out.scene.effects);
   if (const auto run = root.find("run")) out.scene.run = read_run(*run);
   if (const auto provenance = root.find("provenance")) out.provenance = provenance->value();
@@ -199,8 +255,31 @@ bool is_default(const Vec3<double>& v) {
   return v.isZero(0) && !std::signbit(v[0]) && !std::signbit(v[1]) && !std::signbit(v[2]);
 }
 
-Json scene_body_json(const SceneBody& b) {
+Json material_json(const Material& material) {
+  Json out = effects_json(material.effects);
+  if (material.density) out["density"] = *material.density;
+  if (material.is_rigid) out["rigid"] = true;
+  return out;
+}
+
+Json materials_json(const Scene& scene) {
+  Json out = Json::object(), pairs = Json::array();
+  for (const Material& material : scene.materials) out[material.name] = material_json(material);
+  for (const MaterialPair& pair : scene.material_pairs) {
+    Json& one = pairs.emplace_back(effects_json(pair.effects));
+    one["between"] = {scene.materials[pair.between[0]].name, scene.materials[pair.between[1]].name};
+  }
+  if (!pairs.empty()) out["pairs"] = pairs;
+  return out;
+}
+
+void add_material(Json& out, const Scene& scene, std::size_t material) {
+  if (!scene.materials.empty()) out["material"] = scene.materials[material].name;
+}
+
+Json scene_body_json(const Scene& scene, const SceneBody& b) {
   Json out = body_json(b.body);
+  add_material(out, scene, b.material);
   out["density"] = b.density;
   if (!is_default(b.velocity)) out["velocity"] = vector_json(b.velocity);
   if (!is_default(b.angular_velocity)) out["angular_velocity"] = vector_json(b.angular_velocity);
@@ -209,11 +288,12 @@ Json scene_body_json(const SceneBody& b) {
   return out;
 }
 
-Json wall_json(const Wall& wall) {
+Json wall_json(const Scene& scene, const Wall& wall) {
   Json out;
   out["point"] = vector_json(wall.point);
   out["normal"] = vector_json(wall.normal);
   if (wall.temperature) out["temperature"] = *wall.temperature;
+  add_material(out, scene, wall.material);
   return out;
 }
 
@@ -243,6 +323,14 @@ std::string list_text(const Items& items, ToJson&& to_json) {
 
 }  // namespace
 
+Json effects_json(const Effects& effects) {
+  Json out = Json::object();
+  each_effect(effects, [&](const auto& slot) {
+    if (slot) out[std::string(EffectIn<decltype(slot)>::name)] = struct_json(*slot);
+  });
+  return out;
+}
+
 std::span<const OutputWord> output_words() {
   return words_of_outputs;
 }
@@ -267,8 +355,11 @@ SceneFile read_scene(const std::string& path) {
 std::string format_scene(const SceneFile& file) {
   const Scene& scene = file.scene;
   std::string out = "{\"format\": " + write_json(scene_format) + ", \"name\": " + write_json(scene.name);
-  out += ",\n\"bodies\": " + list_text(scene.bodies, scene_body_json);
-  if (!scene.walls.empty()) out += ",\n\"walls\": " + list_text(scene.walls, wall_json);
+  if (!scene.materials.empty()) out += ",\n\"materials\": " + write_json(materials_json(scene));
+  const auto body_text = [&](const SceneBody& b) { return scene_body_json(scene, b); };
+  const auto wall_text = [&](const Wall& wall) { return wall_json(scene, wall); };
+  out += ",\n\"bodies\": " + list_text(scene.bodies, body_text);
+  if (!scene.walls.empty()) out += ",\n\"walls\": " + list_text(scene.walls, wall_text);
   out += ",\n\"effects\": " + write_json(effects_json(scene.effects));
   out += ",\n\"run\": " + write_json(run_json(scene.run));
   if (!file.provenance.is_null()) out += ",\n\"provenance\": " + write_json(file.provenance);

@@ -22,6 +22,9 @@ struct SceneFile {
 /// A line a body; position and quaternion only, each number the shortest that reads back the same.
 [[nodiscard]] std::string format_scene(const SceneFile& file);
 
+/// As the file holds them.
+[[nodiscard]] Json effects_json(const Effects& effects);
+
 /// make_plan(), with what has no meaning as an InputFailure.
 [[nodiscard]] Plan plan_scene(const Scene& scene, const PlanOptions& options, const std::string& file);
 

@@ -18,6 +18,21 @@ class Lines : public SceneOutput {
   ToJson to_json_;
 };
 
+/// A line a contact, as it ends; as a run does, those that go on.
+class Lives : public SceneOutput {
+ public:
+  Lives(const std::filesystem::path& folder, std::uint64_t length) : SceneOutput(folder, "lives.jsonl", length) {}
+
+  void frame(const Simulation& /*run*/) override {}
+  void step(const Simulation& run) override { add(run, run.ended_lives()); }
+  void end(const Simulation& run, const RunEnd& /*end*/) override { add(run, run.lasting_lives()); }
+
+ private:
+  void add(const Simulation& run, const std::vector<Life>& lives) {
+    for (const Life& life : lives) file().add(write_json(life_json(run, life)) + "\n");
+  }
+};
+
 std::uint64_t length_in(const Lengths& lengths, const std::string& name) {
   const auto found = lengths.find(name);
   return found == lengths.end() ? 0 : found->second;
@@ -37,9 +52,13 @@ OpenedOutput open_energy(const std::filesystem::path& folder, std::uint64_t leng
   return std::make_unique<Lines>(folder, "energy.jsonl", length, energy_json);
 }
 
+OpenedOutput open_lives(const std::filesystem::path& folder, std::uint64_t length) {
+  return std::make_unique<Lives>(folder, length);
+}
+
 std::vector<std::string> output_names() {
   return {"touching.jsonl",   "contacts.jsonl", "dump.lammpstrj", "vtk/bodies.pvd",
-          "vtk/contacts.pvd", "playback.jsonl", "energy.jsonl"};
+          "vtk/contacts.pvd", "playback.jsonl", "energy.jsonl",   "lives.jsonl"};
 }
 
 Outs open_outputs(const Scene& scene, const Plan& plan, const std::filesystem::path& folder, const Lengths& lengths) {
@@ -56,6 +75,7 @@ Outs open_outputs(const Scene& scene, const Plan& plan, const std::filesystem::p
   }
   if (asked.playback) out.push_back(open_playback(scene, plan, folder, length("playback.jsonl")));
   if (asked.energy) out.push_back(open_energy(folder, length("energy.jsonl")));
+  if (asked.lives) out.push_back(open_lives(folder, length("lives.jsonl")));
   return out;
 }
 

@@ -24,6 +24,8 @@ class SceneOutput {
   SceneOutput& operator=(const SceneOutput&) = delete;
 
   virtual void frame(const Simulation& run) = 0;
+  /// After each step, before its frame.
+  virtual void step(const Simulation& /*run*/) {}
   virtual void end(const Simulation& /*run*/, const RunEnd& /*end*/) {}
 
   void flush() { file_.flush(); }
@@ -56,6 +58,7 @@ using OpenedOutput = std::unique_ptr<SceneOutput>;
 [[nodiscard]] OpenedOutput open_touching(const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_contacts(const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_energy(const std::filesystem::path& folder, std::uint64_t length);
+[[nodiscard]] OpenedOutput open_lives(const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_dump(const Scene& scene, const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_vtk_bodies(const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_vtk_contacts(const std::filesystem::path& folder, std::uint64_t length);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "corpus/scene/scene_file.hpp"
 #include "corpus/scene/scene_view.hpp"
 
 namespace plumb::scene {
@@ -87,17 +88,18 @@ struct Costs {
   }
 };
 
-/// Of a frame: what it takes of itself, and a body's share in the scene `pile`.
+/// Of a frame: what it takes of itself, and a body's share in the scene `pile`. Of lives nobody knows before.
 struct Size {
   bool Outputs::* asked;
   double of_frame, of_body;
 };
-constexpr std::array<Size, 6> sizes{{{&Outputs::energy, 200, 0},
+constexpr std::array<Size, 7> sizes{{{&Outputs::energy, 200, 0},
                                      {&Outputs::touching, 60, 20},
                                      {&Outputs::contacts, 60, 600},
                                      {&Outputs::dump, 300, 400},
                                      {&Outputs::vtk, 4000, 950},
-                                     {&Outputs::playback, 150, 300}}};
+                                     {&Outputs::playback, 150, 300},
+                                     {&Outputs::lives, 0, 0}}};
 
 std::size_t turning_bodies(const Plan& plan) {
   return static_cast<std::size_t>(std::ranges::count(plan.turns, true));
@@ -109,6 +111,9 @@ std::string row(std::string_view name, std::string_view state, const std::string
   return out + "\n";
 }
 
+/// Shorter runs end before one has read it.
+constexpr double worth_telling = 10;
+
 std::string heading(const Scene& scene, const Plan& plan) {
   std::string out = fmt::format("{}: {} bodies, {} walls; ", scene.name.empty() ? "scene" : scene.name,
                                 scene.bodies.size(), scene.walls.size());
@@ -116,6 +121,8 @@ std::string heading(const Scene& scene, const Plan& plan) {
     out += fmt::format("{} steps of {:.6g}", plan.steps, plan.time_step);
     if (const double bytes = expected_bytes(scene, plan); bytes > 0)
       out += fmt::format("; {} frames, {}", frames_of(plan), size_text(bytes));
+    if (const double seconds = expected_seconds(scene, plan); seconds >= worth_telling)
+      out += fmt::format("; {} on one core", time_text(seconds));
     return out + "\n";
   }
   return out + (plan.analysis == Analysis::touching ? "which bodies touch, no motion\n" : "contacts, no motion\n");
@@ -128,6 +135,43 @@ std::string reasons(const Plan& plan) {
   out += row("time step", fmt::format("{:.3g}", plan.time_step), "", plan.time_step_why);
   if (!plan.needs.contacts) return out;
   return out + row("solver", "gives", "", joined(words_of(plan)) + fmt::format(", to {:.3g}", plan.want.tolerance));
+}
+
+/// The pairs of materials that can meet, and what they have of those effects that mix.
+Json materials_json(const Scene& scene, const Plan& plan) {
+  Json out = Json::array();
+  const PairEffects& pairs = plan.pair_effects;
+  for (std::size_t a = 0; a < pairs.materials; ++a)
+    for (std::size_t b = a; b < pairs.materials; ++b) {
+      if (pairs.meets[pairs.at(a, b)] == 0) continue;
+      Json effects = effects_json(pairs.of[pairs.at(a, b)]);
+      for (const Effect& effect : scene::effects())
+        if (!effect.is_of_pairs) effects.erase(std::string(effect.name));
+      const MaterialPair* given = given_pair(scene, a, b);
+      out.push_back({{"between", {scene.materials[a].name, scene.materials[b].name}},
+                     {"given", given == nullptr ? Json::object() : effects_json(given->effects)},
+                     {"effects", effects}});
+    }
+  return out;
+}
+
+std::string numbers_of(const Json& effect) {
+  std::string out;
+  for (const auto& [field, value] : effect.items())
+    out += (out.empty() ? "" : " ") + fmt::format("{:.6g}", value.get<double>());
+  return out;
+}
+
+std::string material_rows(const Scene& scene, const Plan& plan) {
+  std::string out;
+  for (const Json& pair : materials_json(scene, plan)) {
+    out += pair["between"][0].get<std::string>() + " and " + pair["between"][1].get<std::string>() + ": ";
+    std::vector<std::string> words;
+    for (const auto& [name, effect] : pair["effects"].items())
+      words.push_back(name + " " + numbers_of(effect) + (pair["given"].contains(name) ? " (given)" : ""));
+    out += (words.empty() ? "nothing" : joined(words)) + "\n";
+  }
+  return out;
 }
 
 }  // namespace
@@ -144,6 +188,19 @@ double expected_bytes(const Scene& scene, const Plan& plan) {
   for (const Size& size : sizes)
     if (scene.run.outputs.*size.asked) of_frame += size.of_frame + size.of_body * bodies;
   return of_frame * static_cast<double>(frames_of(plan));
+}
+
+double expected_seconds(const Scene& scene, const Plan& plan) {
+  constexpr double in_contact = 1.6e-6, alone = 3e-7;  // a body and step; alone: ellipsoids that turn
+  const double of_body = plan.needs.contacts ? in_contact : alone;
+  return of_body * static_cast<double>(scene.bodies.size()) * static_cast<double>(plan.steps);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 60) return fmt::format("about {:.2g} s", seconds);
+  if (seconds < 3600) return fmt::format("about {:.2g} min", seconds / 60);
+  if (seconds < 86400) return fmt::format("about {:.2g} h", seconds / 3600);
+  return fmt::format("about {:.2g} days", seconds / 86400);
 }
 
 std::string size_text(double bytes) {
@@ -172,18 +229,21 @@ Json plan_json(const Scene& scene, const Plan& plan, const Seconds& seconds) {
     effects.push_back(effect);
   }
   for (const std::string& owner : other_owners(plan, costs.memory, seconds)) others[owner] = costs.json_of(owner);
-  return {{"analysis", word_of(plan.analysis)},
-          {"effects", effects},
-          {"others", others},
-          {"contacts", {{"on", plan.needs.contacts}, {"why", plan.contacts_why}}},
-          {"turning", {{"bodies", turning_bodies(plan)}, {"why", plan.turning_why}}},
-          {"broad_phase", {{"tree", plan.broad_phase == BroadPhase::tree}, {"why", plan.broad_phase_why}}},
-          {"time_step", {{"value", plan.time_step}, {"why", plan.time_step_why}}},
-          {"steps", plan.steps},
-          {"steps_per_output", plan.steps_per_output},
-          {"frames", frames_of(plan)},
-          {"expected_bytes", expected_bytes(scene, plan)},
-          {"solver", {{"want", words_of(plan)}, {"tolerance", plan.want.tolerance}}}};
+  Json out = {{"analysis", word_of(plan.analysis)},
+              {"effects", effects},
+              {"others", others},
+              {"contacts", {{"on", plan.needs.contacts}, {"why", plan.contacts_why}}},
+              {"turning", {{"bodies", turning_bodies(plan)}, {"why", plan.turning_why}}},
+              {"broad_phase", {{"tree", plan.broad_phase == BroadPhase::tree}, {"why", plan.broad_phase_why}}},
+              {"time_step", {{"value", plan.time_step}, {"why", plan.time_step_why}}},
+              {"steps", plan.steps},
+              {"steps_per_output", plan.steps_per_output},
+              {"frames", frames_of(plan)},
+              {"expected_bytes", expected_bytes(scene, plan)},
+              {"expected_seconds", expected_seconds(scene, plan)},
+              {"solver", {{"want", words_of(plan)}, {"tolerance", plan.want.tolerance}}}};
+  if (!scene.materials.empty()) out["materials"] = materials_json(scene, plan);
+  return out;
 }
 
 std::string plan_table(const Scene& scene, const Plan& plan, const Seconds& seconds) {
@@ -199,7 +259,7 @@ std::string plan_table(const Scene& scene, const Plan& plan, const Seconds& seco
   }
   for (const std::string& owner : other_owners(plan, costs.memory, seconds))
     out += row(owner, "", costs.columns_of(owner), "");
-  return out + reasons(plan);
+  return out + reasons(plan) + material_rows(scene, plan);
 }
 
 std::string contacts_table(const Simulation& run) {

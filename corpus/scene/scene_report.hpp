@@ -13,6 +13,10 @@ namespace plumb::scene {
 [[nodiscard]] std::int64_t frames_of(const Plan& plan);
 /// About how many bytes they take, all outputs together: a body was measured, with two contacts each.
 [[nodiscard]] double expected_bytes(const Scene& scene, const Plan& plan);
+/// About how many seconds it takes: what a body and step takes in the scene `pile` on one core. Other shapes and machines differ.
+[[nodiscard]] double expected_seconds(const Scene& scene, const Plan& plan);
+/// "about 3 min".
+[[nodiscard]] std::string time_text(double seconds);
 /// "about 46 GB".
 [[nodiscard]] std::string size_text(double bytes);
 

@@ -1,8 +1,10 @@
 #include "corpus/scene/scene_run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 
 #include "corpus/case/case.hpp"
@@ -65,6 +67,8 @@ void SceneRun::begin_in_folder() {
 
 void SceneRun::go_on_from(const Checkpoint& checkpoint) {
   const std::string file = (options_.out / "checkpoint.bin").string();
+  if (const auto misfit = run_.misfit(checkpoint.snapshot))
+    throw InputFailure(file, 0, "snapshot." + misfit->field, misfit->reason);
   if (!run_.restore(checkpoint.snapshot)) throw InputFailure(file, 0, "snapshot", "does not fit the scene");
   try {
     written_->recorder.restore(checkpoint.record);
@@ -97,19 +101,44 @@ void SceneRun::write_frame() {
 void SceneRun::write_checkpoint() {
   if (written_ == nullptr) return;
   Checkpoint out{0, run_.snapshot(), {}, seconds(), written_->recorder.state()};
+  for (const auto& output : written_->outputs) output->flush();
   for (const auto& output : written_->outputs) out.lengths[output->name()] = output->length();
   written_->folder.write_checkpoint(std::move(out));
 }
 
+/// Once, after the first second, what the run takes at the speed so far: of a long one, and where no bar stands.
+class SceneRun::Forecast {
+ public:
+  void show(std::int64_t done, std::int64_t left) {
+    if (is_told_ || elapsed() < first_look) return;
+    is_told_ = true;
+    const double expected = elapsed() / static_cast<double>(done) * static_cast<double>(left);
+    if (expected >= worth_telling)
+      fmt::print(stderr, "{} steps to go: {} at the speed of the first {}\n", left, time_text(expected), done);
+  }
+
+ private:
+  static constexpr double first_look = 1, worth_telling = 60;  // seconds
+  using Clock = std::chrono::steady_clock;
+  [[nodiscard]] double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  Clock::time_point start_ = Clock::now();
+  bool is_told_ = isatty(STDERR_FILENO) != 0;
+};
+
 void SceneRun::advance(Progress& progress) {
+  Forecast forecast;
   while (!run_.is_done()) {
     run_.step();
     lost_body_ = run_.lost_body();
+    if (written_ != nullptr)
+      for (const auto& output : written_->outputs) output->step(run_);
     if (lost_body_) break;
     if (is_frame()) write_frame();
     if (run_.is_done()) break;
     if (run_.steps() % options_.checkpoint == 0 || interrupted()) write_checkpoint();
     if (interrupted()) break;
+    forecast.show(run_.steps() - begun_at_, run_.plan().steps - run_.steps());
     if (progress.is_due()) progress.show(steps_here(), fmt::format("  time {:.6g}", run_.time()));
   }
 }

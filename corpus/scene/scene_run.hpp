@@ -44,6 +44,7 @@ class SceneRun {
     Recorder recorder;
     Outs outputs;
   };
+  class Forecast;
   void begin_in_folder();
   void go_on_from(const Checkpoint& checkpoint);
   void advance(Progress& progress);

@@ -37,6 +37,24 @@ Json valid_or_null(double x) {
   return std::isfinite(x) ? Json(x) : Json();
 }
 
+/// Who touches whom.
+Json ends_json(std::uint32_t body1, std::uint32_t body2, const std::optional<std::uint32_t>& wall) {
+  Json out;
+  if (wall) {
+    out["body"] = body1;
+    out["wall"] = *wall;
+  } else {
+    out["bodies"] = {body1, body2};
+  }
+  return out;
+}
+
+std::optional<std::uint32_t> wall_of(const Simulation& run, std::uint32_t body2) {
+  const Bodies& bodies = run.world().bodies;
+  if (!bodies.is_wall(body2)) return std::nullopt;
+  return body2 - static_cast<std::uint32_t>(bodies.count);
+}
+
 Json head_of(const Simulation& run) {
   return {{"time", run.time()}, {"step", run.steps()}};
 }
@@ -45,13 +63,12 @@ Json head_of(const Simulation& run) {
 
 std::vector<ContactView> contacts_of(const Simulation& run) {
   const Contacts& contacts = run.world().contacts;
-  const Bodies& bodies = run.world().bodies;
   std::vector<ContactView> out;
   for (const std::uint32_t c : contacts.touching) {
     const auto [i, j] = contacts.pairs[c];
     ContactView view{i,  j, {}, number_in(contacts.overlap, c), vector_in(contacts.normal, c), point_of(run.world(), c),
                      {}, {}};
-    if (bodies.is_wall(j)) view.wall = j - static_cast<std::uint32_t>(bodies.count);
+    view.wall = wall_of(run, j);
     if (contacts.normal_force != nullptr) view.force = (*contacts.normal_force)[c];
     if (contacts.force != nullptr) view.total_force = contacts.force->vector(c);
     out.push_back(view);
@@ -68,18 +85,22 @@ std::vector<std::array<std::uint32_t, 2>> touching_pairs(const Simulation& run) 
 }
 
 Json contact_json(const ContactView& contact) {
-  Json out;
-  if (contact.wall) {
-    out["body"] = contact.body1;
-    out["wall"] = *contact.wall;
-  } else {
-    out["bodies"] = {contact.body1, contact.body2};
-  }
+  Json out = ends_json(contact.body1, contact.body2, contact.wall);
   out["overlap"] = valid_or_null(contact.overlap);
   out["normal"] = valid_or_null(contact.normal);
   out["point"] = valid_or_null(contact.point);
   if (contact.force) out["force"] = valid_or_null(*contact.force);
   if (contact.total_force) out["total_force"] = valid_or_null(*contact.total_force);
+  return out;
+}
+
+Json life_json(const Simulation& run, const Life& life) {
+  Json out = ends_json(life.body1, life.body2, wall_of(run, life.body2));
+  out["start"] = life.start;
+  out["duration"] = life.duration;
+  out["greatest_overlap"] = life.greatest_overlap;
+  if (life.greatest_force) out["greatest_force"] = valid_or_null(*life.greatest_force);
+  out["ended"] = life.has_ended;
   return out;
 }
 

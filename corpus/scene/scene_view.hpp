@@ -33,6 +33,9 @@ struct ContactView {
 /// {"time", "step", "touching": [[i, j], ..], "walls": [[i, k], ..]}
 [[nodiscard]] Json touching_json(const Simulation& run);
 
+/// {"bodies" or "body" and "wall", "start", "duration", "greatest_overlap", "greatest_force", "ended"}
+[[nodiscard]] Json life_json(const Simulation& run, const Life& life);
+
 /// {"time", "step", "energy": energies_of()}
 [[nodiscard]] Json energy_json(const Simulation& run);
 /// energy() and its sum, "total"; empty where nothing moves.

@@ -1,6 +1,9 @@
 #include "solver/scene/check_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "solver/scene/material/mixing.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -8,6 +11,8 @@ namespace {
 void require(bool holds, const std::string& field, const char* reason) {
   if (!holds) throw SceneError(field, reason);
 }
+
+const char* const no_material = "there is no such material";
 
 void check_body(const SceneBody& b, const std::string& at) {
   const Pair pair{b.body, b.body};
@@ -40,6 +45,36 @@ struct FieldCheck {
   }
 };
 
+void check_effects(const Effects& effects, const std::string& at) {
+  each_effect(effects, [&](const auto& effect) {
+    if (!effect) return;
+    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
+    Parameters::each_field(*effect, FieldCheck{at + "." + std::string(Parameters::name)});
+  });
+}
+
+void check_material(const Material& material) {
+  const std::string at = "materials." + material.name;
+  check_effects(material.effects, at);
+  const auto& density = material.density;
+  require(!density || (std::isfinite(*density) && *density > 0), at + ".density", "must be a positive number");
+  const char* const no_law = "is rigid, and has no elastic law of its own";
+  require(!material.is_rigid || !material.effects.linear, at + ".linear", no_law);
+  require(!material.is_rigid || !material.effects.hertz, at + ".hertz", no_law);
+}
+
+void check_materials(const Scene& scene) {
+  for (const Material& material : scene.materials) check_material(material);
+  for (std::size_t k = 0; k < scene.material_pairs.size(); ++k) {
+    const MaterialPair& pair = scene.material_pairs[k];
+    const std::string at = "materials.pairs[" + std::to_string(k) + "]";
+    const auto [first, second] = pair.between;
+    require(first < scene.materials.size() && second < scene.materials.size(), at + ".between", no_material);
+    require(given_pair(scene, first, second) == &pair, at + ".between", "stands twice");
+    check_effects(pair.effects, at);
+  }
+}
+
 void check_run(const Run& run) {
   require(std::isfinite(run.duration) && run.duration >= 0, "run.duration", "must be a number, 0 or more");
   require(run.accuracy > 0 && run.accuracy < 1, "run.accuracy", "must be a number between 0 and 1");
@@ -52,20 +87,21 @@ void check_run(const Run& run) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
+  check_materials(scene);
   require(!scene.bodies.empty(), "bodies", "there is none");
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     check_body(scene.bodies[i], "bodies[" + std::to_string(i) + "]");
+  const std::size_t materials = std::max<std::size_t>(1, scene.materials.size());
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    require(scene.bodies[i].material < materials, "bodies[" + std::to_string(i) + "].material", no_material);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const std::string at = "walls[" + std::to_string(i) + "]";
     require(scene.walls[i].point.allFinite(), at + ".point", "must be finite numbers");
+    require(scene.walls[i].material < materials, at + ".material", no_material);
     const Vec3<double>& normal = scene.walls[i].normal;
     require(normal.allFinite() && normal.norm() > 0, at + ".normal", "must be finite numbers, not all 0");
   }
-  each_effect(scene.effects, [](const auto& effect) {
-    if (!effect) return;
-    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
-    Parameters::each_field(*effect, FieldCheck{"effects." + std::string(Parameters::name)});
-  });
+  check_effects(scene.effects, "effects");
   check_run(scene.run);
 }
 

@@ -24,6 +24,7 @@ struct Needs {
   bool spin = false;                                         ///< every movable body's angular velocity, also a sphere's
   bool normal_force = false;                                 ///< the column of forces along the normals
   bool contact_force = false;                                ///< all of each contact's, for who reads it
+  bool lives = false;                                        ///< of each contact from its first overlap to its last
   bool normal_mass = false;                                  ///< the mass that an impulse along the normal feels
   bool radius = false;                                       ///< of the contact: rolling.hpp
   double range = 0;                                          ///< bodies this far apart count as contacts
@@ -39,6 +40,7 @@ struct Role {
 /// One effect; the functions of one that is not asked for are never called.
 struct Effect {
   std::string_view name;
+  bool is_of_pairs;  ///< of materials: each may have its own
   bool (*is_asked)(const Effects& effects);
   /// Gives the scene the neutral one.
   void (*ask)(Effects& effects);

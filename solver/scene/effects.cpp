@@ -9,7 +9,9 @@ namespace {
 template <auto member>
 [[nodiscard]] constexpr Effect row() {
   using Parameters = typename std::remove_cvref_t<decltype(Effects{}.*member)>::value_type;
-  return {Parameters::name, [](const Effects& effects) { return (effects.*member).has_value(); },
+  return {Parameters::name,
+          Mixes<Parameters>,
+          [](const Effects& effects) { return (effects.*member).has_value(); },
           [](Effects& effects) {
             if (!(effects.*member)) (effects.*member).emplace();
           },

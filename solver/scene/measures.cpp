@@ -86,6 +86,10 @@ std::map<std::string, Memory> memory_of(const Scene& scene, const Plan& plan) {
   return out;
 }
 
+std::vector<Life> Simulation::lasting_lives() const {
+  return plan_.needs.lives ? scene::lasting_lives(*world_) : std::vector<Life>{};
+}
+
 std::optional<std::size_t> Simulation::lost_body() const {
   const State& state = world_->state;
   for (std::size_t i = 0; i < world_->bodies.count; ++i) {

@@ -34,28 +34,6 @@ Analysis analysis_of(const Scene& scene) {
   return outputs.contacts || outputs.vtk || outputs.playback ? Analysis::contacts : Analysis::touching;
 }
 
-/// Why it is off; empty where it is on.
-std::string why_off(const Role& role, const Plan& plan, bool bodies_can_touch) {
-  if (plan.analysis != Analysis::motion) return "nothing moves";
-  if (!role.off.empty()) return role.off;
-  if (role.needs.contacts && !bodies_can_touch) return "no two bodies can meet: the balls that they can reach do not";
-  return {};
-}
-
-PlannedEffect planned(const Effect& effect, const Scene& scene, const Plan& plan, const PlanOptions& options,
-                      bool bodies_can_touch) {
-  PlannedEffect out{&effect, false, not_asked, {}};
-  if (!effect.is_asked(plan.asked)) return out;
-  const Role role = effect.role(plan.asked, scene);
-  const bool is_forced = options.forced.contains(effect.name);
-  out.why = why_off(role, plan, bodies_can_touch);
-  out.is_on = out.why.empty() || (is_forced && plan.analysis == Analysis::motion);
-  if (out.is_on) out.needs = role.needs;
-  if (is_forced && out.is_on) out.why = "forced on" + (out.why.empty() ? "" : ": " + out.why);
-  if (out.why.empty()) out.why = asked_for;
-  return out;
-}
-
 void add_needs(Needs& all, const Needs& one) {
   all.contacts |= one.contacts;
   all.points |= one.points;
@@ -67,6 +45,77 @@ void add_needs(Needs& all, const Needs& one) {
   all.radius |= one.radius;
   all.range = std::max(all.range, one.range);
   all.fastest = std::min(all.fastest, one.fastest);
+}
+
+/// Why it is off; empty where it is on.
+std::string why_off(const Role& role, const Plan& plan, bool bodies_can_touch) {
+  if (plan.analysis != Analysis::motion) return "nothing moves";
+  if (!role.off.empty()) return role.off;
+  if (role.needs.contacts && !bodies_can_touch) return "no two bodies can meet: the balls that they can reach do not";
+  return {};
+}
+
+/// A role, and between which materials it is one: empty where between all.
+struct RoleOfPairs {
+  Role role;
+  std::string between;
+};
+
+Role role_between(const Effect& effect, const Scene& scene, std::size_t first, std::size_t second) {
+  try {
+    return effect.role(scene.effects, scene);
+  } catch (const SceneError& error) {
+    throw SceneError("materials", "between " + names_of_pair(scene, first, second) + ": " + std::string(effect.name) +
+                                      " " + error.what());
+  }
+}
+
+/// Of all pairs of materials together. `scene` takes on the effects of each.
+RoleOfPairs role_of_pairs(const Effect& effect, const PairEffects& pairs, Scene& scene) {
+  RoleOfPairs out;
+  Needs of_off;  // what it needs where it is forced on
+  bool is_between_all = true;
+  for (std::size_t a = 0; a < pairs.materials; ++a)
+    for (std::size_t b = a; b < pairs.materials; ++b) {
+      const std::size_t pair = pairs.at(a, b);
+      if (pairs.meets[pair] == 0) continue;
+      scene.effects = pairs.of[pair];
+      const bool is_asked = effect.is_asked(scene.effects);
+      const Role one = is_asked ? role_between(effect, scene, a, b) : Role{{}, not_asked};
+      is_between_all = is_between_all && one.off.empty();
+      if (!one.off.empty() && out.between.empty() && is_asked) out.role.off = one.off;
+      add_needs(one.off.empty() ? out.role.needs : of_off, one.needs);
+      if (!one.off.empty()) continue;
+      out.between += (out.between.empty() ? "" : ", ") + names_of_pair(scene, a, b);
+    }
+  if (out.between.empty())
+    out.role.needs = of_off;
+  else
+    out.role.off.clear();
+  if (is_between_all) out.between.clear();
+  return out;
+}
+
+/// `scene` has the effects of all, before and after.
+RoleOfPairs role_of(const Effect& effect, const Plan& plan, Scene& scene) {
+  if (!effect.is_of_pairs || !plan.pair_effects.has_any()) return {effect.role(plan.asked, scene), {}};
+  RoleOfPairs out = role_of_pairs(effect, plan.pair_effects, scene);
+  scene.effects = plan.asked;
+  return out;
+}
+
+PlannedEffect planned(const Effect& effect, Scene& scene, const Plan& plan, const PlanOptions& options,
+                      bool bodies_can_touch) {
+  PlannedEffect out{&effect, false, not_asked, {}};
+  if (!effect.is_asked(plan.asked)) return out;
+  const auto [role, between] = role_of(effect, plan, scene);
+  const bool is_forced = options.forced.contains(effect.name);
+  out.why = why_off(role, plan, bodies_can_touch);
+  out.is_on = out.why.empty() || (is_forced && plan.analysis == Analysis::motion);
+  if (out.is_on) out.needs = role.needs;
+  if (is_forced && out.is_on) out.why = "forced on" + (out.why.empty() ? "" : ": " + out.why);
+  if (out.why.empty()) out.why = std::string(asked_for) + (between.empty() ? "" : " between " + between);
+  return out;
 }
 
 /// Names of the effects that need something, one after the other.
@@ -81,7 +130,7 @@ std::string names_of(const Plan& plan, const Needs_& needs) {
 void plan_contacts(Plan& plan, const Scene& scene) {
   const std::string who = names_of(plan, [](const Needs& needs) { return needs.contacts; });
   const Outputs& outputs = scene.run.outputs;
-  const bool is_written = outputs.contacts || outputs.touching;
+  const bool is_written = outputs.contacts || outputs.touching || outputs.lives;
   if (!who.empty())
     plan.contacts_why = "needed by " + who;
   else if (plan.analysis != Analysis::motion || is_written)
@@ -89,8 +138,9 @@ void plan_contacts(Plan& plan, const Scene& scene) {
   else
     plan.contacts_why = "no effect needs them and no output asks for them";
   plan.needs.contacts = plan.needs.contacts || plan.analysis != Analysis::motion || is_written;
-  const bool is_shown = plan.needs.contacts && (outputs.contacts || outputs.vtk || outputs.playback);
+  const bool is_shown = plan.needs.contacts && (outputs.contacts || outputs.vtk || outputs.playback || outputs.lives);
   plan.needs.points = plan.needs.points || plan.analysis == Analysis::contacts || is_shown;
+  plan.needs.lives = outputs.lives && plan.analysis == Analysis::motion;
   plan.needs.contact_force = outputs.contacts && plan.needs.normal_force;
 }
 
@@ -232,11 +282,13 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   Plan plan;
   plan.analysis = analysis_of(scene);
   if (plan.analysis == Analysis::motion) check_masses(scene);
-  plan.asked = scene.effects;
+  plan.pair_effects = pair_effects(scene);
+  plan.asked = effects_of_all(scene, plan.pair_effects);
   for (const std::string& name : options.forced) {
     const Effect* effect = find_effect(name);
     if (effect == nullptr) throw SceneError("effects." + name, "there is no such effect");
     effect->ask(plan.asked);
+    for (Effects& of_pair : plan.pair_effects.of) effect->ask(of_pair);
   }
   Scene with_forced = scene;
   with_forced.effects = plan.asked;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/scene/effect.hpp"
+#include "solver/scene/material/mixing.hpp"
 
 namespace plumb::scene {
 
@@ -38,8 +39,9 @@ struct PlannedEffect {
 struct Plan {
   Analysis analysis = Analysis::motion;
   std::vector<PlannedEffect> effects;  ///< all there are, in their order
-  Effects asked;                       ///< the scene's, and the neutral ones that were forced on
-  Needs needs;                         ///< of all that is on, outputs included
+  Effects asked;             ///< the scene's, what any pair of materials has, and the neutral ones that were forced on
+  PairEffects pair_effects;  ///< of materials, where the scene has any
+  Needs needs;               ///< of all that is on, outputs included
   std::string contacts_why, turning_why, broad_phase_why, time_step_why;
   BroadPhase broad_phase = BroadPhase::none;
   std::vector<bool> turns;  ///< for each body: whether its orientation is integrated

@@ -11,6 +11,7 @@
 
 #include "solver/contact.hpp"
 #include "solver/scene/effects.hpp"
+#include "solver/scene/material/material.hpp"
 
 namespace plumb::scene {
 
@@ -22,6 +23,7 @@ struct SceneBody {
   Vec3<double> angular_velocity = Vec3<double>::Zero();  ///< rad / time, world axes
   bool is_fixed = false;
   std::optional<double> temperature;  ///< for conduction
+  std::size_t material = 0;           ///< index in the scene's materials, where it has any
 };
 
 /// The half space that `normal` points away from is solid.
@@ -29,6 +31,7 @@ struct Wall {
   Vec3<double> point = Vec3<double>::Zero();
   Vec3<double> normal = Vec3<double>::UnitZ();  ///< any length but 0
   std::optional<double> temperature;
+  std::size_t material = 0;
 };
 
 /// What is written down as the run goes. `touching` alone asks which pairs overlap, and nothing about where.
@@ -41,6 +44,7 @@ struct Outputs {
   bool vtk = false;         ///< VTK files
   bool playback = false;    ///< for the page
   bool energy = false;      ///< of each effect and of motion
+  bool lives = false;       ///< of each contact how long, how deep, how strong
 };
 
 /// How long, how finely, and what is written.
@@ -56,6 +60,8 @@ struct Scene {
   std::string name;
   std::vector<SceneBody> bodies;
   std::vector<Wall> walls;
+  std::vector<Material> materials;  ///< none: all is of one, and the effects say what it does
+  std::vector<MaterialPair> material_pairs;
   Effects effects;
   Run run;
 };

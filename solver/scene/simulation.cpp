@@ -105,8 +105,10 @@ void Simulation::list_passes() {
   if (world_->boxes != nullptr) forces_.push_back({"broad phase", [this] { update_list(); }});
   if (plan_.needs.contacts) forces_.push_back({"solver", [this] { solve(); }});
   if (plan_.analysis != Analysis::motion) return;
+  if (plan_.needs.lives) forces_.push_back({"lives", [this] { ended_lives_ = scene::ended_lives(*world_); }});
   append(forces_, take_contact_passes(world, plan_));
   append(forces_, take_closing_passes(world));
+  if (plan_.needs.lives) forces_.push_back({"lives", [&world] { follow_lives(world); }});
 }
 
 void Simulation::use_pairs(Pairs pairs) {
@@ -152,21 +154,29 @@ Snapshot Simulation::snapshot() const {
   return out;
 }
 
-bool Simulation::fits(const Snapshot& snapshot) const {
-  if (snapshot.step < 0 || snapshot.step > plan_.steps || !are_pairs(snapshot.pairs, world_->bodies)) return false;
+std::optional<Simulation::Misfit> Simulation::misfit(const Snapshot& snapshot) const {
+  if (snapshot.step < 0 || snapshot.step > plan_.steps)
+    return Misfit{"step", "must be from 0 to " + std::to_string(plan_.steps)};
+  if (!are_pairs(snapshot.pairs, world_->bodies)) return Misfit{"pairs", "are none of the scene's bodies and walls"};
   std::set<std::string_view> kept;
   for (const auto& [name, values] : snapshot.columns) {
     const Column* column = world_->columns.find(name);
-    if (column == nullptr || !column->kind().is_kept || !kept.insert(name).second) return false;
+    const std::string field = "columns." + name;
+    if (column == nullptr || !column->kind().is_kept) return Misfit{field, "the scene keeps no such column"};
+    if (!kept.insert(name).second) return Misfit{field, "stands twice"};
     const std::size_t entries = column->kind().of == ColumnKind::body ? world_->bodies.all() : snapshot.pairs.size();
-    if (values.size() != entries * column->width()) return false;
+    if (values.size() != entries * column->width())
+      return Misfit{field, "has " + std::to_string(values.size()) + " numbers, and the scene " +
+                               std::to_string(entries * column->width())};
   }
-  const auto is_kept = [](const Column& column) { return column.kind().is_kept; };
-  return std::ranges::count_if(world_->columns, is_kept) == static_cast<std::ptrdiff_t>(kept.size());
+  for (const Column& column : world_->columns)
+    if (column.kind().is_kept && !kept.contains(column.name()))
+      return Misfit{"columns." + std::string(column.name()), "missing"};
+  return std::nullopt;
 }
 
 bool Simulation::restore(const Snapshot& snapshot) {
-  if (!fits(snapshot)) return false;
+  if (misfit(snapshot)) return false;
   world_->contacts.pairs = snapshot.pairs;
   world_->columns.renew(ColumnKind::pair, snapshot.pairs.size());
   for (const auto& [name, values] : snapshot.columns) world_->columns.find(name)->values() = values;

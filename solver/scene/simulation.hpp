@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/lives.hpp"
 #include "solver/scene/plan.hpp"
 
 namespace plumb::scene {
@@ -100,11 +101,20 @@ class Simulation {
 
   /// What restore takes.
   [[nodiscard]] Snapshot snapshot() const;
+  /// Why a snapshot is none of this scene and plan: its field, and the reason.
+  struct Misfit {
+    std::string field, reason;
+  };
+  [[nodiscard]] std::optional<Misfit> misfit(const Snapshot& snapshot) const;
   /// Of this scene and plan; false, and nothing changed, when it does not fit.
   [[nodiscard]] bool restore(const Snapshot& snapshot);
 
   /// A body whose place or velocity is no longer a finite number: the time step is too long for the forces.
   [[nodiscard]] std::optional<std::size_t> lost_body() const;
+
+  /// Of contacts, where the scene asks for lives: those that ended in the last step, and those that go on.
+  [[nodiscard]] const std::vector<Life>& ended_lives() const { return ended_lives_; }
+  [[nodiscard]] std::vector<Life> lasting_lives() const;
 
   /// From now on `look` is called after each round of the solver, with every call in it but those that proved two bodies apart.
   void observe(std::function<void(std::span<const SolveNote>)> look);
@@ -115,7 +125,6 @@ class Simulation {
   [[nodiscard]] std::map<std::string, double> seconds() const;
 
  private:
-  [[nodiscard]] bool fits(const Snapshot& snapshot) const;
   void list_passes();
   void use_pairs(std::vector<std::array<std::uint32_t, 2>> pairs);
   void update_list();
@@ -125,6 +134,7 @@ class Simulation {
   std::unique_ptr<World> world_;
   std::vector<Pass> kicks_, drifts_, forces_;
   std::function<void(std::span<const SolveNote>)> look_;
+  std::vector<Life> ended_lives_;
   std::int64_t step_ = 0;
   Totals totals_;
 };

@@ -96,6 +96,8 @@ TEST(Snapshot, OfAnotherSceneIsRefusedAndChangesNothing) {
   Scene fewer = crowd(), smooth = crowd();
   fewer.bodies.pop_back();
   smooth.effects.friction.reset();
+  EXPECT_EQ(run->misfit(run->snapshot()).has_value(), false);
+  EXPECT_EQ(started(smooth)->misfit(run->snapshot()).value_or(Simulation::Misfit{}).field, "columns.friction_spring");
   EXPECT_FALSE(run->restore(started(fewer)->snapshot()));
   EXPECT_FALSE(run->restore(started(smooth)->snapshot()));
   EXPECT_FALSE(started(smooth)->restore(run->snapshot()));

@@ -1,8 +1,11 @@
 // Friction, rolling and twisting resistance of a ball on a floor, against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
+#include "solver/scene/contact/stick_slip.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -40,6 +43,23 @@ TEST(Sliding, BecomesRollingAtFiveSevenths) {
   EXPECT_NEAR(velocity(*run, 0).x(), rolling, 1e-9);
   EXPECT_NEAR(spin(*run, 0).y() * resting.arm, rolling, 1e-9);
   EXPECT_NEAR(rolling, 5.0 / 7, resting.overlap);
+}
+
+// Spring and dashpot together are at the limit as they slip, and where slipping begins, ends or turns back nothing jumps.
+TEST(StickSlip, HasNoJumpAtItsLimit) {
+  const StickSlip law{.stiffness = 1e3, .viscous = 20, .limit = 1};
+  constexpr double step = 1e-9;  // what the force may change by: stiffness * stretch and viscous * rate, and no more
+  for (const double rate : {-0.1, -0.04, 0.0, 0.04, 0.1}) {
+    for (const double stretch : {-1.001e-3, -1e-3, -1e-3 + 1e-12, 1e-3 - 1e-12, 1e-3, 1.001e-3}) {
+      Vec lower = {stretch - step, 0, 0}, upper = {stretch + step, 0, 0};
+      const Vec force = law.pull(lower, {rate, 0, 0}, 0), next = law.pull(upper, {rate, 0, 0}, 0);
+      EXPECT_LE(force.norm(), law.limit * (1 + 1e-15));
+      EXPECT_NEAR(force.x(), next.x(), 2.1 * law.stiffness * step) << rate << " " << stretch;
+      const double dashpot = std::clamp(law.viscous * rate, -law.limit, law.limit);
+      EXPECT_NEAR(-law.stiffness * lower.x() - dashpot, force.x(), 1e-12);
+      EXPECT_LE(lower.norm(), std::abs(stretch - step) * (1 + 1e-12));
+    }
+  }
 }
 
 TEST(Sliding, SlowsAsCoulombSays) {

@@ -254,6 +254,29 @@ TEST_F(SceneCommand, EnergiesAreASeries) {
   EXPECT_EQ(parse_scene(read("steps/scene.json"), "steps").scene.run.outputs.every_step, true);
 }
 
+TEST_F(SceneCommand, LivesAreALineEach) {
+  ASSERT_EQ(plumb("scene s.json --out s").code, 0);
+  const auto lives = lines_of(read("s/lives.jsonl"));
+  ASSERT_FALSE(lives.empty());
+  for (const Json& life : lives) {
+    EXPECT_TRUE(life.contains("bodies") || (life.contains("body") && life.contains("wall"))) << life.dump();
+    EXPECT_GT(life["duration"].get<double>(), 0);
+    EXPECT_GT(life["greatest_overlap"].get<double>(), 0);
+    EXPECT_GE(life["greatest_force"].get<double>(), 0);
+    EXPECT_TRUE(life["ended"].is_boolean());
+  }
+}
+
+TEST_F(SceneCommand, ThePlanSaysWhatEachPairOfMaterialsHas) {
+  (void)file("m.json", sample_with_materials());
+  const std::string table = plumb("scene m.json --plan").out;
+  EXPECT_NE(table.find("\nglass and glass: linear 10000, damping 0.5, friction 0.4 "), std::string::npos) << table;
+  EXPECT_NE(table.find("\nglass and floor: linear 20000, damping 0.5, friction 0.2 "), std::string::npos) << table;
+  const Json plan = lines_of(plumb("scene m.json --plan --json").out).at(0);
+  EXPECT_EQ(plan["materials"].size(), 2U);
+  EXPECT_EQ(plumb("scene m.json --out m").code, 0);
+}
+
 // The plan says what a run writes; what no disk holds is refused before anything is there.
 TEST_F(SceneCommand, FramesBeyondTheDiskAreRefused) {
   EXPECT_NE(plumb("scene s.json --plan").out.find("; 11 frames, about "), std::string::npos);

@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{sample_scene_with(R"("duration")", R"("time")"), "run.time: unknown field"},
         Refusal{sample_scene_with(R"("every")", R"("each")"), "run.outputs.each: unknown field"},
         Refusal{sample_scene_with(R"("dump")", R"("film")"),
-                "run.outputs.write[2]: must be one of touching, contacts, dump, vtk, playback, energy"},
+                "run.outputs.write[2]: must be one of touching, contacts, dump, vtk, playback, energy, lives"},
         Refusal{sample_scene_with(R"("dump")", R"("vtk")"), "run.outputs.write[3]: stands twice"},
         Refusal{sample_scene_with(R"("name": "sample")", R"("name": 1)"), "name: must be a string, not a number"},
         Refusal{R"({"format": "plumb/scene-1", "bodies": []})", "bodies: there is none"},
@@ -128,6 +128,34 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{sample_scene_with("0.05", "\"often\""), "run.outputs.every: must be a number, 0 or more, or step"},
         Refusal{sample_scene_with("10000", "1e999"),
                 "effects.linear.stiffness: broken JSON: a number beyond the range of a double"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Materials, SceneRefused,
+    testing::Values(Refusal{sample_with_materials_with(R"("material": "glass")", R"("material": "glas")"),
+                            "bodies[0].material: there is no such material"},
+                    Refusal{sample_with_materials_with(R"("material": "glass", )", ""), "bodies[0].material: missing"},
+                    Refusal{sample_with_materials_with(R"("material": "floor", )", ""), "walls[0].material: missing"},
+                    Refusal{sample_scene_with(R"("density": 2)", R"("material": "glass")"),
+                            "bodies[2].material: the scene names no materials"},
+                    Refusal{sample_with_materials_with(R"(["floor", )", R"(["flour", )"),
+                            "materials.pairs[0].between[0]: there is no such material"},
+                    Refusal{sample_with_materials_with(R"("rigid": true)", R"("rigid": 1)"),
+                            "materials.floor.rigid: must be true or false"},
+                    Refusal{sample_with_materials_with(R"("density": 3)", R"("mass": 3)"),
+                            "materials.glass.mass: unknown field"},
+                    Refusal{sample_with_materials_with(R"("density": 3)", R"("density": 0)"),
+                            "materials.glass.density: must be a positive number"},
+                    Refusal{sample_with_materials_with("10000", "-1"),
+                            "materials.glass.linear.stiffness: must be a number, 0 or more"},
+                    Refusal{sample_scene_plus(R"("materials": {})"), "materials: names none"}));
+
+TEST(SceneReading, BodiesHaveTheDensityOfTheirMaterialOrTheirOwn) {
+  const Scene scene = parsed(sample_with_materials());
+  EXPECT_EQ(scene.bodies[0].density, 3);
+  EXPECT_EQ(scene.bodies[2].density, 2);
+  EXPECT_EQ(scene.walls[0].material, 1U);
+  EXPECT_EQ(scene.material_pairs.at(0).effects.friction.value_or(Friction{}).coefficient, 0.2);
+}
 
 TEST(SceneReading, NumbersThatJsonDoesNotHaveNameThePlace) {
   for (const char* number : {"NaN", "Infinity", "-Infinity", "nan"})

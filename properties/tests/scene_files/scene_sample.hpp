@@ -20,7 +20,7 @@ inline std::string sample_scene() {
          R"( "effects": {"gravity": {"acceleration": [0, 0, -10]}, "linear": {"stiffness": 10000},)"
          R"( "damping": {"restitution": 0.5}, "friction": {"coefficient": 0.4}},)"
          R"( "run": {"duration": 0.5, "accuracy": 0.001, "outputs": {"every": 0.05,)"
-         R"( "write": ["touching", "contacts", "dump", "vtk", "playback", "energy"]}}})";
+         R"( "write": ["touching", "contacts", "dump", "vtk", "playback", "energy", "lives"]}}})";
 }
 
 /// The first occurrence is replaced.
@@ -40,6 +40,29 @@ inline std::string sample_scene_of(const std::string& effects) {
   std::string text = sample_scene();
   const std::size_t begin = text.find(R"("effects": )"), end = text.find(R"(, "run")");
   return text.replace(begin, end - begin, R"("effects": )" + effects);
+}
+
+/// Bodies of glass on a rigid floor.
+inline std::string sample_with_materials() {
+  std::string text = sample_scene_of(R"({"gravity": {"acceleration": [0, 0, -10]}, "damping": {"restitution": 0.5}})");
+  const auto put = [&](const std::string& before, const std::string& more) { text.insert(text.find(before), more); };
+  put(R"("bodies")",
+      R"("materials": {"glass": {"density": 3, "linear": {"stiffness": 10000}, "friction": {"coefficient": 0.4}},)"
+      R"( "floor": {"rigid": true}, "pairs": [{"between": ["floor", "glass"], "friction": {"coefficient": 0.2}}]}, )");
+  std::size_t at = 0;
+  while ((at = text.find(R"("position")", at)) != std::string::npos) {
+    const std::string material = R"("material": "glass", )";
+    text.insert(at, material);
+    at += material.size() + 1;
+  }
+  put(R"("point")", R"("material": "floor", )");
+  return text;
+}
+
+/// The same with the first occurrence replaced.
+inline std::string sample_with_materials_with(const std::string& old_text, const std::string& new_text) {
+  std::string text = sample_with_materials();
+  return text.replace(text.find(old_text), old_text.size(), new_text);
 }
 
 }  // namespace plumb::scene

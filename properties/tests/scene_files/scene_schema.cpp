@@ -86,6 +86,20 @@ TEST(SceneSchema, HasEveryEffectWithItsFieldsBoundsAndDefaults) {
   EXPECT_EQ(effects["properties"].size(), count);
 }
 
+TEST(SceneSchema, MaterialsHaveTheEffectsThatMix) {
+  const JsonSchema whole = schema();
+  for (const char* name : {"material", "material_pair"}) {
+    Json properties = whole.root()["$defs"][name]["properties"];
+    const Effects all;
+    each_effect(all, [&](const auto& slot) {
+      using Parameters = typename std::decay_t<decltype(slot)>::value_type;
+      EXPECT_EQ(properties.erase(std::string(Parameters::name)), Mixes<Parameters> ? 1U : 0U) << Parameters::name;
+    });
+    EXPECT_EQ(properties.size(), std::string(name) == "material" ? 2U : 1U);
+  }
+  EXPECT_TRUE(whole.allows(read_json(sample_with_materials())));
+}
+
 TEST(SceneSchema, HasTheOutputsOfTheReader) {
   const JsonSchema whole = schema();
   const Json& run = whole.resolved(whole.root()["properties"]["run"]);

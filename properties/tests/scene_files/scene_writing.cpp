@@ -60,6 +60,26 @@ struct Fill {
   }
 };
 
+/// With those effects that mix.
+Effects random_mixing(Numbers& numbers) {
+  Effects out;
+  each_effect(out, [&](auto& slot) {
+    using Parameters = typename std::decay_t<decltype(slot)>::value_type;
+    if constexpr (Mixes<Parameters>)
+      if (numbers.coin()) Parameters::each_field(slot.emplace(), Fill{numbers});
+  });
+  return out;
+}
+
+void add_materials(Scene& scene, Numbers& numbers) {
+  Material soft{.name = "soft \"one\"", .density = numbers.positive(), .is_rigid = false, .effects = {}};
+  soft.effects = random_mixing(numbers);
+  scene.materials = {soft, {.name = "hard", .density = {}, .is_rigid = true, .effects = {}}};
+  scene.material_pairs = {{.between = {1, 0}, .effects = random_mixing(numbers)}};
+  for (SceneBody& b : scene.bodies) b.material = numbers.coin() ? 1 : 0;
+  for (Wall& wall : scene.walls) wall.material = numbers.coin() ? 1 : 0;
+}
+
 Scene random_scene(Numbers& numbers) {
   Scene scene;
   scene.name = "random \"one\"";
@@ -69,6 +89,7 @@ Scene random_scene(Numbers& numbers) {
     using Parameters = typename std::decay_t<decltype(slot)>::value_type;
     if (numbers.coin()) Parameters::each_field(slot.emplace(), Fill{numbers});
   });
+  if (numbers.coin()) add_materials(scene, numbers);
   scene.run.duration = numbers.positive();
   if (numbers.coin()) scene.run.time_step = numbers.positive();
   scene.run.accuracy = numbers.unit();
@@ -95,6 +116,26 @@ struct Bits {
   }
 };
 
+void add_effects(Bits& bits, const Effects& effects) {
+  each_effect(effects, [&](const auto& slot) {
+    using Parameters = typename std::decay_t<decltype(slot)>::value_type;
+    bits.add(double(slot.has_value()));
+    if (slot) Parameters::each_field(*slot, bits);
+  });
+}
+
+void add_materials(Bits& bits, const Scene& scene) {
+  for (const Material& material : scene.materials) {
+    bits.add(material.density);
+    bits.add(double(material.is_rigid));
+    add_effects(bits, material.effects);
+  }
+  for (const MaterialPair& pair : scene.material_pairs) {
+    for (const std::size_t one : pair.between) bits.add(double(one));
+    add_effects(bits, pair.effects);
+  }
+}
+
 std::vector<std::uint64_t> bits_of(const Scene& scene) {
   Bits bits;
   for (const SceneBody& b : scene.bodies) {
@@ -105,17 +146,16 @@ std::vector<std::uint64_t> bits_of(const Scene& scene) {
     bits.add(b.velocity);
     bits.add(b.angular_velocity);
     bits.add(b.temperature);
+    bits.add(double(b.material));
   }
   for (const Wall& wall : scene.walls) {
     bits.add(wall.point);
     bits.add(wall.normal);
     bits.add(wall.temperature);
+    bits.add(double(wall.material));
   }
-  each_effect(scene.effects, [&](const auto& slot) {
-    using Parameters = typename std::decay_t<decltype(slot)>::value_type;
-    bits.add(double(slot.has_value()));
-    if (slot) Parameters::each_field(*slot, bits);
-  });
+  add_effects(bits, scene.effects);
+  add_materials(bits, scene);
   bits.add(scene.run.duration);
   bits.add(scene.run.time_step);
   bits.add(scene.run.accuracy);

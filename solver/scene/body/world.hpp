@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "solver/scene/body/columns.hpp"
+#include "solver/scene/material/mixing.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace plumb::scene {
@@ -17,6 +18,7 @@ struct Bodies {
   std::vector<Superellipsoid<double>> shape;
   std::vector<char> is_sphere;
   std::vector<double> radius;                          ///< of a ball about the centre that holds the body
+  std::vector<std::size_t> material;                   ///< index in the scene's materials
   std::vector<double> mass;                            ///< also of what is fixed; walls: infinite
   std::vector<double> inverse_mass;                    ///< 0 where nothing moves it
   std::vector<Vec3<double>> inertia, inverse_inertia;  ///< principal, body axes; inverse 0 where nothing turns it
@@ -71,6 +73,7 @@ struct Contacts {
   Column* radius = nullptr;        ///< 1: 1 / (1/r1 + 1/r2) of the distances to the centres; r2 of a wall is infinite
   Column* normal_force = nullptr;  ///< 1, > 0 pushes apart
   Column* force = nullptr;         ///< 3: all of it, on body 2
+  Column* life = nullptr;          ///< of lives.hpp
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
   double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
 
@@ -99,6 +102,7 @@ struct StoredEnergy {
 struct World {
   double time = 0, time_step = 0;
   int threads = 1;
+  PairEffects pair_effects;
   Bodies bodies;
   Columns columns;
   State state;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/scene/body/mass.hpp"
+#include "solver/scene/contact/lives.hpp"
 #include "solver/scene/contact/neighbours.hpp"
 
 namespace plumb::scene {
@@ -61,6 +62,7 @@ void add_contacts(World& world, const Plan& plan) {
     contacts.normal_force = pair("normal_force", "contacts", 1);
     contacts.stiffness = pair("stiffness", "contacts", 1);
   }
+  if (plan.needs.lives) contacts.life = &add_lives(world);
   if (plan.needs.contact_force) contacts.force = pair("contact_force", "contacts", 3);
   if (plan.needs.radius) contacts.radius = pair("radius", "contacts", 1);
   if (plan.needs.normal_mass) contacts.inverse_mass = pair("inverse_mass", "contacts", 1);
@@ -98,6 +100,7 @@ void add_body(Bodies& bodies, const SceneBody& b, bool turns) {
   bodies.shape.push_back(shape);
   bodies.is_sphere.push_back(is_ball ? 1 : 0);
   bodies.radius.push_back(bounding_radius(shape));
+  bodies.material.push_back(b.material);
   bodies.mass.push_back(mass);
   bodies.inverse_mass.push_back(b.is_fixed ? 0 : 1 / mass);
   bodies.inertia.push_back(inertia);
@@ -112,6 +115,7 @@ void add_wall(Bodies& bodies, const Wall& wall) {
   bodies.shape.emplace_back();
   bodies.is_sphere.push_back(0);
   bodies.radius.push_back(0);
+  bodies.material.push_back(wall.material);
   bodies.mass.push_back(std::numeric_limits<double>::infinity());
   bodies.inverse_mass.push_back(0);
   bodies.inertia.emplace_back(Vec3<double>::Zero());
@@ -121,6 +125,7 @@ void add_wall(Bodies& bodies, const Wall& wall) {
 }
 
 void add_columns(World& world, const Plan& plan) {
+  world.pair_effects = plan.pair_effects;
   add_state(world, plan);
   if (plan.needs.contacts) add_contacts(world, plan);
   if (plan.broad_phase == BroadPhase::tree) {

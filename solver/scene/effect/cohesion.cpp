@@ -3,6 +3,7 @@
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
+#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -32,16 +33,17 @@ Role role(const Cohesion& cohesion, const Scene& scene) {
 }
 
 void install(const Cohesion& cohesion, World& world) {
-  world.contact_passes.push_back({Cohesion::name, [cohesion, &world] {
+  const ByPair<Cohesion> laws = by_pair(world, cohesion, &Effects::cohesion);
+  world.contact_passes.push_back({Cohesion::name, [laws, &world] {
                                     Contacts& contacts = world.contacts;
                                     for (const std::uint32_t c : contacts.touching)
                                       (*contacts.normal_force)[c] -=
-                                          cohesion.pull_off * share(cohesion, (*contacts.overlap)[c]);
+                                          laws.at(c).pull_off * share(laws.at(c), (*contacts.overlap)[c]);
                                   }});
-  world.energies.push_back({Cohesion::name, [cohesion, &world] {
+  world.energies.push_back({Cohesion::name, [laws, &world] {
                               double sum = 0;
                               for (const std::uint32_t c : world.contacts.touching)
-                                sum += stored(cohesion, (*world.contacts.overlap)[c]);
+                                sum += stored(laws.at(c), (*world.contacts.overlap)[c]);
                               return sum;
                             }});
 }

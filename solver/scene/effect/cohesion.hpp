@@ -17,6 +17,10 @@ struct Cohesion {
     visit("pull_off", self.pull_off, Range::not_negative);
     visit("range", self.range, Range::not_negative);
   }
+
+  [[nodiscard]] static Cohesion mixed(const Cohesion& first, const Cohesion& second) {
+    return geometric_mean(first, second);
+  }
 };
 
 [[nodiscard]] Role role(const Cohesion& cohesion, const Scene& scene);

@@ -20,6 +20,8 @@ struct Couple {
     visit("stiffness_ratio", self.stiffness_ratio, Range::positive);
     visit("damping", self.damping, Range::fraction);
   }
+
+  [[nodiscard]] static Couple mixed(const Couple& first, const Couple& second) { return geometric_mean(first, second); }
 };
 
 }  // namespace plumb::scene

@@ -8,14 +8,16 @@
 #include "solver/scene/effect.hpp"
 #include "solver/scene/effect/couple.hpp"
 #include "solver/scene/facts.hpp"
+#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 
 /// Turns the bodies of each pressing contact against their relative rotation; `springs` holds how far each has turned.
 template <class Part>
-void resist(const Couple<Part>& parameters, Column& springs, World& world) {
+void resist(const ByPair<Couple<Part>>& laws, Column& springs, World& world) {
   const Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
+    const Couple<Part>& parameters = laws.at(c);
     const Vec3<double> normal = contacts.normal->vector(c);
     const double radius = (*contacts.radius)[c], square = radius * radius;
     const double stiffness = parameters.stiffness_ratio * (*contacts.stiffness)[c] * square;
@@ -38,11 +40,11 @@ template <class Part>
 
 /// The work that the springs hold.
 template <class Part>
-[[nodiscard]] double spring_energy(const Couple<Part>& parameters, const Column& springs, const World& world) {
+[[nodiscard]] double spring_energy(const ByPair<Couple<Part>>& laws, const Column& springs, const World& world) {
   double sum = 0;
   for (const std::uint32_t c : world.contacts.pressing) {
     const double radius = (*world.contacts.radius)[c];
-    const double stiffness = parameters.stiffness_ratio * (*world.contacts.stiffness)[c] * radius * radius;
+    const double stiffness = laws.at(c).stiffness_ratio * (*world.contacts.stiffness)[c] * radius * radius;
     sum += stiffness * springs.vector(c).squaredNorm() / 2;
   }
   return sum;
@@ -63,10 +65,12 @@ template <class Part>
 
 /// Adds the springs' column, the pass and the energy.
 template <class Part>
-void install_couple(const Couple<Part>& couple, World& world, const char* column) {
+void install_couple(const Couple<Part>& couple, World& world, std::optional<Couple<Part>> Effects::* slot,
+                    const char* column) {
+  const ByPair<Couple<Part>> laws = by_pair(world, couple, slot);
   Column& springs = world.columns.add(column, Part::name, history(3));
-  world.contact_passes.push_back({Part::name, [couple, &springs, &world] { resist(couple, springs, world); }});
-  world.energies.push_back({Part::name, [couple, &springs, &world] { return spring_energy(couple, springs, world); }});
+  world.contact_passes.push_back({Part::name, [laws, &springs, &world] { resist(laws, springs, world); }});
+  world.energies.push_back({Part::name, [laws, &springs, &world] { return spring_energy(laws, springs, world); }});
 }
 
 }  // namespace plumb::scene

@@ -6,6 +6,7 @@
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
+#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -67,12 +68,12 @@ struct Damped {
 };
 
 /// The dashpots' forces act when all are known.
-void damp(double factor, const Damped& out, World& world) {
+void damp(const ByPair<double>& factors, const Damped& out, World& world) {
   const Contacts& contacts = world.contacts;
   const double step = world.time_step;
   for (const std::uint32_t c : contacts.pressing) {
     const double inverse_mass = (*contacts.inverse_mass)[c];
-    const double viscous = factor * std::sqrt((*contacts.stiffness)[c] / inverse_mass);
+    const double viscous = factors.at(c) * std::sqrt((*contacts.stiffness)[c] / inverse_mass);
     const double before = world.normal_velocity(c), ahead = before + step / 2 * world.normal_acceleration(c);
     const double now = damped(ahead, step / 2, inverse_mass, viscous);
     Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(out.phases[c])};
@@ -102,13 +103,15 @@ Role role(const Damping& damping, const Scene& scene) {
 }
 
 void install(const Damping& damping, World& world) {
-  const double factor = 2 * damping_ratio(damping.restitution) * world.contacts.damping_factor;
+  const ByPair<double> factors(world, damping, &Effects::damping, [&](const Damping& of_pair) {
+    return 2 * damping_ratio(of_pair.restitution) * world.contacts.damping_factor;
+  });
   Column& phases = world.columns.add("damping_phase", Damping::name, history(1));
   Column& forces = world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1});
   const bool tilts = world.contacts.patch_arms != nullptr && world.has_turning();
   Column* couples = tilts ? &world.columns.add("damping_couple", Damping::name, {ColumnKind::pair, 3}) : nullptr;
   world.closing_passes.push_back(
-      {Damping::name, [factor, out = Damped{phases, forces, couples}, &world] { damp(factor, out, world); }});
+      {Damping::name, [factors, out = Damped{phases, forces, couples}, &world] { damp(factors, out, world); }});
 }
 
 }  // namespace plumb::scene

@@ -25,6 +25,10 @@ struct Damping {
   static void each_field(Self& self, Visit&& visit) {
     visit("restitution", self.restitution, Range::restitution);
   }
+
+  [[nodiscard]] static Damping mixed(const Damping& first, const Damping& second) {
+    return geometric_mean(first, second);
+  }
 };
 
 [[nodiscard]] Role role(const Damping& damping, const Scene& scene);

@@ -4,6 +4,7 @@
 #include "solver/scene/contact/stick_slip.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
+#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -22,7 +23,7 @@ StickSlip law_of(const Friction& friction, const Contacts& contacts, std::size_t
   return {stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
 }
 
-void slide(const Friction& friction, Column& springs, World& world) {
+void slide(const ByPair<Friction>& laws, Column& springs, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
@@ -30,17 +31,17 @@ void slide(const Friction& friction, Column& springs, World& world) {
     const Vec3<double> velocity = world.relative_velocity(c, levers);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
     springs.vector(c) = turned_across(springs.vector(c), normal);
-    world.push(c, law_of(friction, contacts, c).pull(springs.vector(c), across, world.time_step), levers);
+    world.push(c, law_of(laws.at(c), contacts, c).pull(springs.vector(c), across, world.time_step), levers);
   }
 }
 
 /// A patch that turns about its normal slides at its radius.
-void turn(const Friction& friction, Column& angles, World& world) {
+void turn(const ByPair<Friction>& laws, Column& angles, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const double radius = contacts.patch_radius(c), square = radius * radius;
-    const StickSlip slip = law_of(friction, contacts, c);
+    const StickSlip slip = law_of(laws.at(c), contacts, c);
     const StickSlip law{slip.stiffness * square, slip.viscous * square, slip.limit * radius};
     angles.vector(c) = normal.dot(angles.vector(c)) * normal;
     world.turn(c, law.pull(angles.vector(c), normal.dot(world.relative_turn(c)) * normal, world.time_step));
@@ -48,10 +49,10 @@ void turn(const Friction& friction, Column& angles, World& world) {
 }
 
 /// The work that the springs hold.
-double stored(const Friction& friction, const Column& springs, const Column* angles, const Contacts& contacts) {
+double stored(const ByPair<Friction>& laws, const Column& springs, const Column* angles, const Contacts& contacts) {
   double sum = 0;
   for (const std::uint32_t c : contacts.pressing) {
-    const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
+    const double stiffness = laws.at(c).stiffness_ratio * (*contacts.stiffness)[c];
     sum += stiffness * springs.vector(c).squaredNorm() / 2;
     if (angles == nullptr) continue;
     const double radius = contacts.patch_radius(c);
@@ -76,15 +77,15 @@ Role role(const Friction& friction, const Scene& scene) {
 
 void install(const Friction& friction, World& world) {
   Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
-  world.contact_passes.push_back({Friction::name, [friction, &springs, &world] { slide(friction, springs, world); }});
+  const ByPair<Friction> laws = by_pair(world, friction, &Effects::friction);
+  world.contact_passes.push_back({Friction::name, [laws, &springs, &world] { slide(laws, springs, world); }});
   Column* angles = nullptr;
   if (world.contacts.patch_arms != nullptr) {
     angles = &world.columns.add("friction_angle", Friction::name, history(3));
-    world.contact_passes.push_back({Friction::name, [friction, angles, &world] { turn(friction, *angles, world); }});
+    world.contact_passes.push_back({Friction::name, [laws, angles, &world] { turn(laws, *angles, world); }});
   }
-  world.energies.push_back({Friction::name, [friction, &springs, angles, &world] {
-                              return stored(friction, springs, angles, world.contacts);
-                            }});
+  world.energies.push_back(
+      {Friction::name, [laws, &springs, angles, &world] { return stored(laws, springs, angles, world.contacts); }});
 }
 
 }  // namespace plumb::scene

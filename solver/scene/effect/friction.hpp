@@ -2,8 +2,8 @@
 // coefficient * normal force, and slides beyond (Cundall & Strack 1979; di Renzo & di Maio 2004 for the ratio).
 //
 //   spring' = velocity of the points across the normal; the spring turns with the normal
-//   force   = - ratio * normal stiffness * spring - damping, cut to coefficient * elastic normal force; where the spring alone
-//             exceeds that it slides, as long as the limit holds
+//   force   = - ratio * normal stiffness * spring - damping, cut to coefficient * elastic normal force; where it is, the spring
+//             is as long as leaves the sum there (Luding 2008)
 //   Of a patch (volume, foundation) the same against turning about the normal, at the patch's radius
 #pragma once
 
@@ -23,6 +23,10 @@ struct Friction {
     visit("coefficient", self.coefficient, Range::not_negative);
     visit("stiffness_ratio", self.stiffness_ratio, Range::positive);
     visit("damping", self.damping, Range::fraction);
+  }
+
+  [[nodiscard]] static Friction mixed(const Friction& first, const Friction& second) {
+    return geometric_mean(first, second);
   }
 };
 

@@ -4,6 +4,7 @@
 #include "solver/scene/contact/hertz_contact.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
+#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -12,14 +13,14 @@ namespace {
 constexpr double hertz_damping = 0.912870929175276855;
 
 /// `factors`: hertz_contact's, of each contact's life; 0 of one that has just begun.
-void press_hertz(double modulus, Column& factors, Contacts& contacts) {
+void press_hertz(const ByPair<double>& moduli, Column& factors, Contacts& contacts) {
   for (const std::uint32_t c : contacts.pressing) {
     if (!(factors[c] > 0)) {
       const auto curvature = contacts.curvature->entry(c);
       factors[c] = hertz_contact(curvature[0], curvature[1]).force_factor;
     }
     const double overlap = (*contacts.overlap)[c];
-    const double slope = modulus * factors[c] * std::sqrt(overlap);
+    const double slope = moduli.at(c) * factors[c] * std::sqrt(overlap);
     (*contacts.normal_force)[c] = slope * overlap;
     (*contacts.stiffness)[c] = 1.5 * slope;
   }
@@ -37,14 +38,15 @@ Role role(const Hertz& hertz, const Scene& scene) {
 
 void install(const Hertz& hertz, World& world) {
   world.contacts.damping_factor = hertz_damping;
-  const double modulus = hertz.contact_modulus();
+  const ByPair<double> moduli(world, hertz, &Effects::hertz,
+                              [](const Hertz& of_pair) { return of_pair.contact_modulus(); });
   Column& factors = world.columns.add("hertz_factor", Hertz::name, history(1));
   world.contact_passes.push_back(
-      {Hertz::name, [modulus, &factors, &world] { press_hertz(modulus, factors, world.contacts); }});
-  world.energies.push_back({Hertz::name, [modulus, &factors, &world] {
+      {Hertz::name, [moduli, &factors, &world] { press_hertz(moduli, factors, world.contacts); }});
+  world.energies.push_back({Hertz::name, [moduli, &factors, &world] {
                               double sum = 0;
                               for (const std::uint32_t c : world.contacts.pressing)
-                                sum += 0.4 * modulus * factors[c] * std::pow((*world.contacts.overlap)[c], 2.5);
+                                sum += 0.4 * moduli.at(c) * factors[c] * std::pow((*world.contacts.overlap)[c], 2.5);
                               return sum;
                             }});
 }

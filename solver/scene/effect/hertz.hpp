@@ -2,7 +2,7 @@
 // Mechanics, 1985, eqs. 4.24-4.28).
 //
 //   force = 4/3 E* sqrt(Re) (overlap / F2)^(3/2),  1/E* = 2 (1 - nu^2) / E for two bodies of one material,
-//                                                  a wall is of the same material
+//                                                  a wall is of the same material; of two: material/mixing.hpp
 //
 // The curvatures are those of the first step of a contact, for as long as it lasts: the force is then that of a potential, and a
 // collision keeps its energy. Were they to follow the points, bodies that turn would gain some. A body that rolls without ever
@@ -10,6 +10,8 @@
 // A radius above 10 of the body's longest semi-axis (a flat), or below a thousandth of it (an edge), is cut there: Hertz's patch
 // is small against both radii, and there it is not.
 #pragma once
+
+#include <limits>
 
 #include "solver/scene/effect/parameter.hpp"
 
@@ -27,6 +29,14 @@ struct Hertz {
     visit("poissons_ratio", self.poissons_ratio, Range::poissons_ratio);
   }
 
+  /// One material's that has the same E*.
+  [[nodiscard]] static Hertz mixed(const Hertz& first, const Hertz& second) {
+    return {.youngs_modulus = 2 / (first.compliance() + second.compliance()), .poissons_ratio = 0};
+  }
+  [[nodiscard]] static Hertz rigid() { return {.youngs_modulus = std::numeric_limits<double>::infinity()}; }
+
+  /// Of one of the two bodies.
+  [[nodiscard]] double compliance() const { return (1 - poissons_ratio * poissons_ratio) / youngs_modulus; }
   /// E*
   [[nodiscard]] double contact_modulus() const { return youngs_modulus / (2 * (1 - poissons_ratio * poissons_ratio)); }
 };

@@ -3,14 +3,16 @@
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
+#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 namespace {
 
-void press_linear(const Linear& linear, Contacts& contacts) {
+void press_linear(const ByPair<Linear>& laws, Contacts& contacts) {
   for (const std::uint32_t c : contacts.pressing) {
-    (*contacts.normal_force)[c] = linear.stiffness * (*contacts.overlap)[c];
-    (*contacts.stiffness)[c] = linear.stiffness;
+    const double stiffness = laws.at(c).stiffness;
+    (*contacts.normal_force)[c] = stiffness * (*contacts.overlap)[c];
+    (*contacts.stiffness)[c] = stiffness;
   }
 }
 
@@ -26,12 +28,13 @@ Role role(const Linear& linear, const Scene& scene) {
 }
 
 void install(const Linear& linear, World& world) {
-  world.contact_passes.push_back({Linear::name, [linear, &world] { press_linear(linear, world.contacts); }});
-  world.energies.push_back({Linear::name, [linear, &world] {
+  const ByPair<Linear> laws = by_pair(world, linear, &Effects::linear);
+  world.contact_passes.push_back({Linear::name, [laws, &world] { press_linear(laws, world.contacts); }});
+  world.energies.push_back({Linear::name, [laws, &world] {
                               double sum = 0;
                               for (const std::uint32_t c : world.contacts.pressing) {
                                 const double overlap = (*world.contacts.overlap)[c];
-                                sum += linear.stiffness * overlap * overlap / 2;
+                                sum += laws.at(c).stiffness * overlap * overlap / 2;
                               }
                               return sum;
                             }});

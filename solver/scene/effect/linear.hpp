@@ -4,6 +4,8 @@
 // stiffness * overlap^2 / 2: no energy is made or lost, whatever the shapes (it would be with another direction).
 #pragma once
 
+#include <limits>
+
 #include "solver/scene/effect/parameter.hpp"
 
 namespace plumb::scene {
@@ -17,6 +19,13 @@ struct Linear {
   static void each_field(Self& self, Visit&& visit) {
     visit("stiffness", self.stiffness, Range::not_negative);
   }
+
+  /// Springs in series; alike ones to the bit.
+  [[nodiscard]] static Linear mixed(const Linear& first, const Linear& second) {
+    if (first.stiffness == second.stiffness) return first;
+    return {.stiffness = 2 / (1 / first.stiffness + 1 / second.stiffness)};
+  }
+  [[nodiscard]] static Linear rigid() { return {.stiffness = std::numeric_limits<double>::infinity()}; }
 };
 
 [[nodiscard]] Role role(const Linear& linear, const Scene& scene);

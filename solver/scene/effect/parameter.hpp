@@ -8,6 +8,9 @@
 // there and changes nothing.
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <concepts>
 #include <string_view>
 
 #include "solver/contact.hpp"
@@ -56,6 +59,33 @@ enum class Range {
     case Range::one_to_two: return x >= 1 && x <= 2;
   }
   return false;
+}
+
+/// Of effects that two materials may have together: what each has of its own, and one of both.
+template <class Parameters>
+concept Mixes = requires(const Parameters& one) {
+  { Parameters::mixed(one, one) } -> std::same_as<Parameters>;
+};
+/// Of those, the elastic laws: what a rigid material has.
+template <class Parameters>
+concept IsElastic = Mixes<Parameters> && requires {
+  { Parameters::rigid() } -> std::same_as<Parameters>;
+};
+
+/// Each field, all numbers, the geometric mean of both; alike ones to the bit.
+template <class Parameters>
+[[nodiscard]] Parameters geometric_mean(const Parameters& first, const Parameters& second) {
+  constexpr std::size_t most_fields = 4;
+  std::array<double, most_fields> others{};
+  std::size_t count = 0;
+  Parameters::each_field(second, [&](std::string_view, double value, Range) { others.at(count++) = value; });
+  Parameters out = first;
+  count = 0;
+  Parameters::each_field(out, [&](std::string_view, double& value, Range) {
+    const double other = others.at(count++);
+    if (value != other) value = std::sqrt(value) * std::sqrt(other);
+  });
+  return out;
 }
 
 }  // namespace plumb::scene

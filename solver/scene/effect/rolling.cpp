@@ -9,7 +9,7 @@ Role role(const Rolling& rolling, const Scene& scene) {
 }
 
 void install(const Rolling& rolling, World& world) {
-  install_couple(rolling, world, "rolling_spring");
+  install_couple(rolling, world, &Effects::rolling, "rolling_spring");
 }
 
 }  // namespace plumb::scene

@@ -1,5 +1,6 @@
 // Rolling resistance: a couple against the relative rotation across the normal, a spring that sticks up to
-// coefficient * radius * normal force and slips beyond (elastic-plastic spring, Ai et al. 2011, model C).
+// coefficient * radius * normal force and slips beyond (elastic-plastic spring, Ai et al. 2011, model C, but that its dashpot slips
+// with it: stick_slip.hpp).
 // `radius` is 1 / (1/r1 + 1/r2) of the distances from the contact to the centres; r2 of a wall is infinite.
 #pragma once
 

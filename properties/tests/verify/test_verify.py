@@ -1,0 +1,103 @@
+"""The suite of reports/verify: closed forms against published numbers and against each other, the table, and a few rows."""
+
+import contextlib
+import io
+import math
+import pathlib
+import random
+import tempfile
+import unittest
+
+import numpy as np
+from mpmath import mpf
+
+import bodies
+import exact
+import impacts
+import rigid
+import table
+import verify
+from scenes import Runner
+
+
+class ClosedForms(unittest.TestCase):
+    def test_of_two_balls_are_the_numbers_of_chung_and_ooi(self):
+        for name, material, published in (("glass", impacts.GLASS, (274.113e-6, 10696.89, 40.3394e-6)),
+                                          ("limestone", impacts.LIMESTONE, (368.304e-6, 7108.24, 54.2010e-6))):
+            case = impacts.two_balls(name, material)
+            for value, number in zip(case.exact.values(), published):
+                self.assertAlmostEqual(float(value) / number, 1, delta=5e-6)
+
+    def test_an_ellipse_that_is_almost_round_presses_as_a_circle(self):
+        factor = exact.hertz_ellipse(mpf(3), mpf(2), mpf("2.0000001"))
+        self.assertAlmostEqual(float(factor / exact.hertz_ball(mpf(3), 2)), 1, delta=1e-7)
+
+    def test_a_body_that_tumbles_keeps_energy_and_momentum(self):
+        free = exact.Tumbling((1, 2, 3), 0.6, 1)
+        for time in (0.3, 1.7, 40):
+            spin = free.spin(time)
+            self.assertAlmostEqual(sum(i * w * w for i, w in zip(free.moments, spin)), mpf("3.36"), places=15)
+            self.assertAlmostEqual(sum((i * w) ** 2 for i, w in zip(free.moments, spin)), free.momentum ** 2, places=15)
+
+    def test_of_an_ellipsoid_moments_are_the_textbooks(self):
+        mass, moments = rigid.mass_and_moments((1, 2, 3), (2, 2))
+        self.assertAlmostEqual(mass, 8 * exact.pi, places=20)
+        self.assertAlmostEqual(moments[0], mass * 13 / 5, places=20)
+
+    def test_farthest_points_are_on_the_surface_and_farthest(self):
+        draw = random.Random(1)
+        for _ in range(20):
+            axes, exponents, _ = bodies.drawn(draw, superquadric=True)
+            n1, n2 = exponents
+            direction = bodies.unit(draw)
+            point = rigid.support(axes, exponents, direction)
+            scaled = np.abs(point) / axes
+            self.assertAlmostEqual((scaled[0] ** n2 + scaled[1] ** n2) ** (n1 / n2) + scaled[2] ** n1, 1, places=12)
+            for other in (rigid.support(axes, exponents, bodies.unit(draw)) for _ in range(50)):
+                self.assertLessEqual(other @ direction, point @ direction + 1e-12)
+
+
+class Table(unittest.TestCase):
+    def test_nothing_holds_without_its_number(self):
+        row = table.Row("t", "s", "q", 2.0, [math.nan], 2.0, 1e-3)
+        self.assertFalse(row.holds)
+        self.assertIn("off", table.line(row))
+
+    def test_the_order_is_that_of_the_time_step(self):
+        row = table.Row("t", "s", "q", 1.0, [1.01, 1.001, 1.0001], 1.0, 1e-3)
+        self.assertAlmostEqual(row.order((1e-2, 1e-3, 1e-4)), 2, places=9)
+        self.assertTrue(row.holds)
+
+    def test_the_worst_of_a_set_is_one_that_failed(self):
+        good, failed = (table.Row("t", "s", "q", 1.0, [x], 1.0, 1e-3) for x in (1.5, math.nan))
+        self.assertIs(verify.worst([good, failed]), failed)
+
+
+class Suite(unittest.TestCase):
+    def test_a_few_rows_hold(self):
+        with tempfile.TemporaryDirectory() as folder:
+            runner = Runner(pathlib.Path(folder))
+            groups = [impacts.two_balls("glass", impacts.GLASS), impacts.on_plane("aluminium", impacts.ALUMINIUM),
+                      bodies.a_set("another", bodies.on_another, True, 0.6, 2)]
+            rows = list(verify.rows(runner, groups, (1e-2, 1e-4)))
+        self.assertEqual(len(rows), 8)
+        for row in rows:
+            self.assertTrue(row.holds, table.line(row))
+        for row in rows[:6]:
+            self.assertGreater(row.order((1e-2, 1e-4)), 1, table.line(row))
+
+    def test_a_program_that_fails_is_off_with_its_reason(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = impacts.two_balls("glass", impacts.GLASS)
+            rows = list(verify.rows(Runner(pathlib.Path(folder), "/bin/false"), [case], (1e-2,)))
+        self.assertFalse(any(row.holds for row in rows))
+        self.assertIn("exit code 1", table.line(rows[0]))
+
+    def test_what_is_not_there_is_said(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
+            self.assertEqual(verify.main(["--only", "nothing of this name", "--out", folder]), 2)
+        self.assertIn("there is no such test", said.getvalue())
+
+
+if __name__ == "__main__":
+    unittest.main()

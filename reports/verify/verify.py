@@ -1,0 +1,107 @@
+"""Each law of scenes against exact results: the table of README.md."""
+
+import argparse
+import math
+import os
+import pathlib
+import sys
+import time
+
+import bodies
+import impacts
+import resting
+import table
+from case import Case, Set
+from scenes import Failed, Runner
+
+ACCURACIES = (1e-2, 1e-3, 1e-4)
+MISSING = (
+    ("5: oblique, one normal velocity", "data of the paper not at hand"),
+    ("6: spinning ball on a plane", "data of the paper not at hand"),
+    ("7: two balls, one spins", "data of the paper not at hand"),
+    ("8: two unlike balls, one spins", "data of the paper not at hand"),
+    ("JKR pull-off", "scenes have no such law"),
+    ("impact of any body with friction", "its ODE is not solved here"),
+    ("superquadric that rocks on a plane", "not built"),
+)
+
+
+def measured(runner, case, accuracies):
+    """{quantity: [measured, ..]}; NaN and the reason where a run failed."""
+    out, reasons = {quantity: [] for quantity in case.exact}, []
+    for accuracy in accuracies:
+        try:
+            read = case.read(runner.run(case.name, case.scene, accuracy))
+        except Failed as failed:
+            reasons.append(str(failed))
+            read = {}
+        for quantity, numbers in out.items():
+            numbers.append(float(read.get(quantity, math.nan)))
+    return out, reasons
+
+
+def rows_of_case(runner, case, accuracies):
+    numbers, reasons = measured(runner, case, accuracies)
+    for quantity, exact in case.exact.items():
+        yield table.Row(case.test, case.source, quantity, float(exact), numbers[quantity], float(case.scale.get(quantity, exact)), case.limit,
+                        "; ".join(reasons))
+
+
+def worst(rows):
+    """NaN is worse than any number."""
+    return max(rows, key=lambda row: math.inf if math.isnan(row.errors[-1]) else row.errors[-1])
+
+
+def rows_of_set(runner, group, accuracies):
+    found = {}
+    for case in group.cases:
+        for row in rows_of_case(runner, case, accuracies):
+            found.setdefault(row.quantity, []).append(row)
+    for rows in found.values():
+        row = worst(rows)
+        row.test = group.test
+        yield row
+
+
+def everything(quick):
+    yield from impacts.cases()
+    yield from resting.cases()
+    yield from bodies.sets(2 if quick else 20)
+
+
+def rows(runner, groups, accuracies):
+    for group in groups:
+        yield from (rows_of_set if isinstance(group, Set) else rows_of_case)(runner, group, accuracies)
+
+
+def main(arguments=None):
+    top = pathlib.Path(__file__).resolve().parents[2]
+    parser = argparse.ArgumentParser(prog="reports/verify/run", description=__doc__)
+    parser.add_argument("--accuracy", type=float, nargs="+", default=ACCURACIES, help="coarsest first")
+    parser.add_argument("--only", default="", help="tests whose names hold this")
+    parser.add_argument("--quick", action="store_true", help="two bodies in the place of twenty")
+    parser.add_argument("--out", type=pathlib.Path, default=top / "build/verify")
+    parser.add_argument("--record", action="store_true", help="and reports/results/verify.txt")
+    asked = parser.parse_args(arguments)
+    begun = time.monotonic()
+    done = []
+    for row in rows(Runner(asked.out / "scenes"), (g for g in everything(asked.quick) if asked.only in g.test), asked.accuracy):
+        done.append(row)
+        print(table.line(row), flush=True)
+    if not done:
+        print(f"--only {asked.only}: there is no such test", file=sys.stderr)
+        return 2
+    text = table.text(done, MISSING, asked.accuracy, os.environ.get("PLUMB_COMMIT", "unknown"))
+    asked.out.mkdir(parents=True, exist_ok=True)
+    (asked.out / "verify.txt").write_text(text)
+    if asked.record:
+        (top / "reports/results/verify.txt").write_text(text)
+    print(f"\n{table.summary(done)}; {time.monotonic() - begun:.0f} s; {asked.out / 'verify.txt'}")
+    return 0 if all(row.holds for row in done) else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)
