@@ -41,7 +41,7 @@ Core frustum(const Frustum& s, int exponent) {
   return DiscsCore{-(height * share), height * (I(1.0) - share), from, to};
 }
 
-Core corners(const Hull& hull, int exponent) {
+Core corners(const plumb::Hull& hull, int exponent) {
   CornersCore out;
   for (const Vec3<double>& corner : hull.corners) {
     out.corners.push_back(scaled(corner, exponent));
