@@ -113,7 +113,7 @@ struct Lowest {
   Vec3<double> sum = Vec3<double>::Zero();
   int count = 0;
   for (int k = 0; k < sides; ++k) {
-    const double angle = 2 * EIGEN_PI * k / sides;
+    const double angle = 2 * static_cast<double>(EIGEN_PI) * k / sides;
     const Vec3<double> x = core.support(u + aside * (std::cos(angle) * s + std::sin(angle) * t)).point;
     if ((at - x).dot(u) <= rounding * size) sum += x, ++count;
   }
