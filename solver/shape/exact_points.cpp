@@ -37,7 +37,8 @@ boost::multiprecision::cpp_int whole(double x, int lowest) {
   int exponent = 0;
   const double mantissa = std::ldexp(std::frexp(x, &exponent), digits);
   boost::multiprecision::cpp_int out(static_cast<long long>(mantissa));
-  return x == 0 ? out : out << (exponent - digits - lowest);
+  if (x != 0) out <<= static_cast<unsigned>(exponent - digits - lowest);
+  return out;
 }
 
 }  // namespace
