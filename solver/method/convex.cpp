@@ -82,14 +82,23 @@ struct Lowest {
   int cells;
 };
 
-[[nodiscard]] Lowest lowest_of_overlapping(const PlacedCores& pair, const Vec3<double>& line) {
-  const Descent descent(pair);
-  PolytopeMinimum polytopes(pair);
-  const auto normal = polytopes.lowest();
-  const CommonNormal first = descent.from(normal.value_or(line));
+/// Of polytopes that overlap by more than rounding; nullopt: of others.
+[[nodiscard]] std::optional<Lowest> lowest_of_polytopes(const PlacedCores& pair, const Vec3<double>& line) {
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * pair.size;
-  if (normal && first.overlap > rounding && descent.is_exact(first)) return {first, true, 0};
-  DirectionSearch search(pair, first);
+  if (!pair.are_polytopes()) return std::nullopt;
+  const Descent descent(pair);
+  const bool has_many_edges =
+      std::holds_alternative<HullCore>(pair.body1.core) || std::holds_alternative<HullCore>(pair.body2.core);
+  const auto normal = PolytopeMinimum(pair, has_many_edges ? descent.some_steps_from(line) : line).lowest();
+  if (!normal || !(pair.overlap(*normal) > rounding)) return std::nullopt;
+  const CommonNormal found = descent.along(*normal);
+  if (!descent.is_exact(found)) return std::nullopt;
+  return Lowest{found, true, 0};
+}
+
+[[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {
+  const Descent descent(pair);
+  DirectionSearch search(pair, descent.from(line));
   const bool is_complete = search.run();
   return {search.best(), is_complete && descent.is_exact(search.best()), search.cells()};
 }
@@ -97,8 +106,9 @@ struct Lowest {
 [[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
   const Vec3<double>& c = pair.body2.centre;
   const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
+  if (const auto found = lowest_of_polytopes(pair, line)) return *found;
   const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
-  if (nearest.is_inside || !(pair.overlap(nearest.normal) < 0)) return lowest_of_overlapping(pair, line);
+  if (nearest.is_inside || !(pair.overlap(nearest.normal) < 0)) return lowest_by_search(pair, line);
   const Descent descent(pair);
   const CommonNormal found = descent.sharpened(nearest);  // of bodies apart there is one common normal
   return {found, descent.is_exact(found), 0};

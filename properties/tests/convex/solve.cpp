@@ -4,6 +4,7 @@
 #include "properties/tests/allocations.hpp"
 #include "properties/tests/reference/drawn_bodies.hpp"
 #include "solver/method/convex.hpp"
+#include "solver/method/methods.hpp"
 #include "solver/reference/convex_bounds.hpp"
 
 namespace plumb {
@@ -32,7 +33,7 @@ bool are_half_spaces(std::size_t kind1, std::size_t kind2) {
 /// Of each two shapes so many pairs.
 template <class F>
 void for_drawn_pairs(int each, std::uint64_t seed, const F& use) {
-  Stream stream(seed);
+  Stream stream("convex pairs", seed, 0);
   for (std::size_t kind1 = 0; kind1 < shape_count; ++kind1)
     for (std::size_t kind2 = 0; kind2 < shape_count; ++kind2)
       for (int i = 0; i < each && !are_half_spaces(kind1, kind2); ++i) {
@@ -75,7 +76,7 @@ TEST(Convex, ExchangedBodiesHaveTheSameContact) {
 
 TEST(Convex, AUnitOfLengthChangesNoBit) {
   constexpr double unit = 0x1p-40;
-  Stream stream(3);
+  Stream stream("convex pairs", 3, 0);
   for (int i = 0; i < 20; ++i) {
     ConvexPair pair = draw_pair(2, 5, stream);
     const Contact<double> contact = solve_convex(pair, {}, nullptr);
@@ -102,7 +103,7 @@ TEST(Convex, ARadiusIsAddedToTheOverlap) {
 }
 
 TEST(Convex, PairsOfSuperellipsoidsAreThoseOfAuto) {
-  Stream stream(5);
+  Stream stream("convex pairs", 5, 0);
   for (int i = 0; i < 50; ++i) {
     ConvexPair pair = draw_pair(0, 0, stream);
     pair.body1.swept_radius = pair.body2.swept_radius = 0;

@@ -26,6 +26,25 @@ class Descent {
     return settled(best);
   }
 
+  /// A direction that is about as low as what `from` comes to.
+  [[nodiscard]] Vec3<double> some_steps_from(const Vec3<double>& n) const {
+    constexpr int steps = 2;
+    CommonNormal best = seen(n);
+    for (int step = 0; step < steps; ++step) {
+      const CommonNormal next = seen(target_above(best, std::ldexp(pair_.size, -6)).normal);
+      if (!(next.overlap < best.overlap)) break;
+      best = next;
+    }
+    return best.normal;
+  }
+
+  /// The contact of a normal that is known.
+  [[nodiscard]] CommonNormal along(const Vec3<double>& n) const {
+    const CommonNormal at = seen(n);
+    const Mixture points = target_above(at, std::ldexp(pair_.size, -3)).mixture;
+    return {n, at.overlap, points.point1(), points.point2()};
+  }
+
   /// Of cores apart: the nearest points, sharpened.
   [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return settled(best_of(nearest)); }
 
@@ -40,9 +59,13 @@ class Descent {
     return {n, at.w().dot(n), at.point1, at.point2};
   }
 
+  [[nodiscard]] Nearest target_above(const CommonNormal& at, double height) const {
+    return NearestPoint(pair_, (at.overlap + height) * at.normal, at.normal).find();
+  }
+
   /// A step, with the target that high above M. Of what it may lead to the one that is a common normal, among those that are lowest.
   [[nodiscard]] CommonNormal after(const CommonNormal& at, double height) const {
-    return best_of(NearestPoint(pair_, (at.overlap + height) * at.normal, at.normal).find());
+    return best_of(target_above(at, height));
   }
 
   /// The same contact with its points, where a step ended beside it: rounding turns the normal of a target close to M the most.
@@ -67,6 +90,7 @@ class Descent {
         best = other;
     };
     if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));
+    if (pair_.are_polytopes() && mixture.count == 3) return best;  // what Newton would find
     const StationaryNewton newton(pair_, mixture, nearest.normal);
     for (const auto& [gauge1, gauge2] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
       if (const auto solved = newton.solve(gauge1, gauge2)) return consider(*solved), best;

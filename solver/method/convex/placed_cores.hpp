@@ -31,6 +31,7 @@ struct PlacedCore {
     const PieceSupport at = std::visit([&](const auto& of) { return support_of(of, piece, v); }, core);
     return {rotation * at.point + centre, rotation * at.hessian * rotation.transpose()};
   }
+  [[nodiscard]] bool is_polytope() const { return !is_smooth() && !std::holds_alternative<FrustumCore>(core); }
   [[nodiscard]] bool is_smooth() const { return std::holds_alternative<SmoothCore>(core); }
   /// Of a smooth core, with its derivatives by a point of the frame.
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const {
@@ -59,6 +60,7 @@ struct PlacedCores {
     const CorePoint first = body1.support(n), second = body2.support(-n);
     return {first.point, second.point, first.piece, second.piece};
   }
+  [[nodiscard]] bool are_polytopes() const { return body1.is_polytope() && body2.is_polytope(); }
   /// o(n).
   [[nodiscard]] double overlap(const Vec3<double>& n) const { return support(n).w().dot(n); }
 };

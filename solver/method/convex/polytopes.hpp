@@ -3,7 +3,12 @@
 // o is linear between them: a minimum lies on the normal of a face of one body, or where the normals of an edge of one cross those of an
 // edge of the other, that is along the product of the edges. Which edges cross is decided by signs; a pair that rounding hides is close to
 // a face normal, and o there, being continuous, is the same to rounding. So no tolerance decides which face or edge it is.
+//
+// Most are left out by points w of M: o(n) >= w.n, and where that is above an overlap that is known on both sides of an edge it is so all
+// along it.
 #pragma once
+
+#include <utility>
 
 #include "solver/method/convex/descent.hpp"
 
@@ -16,6 +21,8 @@ struct EdgeOfCore {
   bool has_faces;
 };
 
+inline const std::array<Vec3<double>, 2> none{Vec3<double>::Zero(), Vec3<double>::Zero()};
+
 /// What a polytope says of its faces and edges, in body axes.
 struct SegmentEdges {
   const SegmentCore& core;
@@ -23,7 +30,7 @@ struct SegmentEdges {
   [[nodiscard]] static int faces() { return 0; }
   [[nodiscard]] static Vec3<double> face_normal(int) { return Vec3<double>::Zero(); }
   [[nodiscard]] int edges() const { return core.half_length > 0 ? 1 : 0; }
-  [[nodiscard]] EdgeOfCore edge(int) const { return {Vec3<double>::UnitZ(), core.corner(0), {}, false}; }
+  [[nodiscard]] EdgeOfCore edge(int) const { return {Vec3<double>::UnitZ(), core.corner(0), none, false}; }
 };
 
 struct BoxEdges {
@@ -53,26 +60,36 @@ struct HullEdges {
   [[nodiscard]] EdgeOfCore edge(int k) const {
     const HullEdge& e = core.hull->edges[static_cast<std::size_t>(k)];
     const Vec3<double> from = core.corner(e.corners[0]), to = core.corner(e.corners[1]);
-    if (e.faces[0] < 0) return {to - from, from, {}, false};
+    if (e.faces[0] < 0) return {to - from, from, none, false};
     return {to - from, from, {face_normal(e.faces[0]), face_normal(e.faces[1])}, true};
   }
 };
 
 class PolytopeMinimum {
  public:
-  explicit PolytopeMinimum(const PlacedCores& pair) : pair_(pair) {}
+  /// `known`: a unit direction whose overlap is low already, and above 0.
+  PolytopeMinimum(const PlacedCores& pair, const Vec3<double>& known)
+      : pair_(pair), best_(pair.overlap(known)), normal_(known) {
+    const Vec3<double> s = known.unitOrthogonal(), t = known.cross(s);
+    for (std::size_t k = 0; k < witnesses_.size(); ++k) {
+      const double aside = k % 2 == 0 ? wide : narrow, angle = eighth_turn * static_cast<double>(k);
+      witnesses_[k] = pair.support((known + aside * (std::cos(angle) * s + std::sin(angle) * t)).normalized()).w();
+    }
+  }
 
-  /// nullopt: a body is no polytope, or neither has a face or an edge.
+  /// nullopt: a body is no polytope.
   [[nodiscard]] std::optional<Vec3<double>> lowest() {
-    const auto of_both = [&](const auto& first, const auto& second) { look_at(first, second); };
     const bool are_polytopes = with_edges(pair_.body1.core, [&](const auto& first) {
-      (void)with_edges(pair_.body2.core, [&](const auto& second) { of_both(first, second); });
+      (void)with_edges(pair_.body2.core, [&](const auto& second) { look_at(first, second); });
     });
-    if (!are_polytopes || !std::isfinite(best_)) return std::nullopt;
+    if (!are_polytopes) return std::nullopt;
     return normal_;
   }
 
  private:
+  static constexpr int together = 12;
+  static constexpr double eighth_turn = 0.785398163397448, wide = 2, narrow = 0.5;
+
   template <class F>
   static bool with_edges(const Core& core, const F& use) {
     if (const auto* segment = std::get_if<SegmentCore>(&core)) return use(SegmentEdges{*segment}), true;
@@ -86,27 +103,49 @@ class PolytopeMinimum {
     if (overlap < best_) best_ = overlap, normal_ = n;
   }
 
+  /// Whether a witness is higher than the lowest that is known, along both.
+  [[nodiscard]] bool is_left_out(const Vec3<double>& n1, const Vec3<double>& n2) const {
+    return std::any_of(witnesses_.begin(), witnesses_.end(),
+                       [&](const Vec3<double>& w) { return w.dot(n1) > best_ && w.dot(n2) > best_; });
+  }
+
   template <class First, class Second>
   void look_at(const First& first, const Second& second) {
     const Mat3<double>&r1 = pair_.body1.rotation, &r2 = pair_.body2.rotation;
-    for (int k = 0; k < first.faces(); ++k) consider(r1 * first.face_normal(k));
-    for (int k = 0; k < second.faces(); ++k) consider(-(r2 * second.face_normal(k)));
+    const auto consider_unless_high = [&](const Vec3<double>& n) {
+      if (!is_left_out(n, n)) consider(n);
+    };
+    for (int k = 0; k < first.faces(); ++k) consider_unless_high(r1 * first.face_normal(k));
+    for (int k = 0; k < second.faces(); ++k) consider_unless_high(-(r2 * second.face_normal(k)));
+    std::array<EdgeOfCore, together> against;
+    int count = 0;
     for (int j = 0; j < second.edges(); ++j) {
-      const EdgeOfCore against = in_frame_of_body1(second.edge(j));
-      for (int i = 0; i < first.edges(); ++i) look_at_edges(first.edge(i), against);
+      const EdgeOfCore edge = placed(pair_.body2, second.edge(j), -1);
+      if (edge.has_faces && is_left_out(edge.normals[0], edge.normals[1])) continue;
+      against[static_cast<std::size_t>(count++)] = edge;
+      if (count == together) look_at_edges(first, against, std::exchange(count, 0));
+    }
+    look_at_edges(first, against, count);
+  }
+
+  template <class First>
+  void look_at_edges(const First& first, const std::array<EdgeOfCore, together>& against, int count) {
+    for (int i = 0; i < first.edges() && count > 0; ++i) {
+      const EdgeOfCore edge = placed(pair_.body1, first.edge(i), 1);
+      if (edge.has_faces && is_left_out(edge.normals[0], edge.normals[1])) continue;
+      for (int j = 0; j < count; ++j) look_at_edges(edge, against[static_cast<std::size_t>(j)]);
     }
   }
 
-  /// Its normals turned against body 1.
-  [[nodiscard]] EdgeOfCore in_frame_of_body1(const EdgeOfCore& edge) const {
-    const Mat3<double> turn = pair_.body1.rotation.transpose() * pair_.body2.rotation;
-    return {turn * edge.direction,
-            pair_.body1.rotation.transpose() * (pair_.body2.rotation * edge.corner + pair_.body2.centre),
-            {-(turn * edge.normals[0]), -(turn * edge.normals[1])},
+  /// In the pair's frame, its normals times a sign.
+  [[nodiscard]] static EdgeOfCore placed(const PlacedCore& body, const EdgeOfCore& edge, double sign) {
+    const Mat3<double>& r = body.rotation;
+    return {r * edge.direction,
+            r * edge.corner + body.centre,
+            {sign * (r * edge.normals[0]), sign * (r * edge.normals[1])},
             edge.has_faces};
   }
 
-  /// Body axes of body 1.
   void look_at_edges(const EdgeOfCore& a, const EdgeOfCore& b) {
     if (!is_crossed_by(a, b.direction) || !is_crossed_by(b, a.direction)) return;
     const Vec3<double> product = a.direction.cross(b.direction);
@@ -114,7 +153,7 @@ class PolytopeMinimum {
     const Vec3<double> n = product.normalized();
     for (const double sign : {1.0, -1.0})
       if (is_on_side_of(a, sign * n) && is_on_side_of(b, sign * n) && sign * n.dot(a.corner - b.corner) < best_)
-        consider(pair_.body1.rotation * (sign * n));
+        consider(sign * n);
   }
 
   /// Whether the plane across `direction` goes between the edge's two normals, or through one.
@@ -126,8 +165,9 @@ class PolytopeMinimum {
   }
 
   const PlacedCores& pair_;
-  double best_ = std::numeric_limits<double>::infinity();
-  Vec3<double> normal_ = Vec3<double>::UnitZ();
+  double best_;
+  Vec3<double> normal_;
+  std::array<Vec3<double>, 8> witnesses_;
 };
 
 }  // namespace plumb::detail
