@@ -6,7 +6,6 @@
 #include "solver/method/common.hpp"
 #include "solver/method/convex/direction_search.hpp"
 #include "solver/method/convex/polytopes.hpp"
-#include "solver/method/method_table.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
@@ -162,6 +161,17 @@ void write(const WorldContact& found, Verdict verdict, const Want& want, Contact
   out.contact_point = found.point1 / 2 + found.point2 / 2;
 }
 
+/// Both bodies without their radii, where they are superellipsoids.
+[[nodiscard]] std::optional<Pair> superellipsoids_of(const ConvexPair& pair) {
+  const auto *first = std::get_if<Superellipsoid<double>>(&pair.body1.shape),
+             *second = std::get_if<Superellipsoid<double>>(&pair.body2.shape);
+  if (first == nullptr || second == nullptr) return std::nullopt;
+  Pair out;
+  out.body1 = {*first, pair.body1.position, pair.body1.quaternion};
+  out.body2 = {*second, pair.body2.position, pair.body2.quaternion};
+  return out;
+}
+
 /// Two superellipsoids swept by spheres: `auto` knows the cores' contact, and the bodies' has the same normal.
 [[nodiscard]] Contact<double> solve_swept(const ConvexPair& bodies, const Pair& cores, const Want& want,
                                           const Contact<double>* last) {
@@ -185,6 +195,17 @@ void write(const WorldContact& found, Verdict verdict, const Want& want, Contact
   return out;
 }
 
+/// What is handed out where there is no answer.
+[[nodiscard]] Contact<double> without_answer(Status status, const Contact<double>& from) {
+  Contact<double> out;
+  out.method = from.method;
+  out.status = status;
+  out.iterations = from.iterations;
+  out.evaluations = from.evaluations;
+  return out;
+}
+
+/// Of a legal pair, whatever its status.
 [[nodiscard]] Contact<double> solve_by_cores(const ConvexPair& bodies, const Want& want) {
   constexpr double undecided = 64;  // epsilon of the size: what a common normal is exact to
   const ConvexFrame frame(bodies);
@@ -208,19 +229,13 @@ void write(const WorldContact& found, Verdict verdict, const Want& want, Contact
 
 Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Contact<double>* last) {
   const StandardArithmetic mode;
-  if (!find_input_error(pair).reason.empty()) return detail::refusal<double>();
-  const auto *first = std::get_if<Superellipsoid<double>>(&pair.body1.shape),
-             *second = std::get_if<Superellipsoid<double>>(&pair.body2.shape);
-  Want found = want;
-  found.curvature = found.derivatives = found.patch = false;
-  Contact<double> out = first != nullptr && second != nullptr
-                            ? detail::solve_swept(pair,
-                                                  {{*first, pair.body1.position, pair.body1.quaternion},
-                                                   {*second, pair.body2.position, pair.body2.quaternion}},
-                                                  found, last)
-                            : detail::solve_by_cores(pair, found);
-  if (out.status != Status::converged) detail::withhold<double>(out);
-  return out;
+  if (!find_input_error(pair).reason.empty()) return detail::without_answer(Status::invalid_input, {});
+  Want known = want;
+  known.curvature = known.derivatives = known.patch = false;
+  const auto cores = detail::superellipsoids_of(pair);
+  const Contact<double> out =
+      cores ? detail::solve_swept(pair, *cores, known, last) : detail::solve_by_cores(pair, known);
+  return out.status == Status::converged ? out : detail::without_answer(out.status, out);
 }
 
 }  // namespace plumb

@@ -46,7 +46,7 @@ class DirectionSearch {
     int depth;
 
     [[nodiscard]] Vec3<double> at(double du, double dv) const {
-      Vec3<double> out;
+      Vec3<double> out = Vec3<double>::Zero();
       out[axis] = sign;
       out[(axis + 1) % 3] = u + du * half;
       out[(axis + 2) % 3] = v + dv * half;

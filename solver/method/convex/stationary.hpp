@@ -138,7 +138,7 @@ class StationaryNewton {
     /// `at`: the place of the body's weights among the unknowns, and of its equations about pieces.
     void add_pieces(int i, int at) {
       const Vec3<double> u = sign(i) * n;
-      Vec3<double> first;
+      Vec3<double> first = Vec3<double>::Zero();
       residual[at] = -1;
       for (int k = 0; k < of(i).count; ++k) {
         const double weight = of(i).weight[static_cast<std::size_t>(k)];
@@ -201,7 +201,7 @@ class StationaryNewton {
       Mat3<double> second = -overlap * Mat3<double>::Identity();
       Vec3<double> kink = Vec3<double>::Zero();
       for (int i = 0; i < 2; ++i) {
-        Vec3<double> first;
+        Vec3<double> first = Vec3<double>::Zero();
         for (int k = 0; k < of(i).count; ++k) {
           const PieceSupport x = body(i).support(of(i).piece[static_cast<std::size_t>(k)], sign(i) * n);
           second += of(i).weight[static_cast<std::size_t>(k)] * x.hessian;
