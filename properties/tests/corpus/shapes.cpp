@@ -7,7 +7,7 @@
 #include "corpus/case/case.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
-namespace plumb {
+namespace plumb::shape_cases {
 namespace {
 
 const std::string ball = R"({"superellipsoid": {"semi_axes": [1.0, 1.0, 1.0], "exponents": [2.0, 2.0]}})";
@@ -209,4 +209,4 @@ TEST_F(Commands, TheShapesOfTheCorpusAreAsTheyWereWorkedOutByHand) {
 }
 
 }  // namespace
-}  // namespace plumb
+}  // namespace plumb::shape_cases

@@ -69,7 +69,7 @@ class PolytopeMinimum {
  public:
   /// `known`: a unit direction whose overlap is low already, and above 0.
   PolytopeMinimum(const PlacedCores& pair, const Vec3<double>& known)
-      : pair_(pair), best_(pair.overlap(known)), normal_(known) {
+      : pair_(pair), best_(pair.overlap(known) * (1 + margin)) {
     const Vec3<double> s = known.unitOrthogonal(), t = known.cross(s);
     for (std::size_t k = 0; k < witnesses_.size(); ++k) {
       const double aside = k % 2 == 0 ? wide : narrow, angle = eighth_turn * static_cast<double>(k);
@@ -77,18 +77,18 @@ class PolytopeMinimum {
     }
   }
 
-  /// nullopt: a body is no polytope.
+  /// nullopt: a body is no polytope, or no face and no crossing of edges is as low as what is known.
   [[nodiscard]] std::optional<Vec3<double>> lowest() {
     const bool are_polytopes = with_edges(pair_.body1.core, [&](const auto& first) {
       (void)with_edges(pair_.body2.core, [&](const auto& second) { look_at(first, second); });
     });
-    if (!are_polytopes) return std::nullopt;
-    return normal_;
+    return are_polytopes ? normal_ : std::nullopt;
   }
 
  private:
   static constexpr int together = 12;
   static constexpr double eighth_turn = 0.785398163397448, wide = 2, narrow = 0.5;
+  static constexpr double margin = 1e-9;  // a normal that is known may be that of a face, to rounding
 
   template <class F>
   static bool with_edges(const Core& core, const F& use) {
@@ -166,7 +166,7 @@ class PolytopeMinimum {
 
   const PlacedCores& pair_;
   double best_;
-  Vec3<double> normal_;
+  std::optional<Vec3<double>> normal_;
   std::array<Vec3<double>, 8> witnesses_;
 };
 
