@@ -56,7 +56,7 @@ function(plumb_install_pkgconfig name library description)
 endfunction()
 
 set(plumb_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/plumb)
-plumb_install_headers(contact.hpp pose.hpp diagnosis.hpp method/methods.hpp method/automatic.hpp shape/superellipsoid.hpp
+plumb_install_headers(contact.hpp pose.hpp diagnosis.hpp method/methods.hpp method/automatic.hpp method/convex.hpp shape/superellipsoid.hpp
                       shape/hull.hpp shape/chart.hpp shape/curvature.hpp shape/ray.hpp patch/patch.hpp plumb.h plumb_solver.h plumb_adapter.hpp
                       plumb_recorder.h)
 plumb_install_library(solver plumb_solver plumb_scalars)
