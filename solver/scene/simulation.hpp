@@ -105,6 +105,7 @@ class Simulation {
   struct Misfit {
     std::string field, reason;
   };
+  /// nullopt: it fits.
   [[nodiscard]] std::optional<Misfit> misfit(const Snapshot& snapshot) const;
   /// Of this scene and plan; false, and nothing changed, when it does not fit.
   [[nodiscard]] bool restore(const Snapshot& snapshot);
@@ -114,6 +115,7 @@ class Simulation {
 
   /// Of contacts, where the scene asks for lives: those that ended in the last step, and those that go on.
   [[nodiscard]] const std::vector<Life>& ended_lives() const { return ended_lives_; }
+  /// As far as they have come.
   [[nodiscard]] std::vector<Life> lasting_lives() const;
 
   /// From now on `look` is called after each round of the solver, with every call in it but those that proved two bodies apart.

@@ -84,10 +84,9 @@ bool ExactPoints::are_collinear(int a, int b, int c) const {
 }
 
 Vec3<double> ExactPoints::unit_normal(int a, int b, int c) const {
-  Integers n = normal(a, b, c);
-  unsigned bits = 0;
-  for (const Integer& x : n)
-    if (x != 0) bits = std::max(bits, static_cast<unsigned>(msb(Integer(abs(x)))));
+  const Integers n = normal(a, b, c);
+  const Integer square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  const unsigned bits = square == 0 ? 0 : static_cast<unsigned>(msb(square)) / 2;
   constexpr unsigned kept = 400;  // squares stay finite, and what is cut is far below rounding
   Vec3<double> out;
   for (std::size_t i = 0; i < 3; ++i)

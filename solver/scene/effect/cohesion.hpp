@@ -18,6 +18,7 @@ struct Cohesion {
     visit("range", self.range, Range::not_negative);
   }
 
+  /// Geometric means of what two materials say each for itself.
   [[nodiscard]] static Cohesion mixed(const Cohesion& first, const Cohesion& second) {
     return geometric_mean(first, second);
   }

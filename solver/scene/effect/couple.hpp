@@ -21,6 +21,7 @@ struct Couple {
     visit("damping", self.damping, Range::fraction);
   }
 
+  /// Geometric means of what two materials say each for itself.
   [[nodiscard]] static Couple mixed(const Couple& first, const Couple& second) { return geometric_mean(first, second); }
 };
 

@@ -26,6 +26,7 @@ struct Damping {
     visit("restitution", self.restitution, Range::restitution);
   }
 
+  /// Geometric means of what two materials say each for itself.
   [[nodiscard]] static Damping mixed(const Damping& first, const Damping& second) {
     return geometric_mean(first, second);
   }

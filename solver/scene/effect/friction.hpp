@@ -25,6 +25,7 @@ struct Friction {
     visit("damping", self.damping, Range::fraction);
   }
 
+  /// Geometric means of what two materials say each for itself.
   [[nodiscard]] static Friction mixed(const Friction& first, const Friction& second) {
     return geometric_mean(first, second);
   }

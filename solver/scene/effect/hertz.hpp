@@ -33,6 +33,7 @@ struct Hertz {
   [[nodiscard]] static Hertz mixed(const Hertz& first, const Hertz& second) {
     return {.youngs_modulus = 2 / (first.compliance() + second.compliance()), .poissons_ratio = 0};
   }
+  /// What a rigid material has.
   [[nodiscard]] static Hertz rigid() { return {.youngs_modulus = std::numeric_limits<double>::infinity()}; }
 
   /// Of one of the two bodies.

@@ -25,6 +25,7 @@ struct Linear {
     if (first.stiffness == second.stiffness) return first;
     return {.stiffness = 2 / (1 / first.stiffness + 1 / second.stiffness)};
   }
+  /// What a rigid material has.
   [[nodiscard]] static Linear rigid() { return {.stiffness = std::numeric_limits<double>::infinity()}; }
 };
 
