@@ -31,11 +31,12 @@ struct CoreOf {
   RoundedCore operator()(const Cone& s) const { return (*this)(Frustum{{s.radius, 0}, s.height}); }
   RoundedCore operator()(const Frustum& s) const {
     const double r = unit(s.radii[0]), t = unit(s.radii[1]), h = unit(s.height);
-    const double below = h / 4 * ((r * r + 2 * r * t + 3 * t * t) / (r * r + r * t + t * t));
+    const double larger = std::max(s.radii[0], s.radii[1]), p = s.radii[0] / larger, q = s.radii[1] / larger;
+    const double below = h / 4 * ((p * p + 2 * p * q + 3 * q * q) / (p * p + p * q + q * q));
     return {FrustumCore{{-below, h - below}, {r, t}}, 0};
   }
   RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
-  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit(1.0)}, 0}; }
+  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit}, 0}; }
   RoundedCore operator()(const PolySuperellipsoid& s) const {
     SmoothCore core{{}, s.n1, s.n2};
     std::transform(s.semi_axes.begin(), s.semi_axes.end(), core.semi_axes.begin(), unit);
@@ -49,9 +50,14 @@ struct ConvexFrame {
   int exponent;
   Vec3<double> origin;
 
-  explicit ConvexFrame(const ConvexPair& pair)
-      : exponent(exponent_above(size_of(pair)) - 1), origin(pair.body1.position) {}
+  explicit ConvexFrame(const ConvexPair& pair) : exponent(exponent_of(pair)), origin(pair.body1.position) {}
 
+  /// Of the larger body's size; of bodies so far apart that squares of the distance would overflow, of a share of that.
+  [[nodiscard]] static int exponent_of(const ConvexPair& pair) {
+    constexpr double share = 0x1p-100;
+    const Vec3<double> apart = pair.body2.position * share - pair.body1.position * share;
+    return exponent_above(std::max(size_of(pair), apart.cwiseAbs().maxCoeff())) - 1;
+  }
   [[nodiscard]] Vec3<double> to_world(const Vec3<double>& x) const { return PowerOfTwo<double>(exponent)(x) + origin; }
   [[nodiscard]] double to_world(double length) const { return PowerOfTwo<double>(exponent)(length); }
   /// Large units are divided out before the subtraction, small ones after it, as in PairFrame.
@@ -88,11 +94,17 @@ struct Lowest {
   const Descent descent(pair);
   const bool has_many_edges =
       std::holds_alternative<HullCore>(pair.body1.core) || std::holds_alternative<HullCore>(pair.body2.core);
-  const auto normal = PolytopeMinimum(pair, has_many_edges ? descent.some_steps_from(line) : line).lowest();
+  PolytopeMinimum minimum(pair, has_many_edges ? descent.some_steps_from(line) : line);
+  const auto normal = minimum.lowest();
   if (!normal || !(pair.overlap(*normal) > rounding)) return std::nullopt;
-  const CommonNormal found = descent.along(*normal);
-  if (!descent.is_exact(found)) return std::nullopt;
-  return Lowest{found, true, 0};
+  for (const auto& n : {minimum.face_as_low(), normal}) {
+    if (!n) continue;
+    const CommonNormal found = descent.along(*n);
+    if (descent.is_exact(found)) return Lowest{found, true, 0};
+  }
+  const CommonNormal beside = descent.from(*normal);
+  if (!descent.is_exact(beside) || beside.overlap > pair.overlap(*normal) + rounding) return std::nullopt;
+  return Lowest{beside, true, 0};
 }
 
 [[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {
@@ -105,12 +117,14 @@ struct Lowest {
 [[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
   const Vec3<double>& c = pair.body2.centre;
   const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
-  if (const auto found = lowest_of_polytopes(pair, line)) return *found;
   const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
-  if (nearest.is_inside || !(pair.overlap(nearest.normal) < 0)) return lowest_by_search(pair, line);
-  const Descent descent(pair);
-  const CommonNormal found = descent.sharpened(nearest);  // of bodies apart there is one common normal
-  return {found, descent.is_exact(found), 0};
+  if (!nearest.is_inside && pair.overlap(nearest.normal) < 0) {
+    const Descent descent(pair);
+    const CommonNormal found = descent.sharpened(nearest);  // of bodies apart there is one common normal
+    return {found, descent.is_exact(found), 0};
+  }
+  const auto of_polytopes = lowest_of_polytopes(pair, line);
+  return of_polytopes ? *of_polytopes : lowest_by_search(pair, line);
 }
 
 /// The middle of the face of a core that is farthest along u: of its support points a little to all sides of u, those that are as far to
@@ -145,7 +159,7 @@ struct Lowest {
   return lowest_of_cores(pair);
 }
 
-/// A contact in the world, of cores whose bodies reach `radius` beyond them.
+/// A contact of the bodies, in the world.
 struct WorldContact {
   double overlap;
   Vec3<double> normal, point1, point2;

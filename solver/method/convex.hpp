@@ -14,11 +14,11 @@
 
 namespace plumb {
 
-/// Solves a pair. Overlap, normal, points and verdict as those of `auto`: converged, the overlap is the lowest of all directions to 256 epsilon
-/// of the pair's size, and the points are those of the normal to 1024. Of faces that lie on one another the points are some of what they
-/// share. Curvature, derivatives and patch are not found: NaN. `last`: the contact a step before, or nullptr. `evaluations`: cells of
+/// Solves a pair. Overlap, normal, points and verdict as those of `auto`: converged, the overlap is the lowest of all directions to 256
+/// epsilon of the pair's size, or of the distance where that is more, and the points are those of the normal to 1024. Of faces that lie on
+/// one another the points are some of what they share. Curvature, derivatives and patch are not found: NaN. `evaluations`: cells of
 /// directions that a search looked at. Never throws and never allocates; an illegal pair gives Status::invalid_input. Pairs of
-/// superellipsoids are `auto`'s.
+/// superellipsoids are `auto`'s; they alone start from `last`, the contact a step before, which may be null.
 [[nodiscard]] Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Contact<double>* last);
 
 }  // namespace plumb

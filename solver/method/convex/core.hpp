@@ -8,6 +8,7 @@
 #include <cmath>
 #include <variant>
 
+#include "solver/power_of_two.hpp"
 #include "solver/shape/hull.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
@@ -59,19 +60,19 @@ struct BoxCore {
 /// The corners of a hull, in another unit.
 struct HullCore {
   const Hull* hull;
-  double unit;
+  PowerOfTwo<double> unit;
 
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     int best = 0;
     double height = -std::numeric_limits<double>::infinity();
     for (int k = 0; k < static_cast<int>(hull->corners.size()); ++k)
-      if (const double of_k = hull->corners[static_cast<std::size_t>(k)].dot(u); of_k > height) height = of_k, best = k;
+      if (const double of_k = corner(k).dot(u); of_k > height) height = of_k, best = k;
     return {corner(best), best};
   }
   [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
     return {corner(piece), Mat3<double>::Zero()};
   }
-  [[nodiscard]] Vec3<double> corner(int k) const { return hull->corners[static_cast<std::size_t>(k)] * unit; }
+  [[nodiscard]] Vec3<double> corner(int k) const { return unit(hull->corners[static_cast<std::size_t>(k)]); }
 };
 
 /// The hull of two circles about the z axis, the lower of which is piece 0; either radius may be 0. A cylinder, a cone, a frustum.

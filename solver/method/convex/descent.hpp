@@ -70,11 +70,13 @@ class Descent {
 
   /// The same contact with its points, where a step ended beside it: rounding turns the normal of a target close to M the most.
   [[nodiscard]] CommonNormal settled(CommonNormal best) const {
-    for (const int height : {-3, -6, -14}) {
-      if (is_exact(best)) return best;
-      const CommonNormal next = after(best, std::ldexp(pair_.size, height));
-      if (next.overlap <= best.overlap + margin() && defect(next) < defect(best)) best = next;
-    }
+    constexpr int most_steps = 6;
+    for (const int height : {-3, -6, -14})
+      for (int step = 0; step < most_steps && !is_exact(best); ++step) {
+        const CommonNormal next = after(best, std::ldexp(pair_.size, height));
+        if (next.overlap > best.overlap + margin() || !(defect(next) < defect(best))) break;
+        best = next;
+      }
     return best;
   }
 

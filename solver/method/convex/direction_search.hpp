@@ -68,9 +68,10 @@ class DirectionSearch {
     waiting_[static_cast<std::size_t>(waiting_count_++)] = {square, above};
   }
 
+  /// Cores that are not apart: it is below 0 by the tolerance at most, by which the chords then cost no more than that once more.
   [[nodiscard]] double level() const { return best_.overlap - tolerance * pair_.size; }
-  /// The point of M that the best common normal leads to.
-  [[nodiscard]] Vector3<double> best_point() const { return Vector3<double>::of(best_.normal * best_.overlap); }
+  /// The point of M that the best common normal leads to: a mixture of support points, whatever the normal is worth.
+  [[nodiscard]] Vector3<double> best_point() const { return Vector3<double>::of(best_.point1 - best_.point2); }
 
   [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<double>& w) const {
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3<double>& n) { return dot(w, n) >= level(); });

@@ -1,6 +1,6 @@
 // The point of M nearest to a point outside: an active-set method on support points (Wolfe 1976, finding the nearest point in a
 // polytope), at most four of which are kept. Of polytopes it ends with the point itself; of smooth bodies its last steps are left to
-// common_normal.hpp.
+// stationary.hpp.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -126,7 +126,7 @@ class NearestPoint {
   }
 
   [[nodiscard]] Nearest find() {
-    constexpr int most_steps = 100, most_idle = 4;
+    constexpr int most_steps = 100, most_idle = 8;
     for (int step = 0, idle = 0; step < most_steps && idle < most_idle; ++step) {
       const Vec3<double> x = out_.mixture.w() - target_;
       out_.distance = x.norm();
@@ -161,7 +161,7 @@ class NearestPoint {
     y[index(mixture.count)] = seen.w() - target_;
     const SimplexFaces faces(y, mixture.count + 1);
     const NearestInSimplex& nearest = faces.nearest();
-    if (!(nearest.distance2 <= most)) return nearest.distance2;
+    if (nearest.count == 0 || !(nearest.distance2 <= most)) return std::numeric_limits<double>::infinity();
     const Mixture before = mixture;
     mixture.count = nearest.count;
     for (int k = 0; k < nearest.count; ++k) {

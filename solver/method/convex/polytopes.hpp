@@ -1,8 +1,9 @@
 // The lowest overlap along the face normals and edges of two polytopes: where they overlap it is the lowest of all.
 //
 // o is linear between them: a minimum lies on the normal of a face of one body, or where the normals of an edge of one cross those of an
-// edge of the other, that is along the product of the edges. Which edges cross is decided by signs; a pair that rounding hides is close to
-// a face normal, and o there, being continuous, is the same to rounding. So no tolerance decides which face or edge it is.
+// edge of the other, that is along the product of the edges. Edges whose normals lie on one side of the other edge do not cross; where
+// rounding hides a sign, the crossing is at one of these normals to rounding. What is left is not asked on which side it crosses: normals
+// of a thin plate are opposite to rounding. So no tolerance decides which face or edge it is.
 //
 // Most are left out by points w of M: o(n) >= w.n, and where that is above an overlap that is known on both sides of an edge it is so all
 // along it.
@@ -85,6 +86,12 @@ class PolytopeMinimum {
     return are_polytopes ? normal_ : std::nullopt;
   }
 
+  /// The lowest of the face normals alone, where it is as low to rounding: where an edge lies along a face, their product is rounding.
+  [[nodiscard]] std::optional<Vec3<double>> face_as_low() const {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    return best_face_ <= best_ + rounding * pair_.size ? face_ : std::nullopt;
+  }
+
  private:
   static constexpr int together = 12;
   static constexpr double eighth_turn = 0.785398163397448, wide = 2, narrow = 0.5;
@@ -113,7 +120,9 @@ class PolytopeMinimum {
   void look_at(const First& first, const Second& second) {
     const Mat3<double>&r1 = pair_.body1.rotation, &r2 = pair_.body2.rotation;
     const auto consider_unless_high = [&](const Vec3<double>& n) {
-      if (!is_left_out(n, n)) consider(n);
+      if (is_left_out(n, n)) return;
+      consider(n);
+      if (const double overlap = pair_.overlap(n); overlap < best_face_) best_face_ = overlap, face_ = n;
     };
     for (int k = 0; k < first.faces(); ++k) consider_unless_high(r1 * first.face_normal(k));
     for (int k = 0; k < second.faces(); ++k) consider_unless_high(-(r2 * second.face_normal(k)));
@@ -151,22 +160,18 @@ class PolytopeMinimum {
     const Vec3<double> product = a.direction.cross(b.direction);
     if (!(product.squaredNorm() > 0)) return;
     const Vec3<double> n = product.normalized();
-    for (const double sign : {1.0, -1.0})
-      if (is_on_side_of(a, sign * n) && is_on_side_of(b, sign * n) && sign * n.dot(a.corner - b.corner) < best_)
-        consider(sign * n);
+    for (const double sign : {1.0, -1.0})  // the arcs cross at one of the two; along the other o is no lower than it is
+      if (sign * n.dot(a.corner - b.corner) < best_) consider(sign * n);
   }
 
   /// Whether the plane across `direction` goes between the edge's two normals, or through one.
   [[nodiscard]] static bool is_crossed_by(const EdgeOfCore& edge, const Vec3<double>& direction) {
     return !edge.has_faces || edge.normals[0].dot(direction) * edge.normals[1].dot(direction) <= 0;
   }
-  [[nodiscard]] static bool is_on_side_of(const EdgeOfCore& edge, const Vec3<double>& n) {
-    return !edge.has_faces || n.dot(edge.normals[0] + edge.normals[1]) >= 0;
-  }
 
   const PlacedCores& pair_;
-  double best_;
-  std::optional<Vec3<double>> normal_;
+  double best_, best_face_ = std::numeric_limits<double>::infinity();
+  std::optional<Vec3<double>> normal_, face_;
   std::array<Vec3<double>, 8> witnesses_;
 };
 

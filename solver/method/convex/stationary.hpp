@@ -42,6 +42,12 @@ struct ActivePieces {
     weight[static_cast<std::size_t>(count++)] = by;
     return true;
   }
+  /// Weights that are below 0 by rounding are 0: the point belongs to its body then.
+  void draw_in() {
+    double sum = 0;
+    for (double& l : weight) sum += l = std::max(l, 0.0);
+    for (double& l : weight) l /= sum;
+  }
   [[nodiscard]] bool is_mixture() const {
     constexpr double rounding = 1e-12;
     return std::all_of(weight.begin(), weight.begin() + count, [](double l) { return l >= -rounding; });
@@ -218,7 +224,10 @@ class StationaryNewton {
       return ss >= 0 && (kinks == 1 || (tt >= 0 && ss * tt >= st * st));
     }
 
-    [[nodiscard]] CommonNormal contact() const { return {n, overlap, point(0), point(1)}; }
+    [[nodiscard]] CommonNormal contact() {
+      for (ActivePieces& p : pieces) p.draw_in();
+      return {n, overlap, point(0), point(1)};
+    }
     [[nodiscard]] Vec3<double> point(int i) const {
       if (of(i).by_gauge) return of(i).x;
       Vec3<double> out = Vec3<double>::Zero();
