@@ -191,6 +191,32 @@ CorePoint farthest_in(const CornersCore& core, const Vec3<double>& u) {
   return {core.rough[best], static_cast<int>(best)};
 }
 
+/// What is outside is left to drawn_in.
+CorePoint near_in(const OctantsCore& /*core*/, const Vec3<double>& x) {
+  return {x};
+}
+/// drawn_in moves along a slender cone's axis by much more than its side is away: radius and height are cut off here.
+CorePoint near_in(const DiscsCore& core, const Vec3<double>& x) {
+  constexpr double less = 1 - 0x1p-50;  // of rounding
+  const double bottom = high(core.bottom), top = low(core.top), z = std::max(bottom, std::min(top, x[2]));
+  const double share = (z - bottom) / (top - bottom);
+  const double radius = less * (low(core.bottom_radius) * (1 - share) + low(core.top_radius) * share);
+  const double across = std::hypot(x[0], x[1]);
+  if (!(across > radius)) return {{x[0], x[1], z}};
+  return {{radius * (x[0] / across), radius * (x[1] / across), z}};
+}
+CorePoint near_in(const BoxCore& core, const Vec3<double>& x) {
+  CorePoint out;
+  for (int i = 0; i < 3; ++i) out.at[i] = std::copysign(std::min(std::abs(x[i]), low(core.half_extents[i])), x[i]);
+  return out;
+}
+CorePoint near_in(const CornersCore& core, const Vec3<double>& x) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < core.rough.size(); ++i)
+    if ((core.rough[i] - x).squaredNorm() < (core.rough[best] - x).squaredNorm()) best = i;
+  return {core.rough[best], static_cast<int>(best)};
+}
+
 }  // namespace
 
 Core core_of(const Shape& shape, int exponent) {
@@ -235,6 +261,10 @@ IVec3<I> proved_point(const Core& core, const CorePoint& point) {
 
 CorePoint farthest(const Core& core, const Vec3<double>& u) {
   return std::visit([&](const auto& c) { return farthest_in(c, u); }, core);
+}
+
+CorePoint near(const Core& core, const Vec3<double>& x) {
+  return std::visit([&](const auto& c) { return near_in(c, x); }, core);
 }
 
 }  // namespace plumb::reference::cores

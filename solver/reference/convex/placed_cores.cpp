@@ -94,4 +94,8 @@ Atom PlacedCores::farthest(const Vec3<double>& v) const {
   return out;
 }
 
+Atom PlacedCores::on_surface(const Vec3<double>& n) const {
+  return {near(core1_, rough1_.transpose() * (rough_centre_ - low(radii_) * n)), {Vec3<double>::Zero(), 0}, {}};
+}
+
 }  // namespace plumb::reference::cores
