@@ -33,12 +33,15 @@ Core octants(const std::array<double, 6>& semi_axes, double n1, double n2, int e
   return out;
 }
 
-/// The centroid lies (R^2 + 2 R r + 3 r^2) / (4 (R^2 + R r + r^2)) of the height above the bottom.
+/// The centroid lies (R^2 + 2 R r + 3 r^2) / (4 (R^2 + R r + r^2)) of the height above the bottom. R and r are over the larger:
+/// squares of slender ones underflow.
 Core frustum(const Frustum& s, int exponent) {
-  const I from = scaled(s.radii[0], exponent), to = scaled(s.radii[1], exponent), height = scaled(s.height, exponent);
+  const I larger(std::max(s.radii[0], s.radii[1])), from = I(s.radii[0]) / larger, to = I(s.radii[1]) / larger;
   const I ends = square<I>(from) + square<I>(to), mixed = from * to;
   const I share = (ends + I(2.0) * (mixed + square<I>(to))) / (I(4.0) * (ends + mixed));
-  return DiscsCore{-(height * share), height * (I(1.0) - share), from, to};
+  const I height = scaled(s.height, exponent);
+  return DiscsCore{-(height * share), height * (I(1.0) - share), scaled(s.radii[0], exponent),
+                   scaled(s.radii[1], exponent)};
 }
 
 Core corners(const plumb::Hull& hull, int exponent) {
