@@ -105,10 +105,25 @@ InputError error_in_pose(const ConvexBody& body) {
   return is_zero ? InputError{"orientation.quaternion_wxyz", "must not be zero", 0} : InputError{};
 }
 
+/// Of every alternative of Shape; its name follows "shape.".
+constexpr std::array<std::string_view, std::variant_size_v<Shape>> fields{
+    "shape.superellipsoid", "shape.capsule", "shape.cylinder",   "shape.cone",
+    "shape.frustum",        "shape.box",     "shape.polyhedron", "shape.poly_superellipsoid",
+    "shape.half_space"};
+
+/// Each length may be finite and still the farthest point be out of reach. Of a body that is legal otherwise.
+InputError error_in_reach(const ConvexBody& body) {
+  if (std::isfinite(bounding_radius(body))) return {};
+  const bool is_by_sweep = std::isfinite(bounding_radius({body.shape, 0}));
+  return {is_by_sweep ? "shape.sphere_swept.radius" : fields[body.shape.index()],
+          "the bounding radius, to the farthest point, must be finite", 0};
+}
+
 InputError error_in(const ConvexBody& body, int index) {
   InputError out = std::visit([](const auto& shape) { return error_in(shape); }, body.shape);
   out = first_of(out, first_below_zero({{body.swept_radius, "shape.sphere_swept.radius"}}));
   out = first_of(out, error_in_pose(body));
+  if (out.reason.empty()) out = error_in_reach(body);
   out.body = index;
   return out;
 }
@@ -160,10 +175,7 @@ ConvexPair convex(const Pair& pair) {
 }
 
 std::string_view name(const Shape& shape) {
-  constexpr std::array<std::string_view, std::variant_size_v<Shape>> names{
-      "superellipsoid",      "capsule",   "cylinder", "cone", "frustum", "box", "polyhedron",
-      "poly_superellipsoid", "half_space"};
-  return names[shape.index()];
+  return fields[shape.index()].substr(std::string_view("shape.").size());
 }
 
 InputError find_input_error(const ConvexPair& pair) {
