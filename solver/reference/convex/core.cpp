@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "solver/shape/hull.hpp"
+#include "solver/shape/overloaded.hpp"
 
 namespace plumb::reference::cores {
 namespace {
 
-template <class... Case>
-struct Overloaded : Case... {
-  using Case::operator()...;
-};
-template <class... Case>
-Overloaded(Case...) -> Overloaded<Case...>;  // what clang 14 does not deduce by itself
+using detail::Overloaded;
 
 I scaled(double x, int exponent) {
   return times_power_of_two<I>(I(x), -exponent);
