@@ -18,11 +18,11 @@ std::array<double, 4> read_orientation(const Field& orientation) {
   orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
 }
 
-/// `path`: of the shape, which may lie deeper than "shape".
+/// `path`: of the shape, which may lie deeper than "shape". A sweep's radius is the outermost's.
 void require_legal(const Field& field, const InputError& error, const std::string& path) {
   if (error.reason.empty()) return;
   constexpr std::string_view shape = "shape.";
-  const bool is_of_shape = error.field.starts_with(shape);
+  const bool is_of_shape = error.field.starts_with(shape) && !error.field.starts_with("shape.sphere_swept");
   throw FieldError(is_of_shape ? path + "." + std::string(error.field.substr(shape.size()))
                                : field.path_of(error.field),
                    std::string(error.reason));

@@ -111,6 +111,12 @@ Json bodies_json(const ConvexPair& pair) {
   return {body_json(pair.body1), body_json(pair.body2)};
 }
 
+/// Where every shape may stand, a misspelt one is refused with their names.
+void require_shapes(const Field& bodies) {
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const auto shape = bodies.element(i, 2, "bodies").find("shape")) require_a_shape(*shape);
+}
+
 /// The first of the two that is no superellipsoid.
 std::optional<Field> find_other_shape(const Field& bodies) {
   for (std::size_t i = 0; i < 2; ++i) {
@@ -134,14 +140,15 @@ ConvexPair read_convex_pair(const Field& root) {
 }
 
 void read_bodies(Case& out, const Field& root, CaseShapes shapes) {
+  const bool is_first_format = root.member("format").text() == case_formats[0];
+  if (!is_first_format && shapes == CaseShapes::every) require_shapes(root.member("bodies"));
   const auto other = find_other_shape(root.member("bodies"));
   if (!other) {
     out.pair = read_pair(root);
     if (const auto motion = root.find("motion")) out.pair.motion = motion->vector();
     return;
   }
-  if (root.member("format").text() == case_formats[0])
-    other->fail("is no superellipsoid: takes \"format\": \"plumb/case-2\"");
+  if (is_first_format) other->fail("is no superellipsoid: takes \"format\": \"plumb/case-2\"");
   if (shapes == CaseShapes::superellipsoids)
     other->fail("is no superellipsoid: not taken here (plumb solve, certify, check and replay take it)");
   out.convex = read_convex_pair(root);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "solver/shape/hull.hpp"
@@ -147,16 +148,21 @@ SweptShape read_swept(const Field& swept) {
   const Field radius = swept.member("radius");
   if (radius.number() < 0) radius.fail("must not be negative");
   out.swept_radius += radius.number();
+  if (!std::isfinite(out.swept_radius)) radius.fail("the radii add up to infinity");
   return out;
 }
 
 }  // namespace
 
-SweptShape read_shape(const Field& shape) {
+void require_a_shape(const Field& shape) {
   const std::vector<std::string_view> words = shape_words();
+  const auto held = std::ranges::count_if(words, [&](std::string_view word) { return shape.has(word); });
+  if (shape.value().is_object() && held != 1) shape.fail(fmt::format("must hold one of {}", fmt::join(words, ", ")));
   shape.require_object(words);
-  if (std::ranges::count_if(words, [&](std::string_view word) { return shape.has(word); }) != 1)
-    shape.fail(fmt::format("must hold one of {}", fmt::join(words, ", ")));
+}
+
+SweptShape read_shape(const Field& shape) {
+  require_a_shape(shape);
   if (const auto swept = shape.find(sweep)) return read_swept(*swept);
   const auto row = std::ranges::find_if(shape_rows(), [&](const ShapeRow& r) { return shape.has(r.word); });
   return {row->read(shape.member(row->word)), 0, shape.path()};

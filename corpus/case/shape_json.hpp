@@ -15,6 +15,9 @@ struct SweptShape {
   std::string path;         ///< of the shape within the sweeps, as errors name it
 };
 
+/// Refuses what holds none of read_shape's shapes or several, and says which there are. Throws FieldError.
+void require_a_shape(const Field& shape);
+
 /// The shape may be an illegal one: its numbers are find_input_error's. Throws FieldError.
 [[nodiscard]] SweptShape read_shape(const Field& shape);
 

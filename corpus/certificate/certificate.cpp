@@ -234,7 +234,6 @@ void put_convex(Json& out, const ConvexPair& pair, int digits) {
   out["unique"] = name(Claim::open);
   out["reason"] = "of shapes other than superellipsoids the overlap and the verdict alone are proved: not the normal, "
                   "not the points";
-  out["digits"] = digits;
 }
 
 void put_stationary(Json& out, const StationarySet& found, int digits) {

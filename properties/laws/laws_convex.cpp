@@ -28,14 +28,23 @@ struct ConvexEvidence {
   reference::ConvexErrors errors;  ///< of a whole answer
 };
 
-/// Rounding, which is relative to sizes and distances, and what is asked for beside it.
+/// Rounding, which is relative to sizes and distances, and what is asked for beside it. Each length by itself: the sum of large ones is
+/// infinite, and would allow anything.
 Allowed allowed_of(const ConvexEvidence& e, const Accuracy& accuracy) {
   const double in_place_of_a_condition_number = 128;
   const double size = size_of(e.pair);
-  const double length = size + std::abs(e.bounds.upper) + e.pair.body1.position.lpNorm<Eigen::Infinity>() +
-                        e.pair.body2.position.lpNorm<Eigen::Infinity>();
-  const double overlap = in_place_of_a_condition_number * law::few_of(length) + accuracy.overlap * size;
-  return {overlap, overlap + accuracy.points.value_or(0) * size, overlap + accuracy.normal * length};
+  double rounding = 0, tilt = 0;
+  for (const double length : {size, std::abs(e.bounds.upper), e.pair.body1.position.lpNorm<Eigen::Infinity>(),
+                              e.pair.body2.position.lpNorm<Eigen::Infinity>()}) {
+    rounding += in_place_of_a_condition_number * law::few_of(length);
+    tilt += accuracy.normal * length;
+  }
+  const double overlap = rounding + accuracy.overlap * size;
+  return {overlap, overlap + accuracy.points.value_or(0) * size, overlap + tilt};
+}
+
+std::string in_words(double length) {
+  return std::isfinite(length) ? fmt::format("{:.3g}", length) : "a length that is not bounded";
 }
 
 Finding finite(const ConvexEvidence& e, const Allowed& /*allowed*/) {
@@ -54,12 +63,13 @@ Finding converges(const ConvexEvidence& e, const Allowed& /*allowed*/) {
 }
 
 Finding verdict_is_right(const ConvexEvidence& e, const Allowed& allowed) {
-  const bool is_overlapping = e.answer.verdict == Verdict::overlapping;
-  if (e.answer.verdict == Verdict::undecided && std::isnan(e.answer.overlap)) return {};
-  return {is_overlapping ? FindingKind::false_contact : FindingKind::missed_contact,
-          severity_of(is_overlapping ? -e.bounds.upper : e.bounds.lower, allowed.overlap), "verdict",
-          fmt::format("says {}, overlap is within {:.17g} .. {:.17g}", name(e.answer.verdict), e.bounds.lower,
-                      e.bounds.upper)};
+  const Verdict said = e.answer.verdict;
+  if (said == Verdict::undecided && std::isnan(e.answer.overlap)) return {};
+  const double missed = said == Verdict::overlapping ? 0 : e.bounds.lower,
+               made_up = said == Verdict::separated ? 0 : -e.bounds.upper;
+  return {made_up > missed ? FindingKind::false_contact : FindingKind::missed_contact,
+          severity_of(std::max(made_up, missed), allowed.overlap), "verdict",
+          fmt::format("says {}, overlap is within {:.17g} .. {:.17g}", name(said), e.bounds.lower, e.bounds.upper)};
 }
 
 Finding normal_is_unit(const ConvexEvidence& e, const Allowed& /*allowed*/) {
@@ -68,19 +78,24 @@ Finding normal_is_unit(const ConvexEvidence& e, const Allowed& /*allowed*/) {
           "the normal is no unit vector"};
 }
 
-/// What a body reaches beyond the plane of its point because that point is off the surface is the next law's.
+/// What a body reaches beyond the plane of its point because that point is off the surface is another law's.
+double beyond_plane(double touching, double point) {
+  return std::isfinite(point) ? touching - point : 0;
+}
+
 Finding bodies_touch_their_planes(const ConvexEvidence& e, const Allowed& allowed) {
   if (!law::is_whole(e.answer)) return {};
-  const double beyond = std::max(e.errors.touching1 - e.errors.point1, e.errors.touching2 - e.errors.point2);
+  const double beyond =
+      std::max(beyond_plane(e.errors.touching1, e.errors.point1), beyond_plane(e.errors.touching2, e.errors.point2));
   return {FindingKind::misaligned, severity_of(beyond, allowed.normal), "opposite",
-          fmt::format("a body reaches {:.3g} beyond the plane through its point", beyond)};
+          fmt::format("a body reaches {} beyond the plane through its point", in_words(beyond))};
 }
 
 Finding points_are_on_surfaces(const ConvexEvidence& e, const Allowed& allowed) {
   if (!law::is_whole(e.answer)) return {};
   const double off = std::max(e.errors.point1, e.errors.point2);
   return {FindingKind::off_surface, severity_of(off, allowed.points), "surface",
-          fmt::format("off the surface by {:.3g}", off)};
+          fmt::format("off the surface by {}", in_words(off))};
 }
 
 Finding agrees_with_itself(const ConvexEvidence& e, const Allowed& allowed) {
@@ -90,7 +105,7 @@ Finding agrees_with_itself(const ConvexEvidence& e, const Allowed& allowed) {
   const bool has_length = std::abs(distance - std::abs(a.overlap)) <= allowed.normal;
   return {has_length ? FindingKind::misaligned : FindingKind::overlap_error,
           severity_of(e.errors.alignment, allowed.normal), "itself",
-          fmt::format("p1 - p2 is not overlap times normal by {:.3g}", e.errors.alignment)};
+          fmt::format("p1 - p2 is not overlap times normal by {}", in_words(e.errors.alignment))};
 }
 
 /// Where all else is right, a common normal whose overlap is not the lowest.

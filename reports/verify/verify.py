@@ -81,8 +81,11 @@ def main(arguments=None):
     parser.add_argument("--only", default="", help="tests whose names hold this")
     parser.add_argument("--quick", action="store_true", help="two bodies in the place of twenty")
     parser.add_argument("--out", type=pathlib.Path, default=top / "build/verify")
-    parser.add_argument("--record", action="store_true", help="and reports/results/verify.txt")
+    parser.add_argument("--record", action="store_true", help="and reports/results/verify.txt: of all tests")
     asked = parser.parse_args(arguments)
+    if asked.record and (asked.only or asked.quick or tuple(asked.accuracy) != ACCURACIES):
+        print("--record: takes all tests: leave --only, --quick and --accuracy out", file=sys.stderr)
+        return 2
     begun = time.monotonic()
     done = []
     for row in rows(Runner(asked.out / "scenes"), (g for g in everything(asked.quick) if asked.only in g.test), asked.accuracy):

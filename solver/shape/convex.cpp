@@ -4,17 +4,11 @@
 #include <cmath>
 
 #include "solver/shape/hull.hpp"
+#include "solver/shape/overloaded.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
-
-template <class... Case>
-struct Overloaded : Case... {
-  using Case::operator()...;
-};
-template <class... Case>
-Overloaded(Case...) -> Overloaded<Case...>;  // what clang 14 does not deduce by itself
 
 constexpr std::string_view must_be_positive = "must be finite and above 0",
                            must_not_be_negative = "must be finite and not below 0",
@@ -105,10 +99,25 @@ InputError error_in_pose(const ConvexBody& body) {
   return is_zero ? InputError{"orientation.quaternion_wxyz", "must not be zero", 0} : InputError{};
 }
 
+/// Of every alternative of Shape: its name follows "shape.".
+constexpr std::array<std::string_view, std::variant_size_v<Shape>> field_of_shape{
+    "shape.superellipsoid", "shape.capsule", "shape.cylinder",   "shape.cone",
+    "shape.frustum",        "shape.box",     "shape.polyhedron", "shape.poly_superellipsoid",
+    "shape.half_space"};
+
+/// Each length may be finite and still the farthest point be out of reach. Of a body that is legal otherwise.
+InputError error_in_reach(const ConvexBody& body) {
+  if (std::isfinite(bounding_radius(body))) return {};
+  const bool is_by_sweep = std::isfinite(bounding_radius({body.shape, 0}));
+  return {is_by_sweep ? "shape.sphere_swept.radius" : field_of_shape[body.shape.index()],
+          "the bounding radius, to the farthest point, must be finite", 0};
+}
+
 InputError error_in(const ConvexBody& body, int index) {
   InputError out = std::visit([](const auto& shape) { return error_in(shape); }, body.shape);
   out = first_of(out, first_below_zero({{body.swept_radius, "shape.sphere_swept.radius"}}));
   out = first_of(out, error_in_pose(body));
+  if (out.reason.empty()) out = error_in_reach(body);
   out.body = index;
   return out;
 }
@@ -160,10 +169,7 @@ ConvexPair convex(const Pair& pair) {
 }
 
 std::string_view name(const Shape& shape) {
-  constexpr std::array<std::string_view, std::variant_size_v<Shape>> names{
-      "superellipsoid",      "capsule",   "cylinder", "cone", "frustum", "box", "polyhedron",
-      "poly_superellipsoid", "half_space"};
-  return names[shape.index()];
+  return field_of_shape[shape.index()].substr(std::string_view("shape.").size());
 }
 
 InputError find_input_error(const ConvexPair& pair) {
@@ -179,15 +185,15 @@ InputError find_input_error(const ConvexPair& pair) {
 
 double bounding_radius(const ConvexBody& body) {
   return body.swept_radius +
-         std::visit(Overloaded{[](const Superellipsoid<double>& s) { return reach(s.semi_axes, s.n1, s.n2); },
-                               [](const Capsule& s) { return s.half_length + s.radius; },
-                               [](const Cylinder& s) { return std::hypot(s.half_length, s.radius); },
-                               [](const Cone& s) { return reach(Frustum{{s.radius, 0}, s.height}); },
-                               [](const Frustum& s) { return reach(s); },
-                               [](const Box& s) { return s.half_extents.stableNorm(); },
-                               [](const Polyhedron& s) { return reach(s); },
-                               [](const PolySuperellipsoid& s) { return reach(s); },
-                               [](const HalfSpace&) { return 0.0; }},
+         std::visit(detail::Overloaded{[](const Superellipsoid<double>& s) { return reach(s.semi_axes, s.n1, s.n2); },
+                                       [](const Capsule& s) { return s.half_length + s.radius; },
+                                       [](const Cylinder& s) { return std::hypot(s.half_length, s.radius); },
+                                       [](const Cone& s) { return reach(Frustum{{s.radius, 0}, s.height}); },
+                                       [](const Frustum& s) { return reach(s); },
+                                       [](const Box& s) { return s.half_extents.stableNorm(); },
+                                       [](const Polyhedron& s) { return reach(s); },
+                                       [](const PolySuperellipsoid& s) { return reach(s); },
+                                       [](const HalfSpace&) { return 0.0; }},
                     body.shape);
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <span>
 #include <vector>
 
 #include "solver/contact.hpp"

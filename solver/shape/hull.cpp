@@ -118,7 +118,6 @@ class Wrapping {
     for (std::size_t i = 0; i < face.size(); ++i) links_.insert({face[i], face[(i + 1) % face.size()]});
   }
 
- private:
   const ExactPoints& points_;
   std::vector<Polygon> faces_;
   std::vector<int> beside_;  ///< of each face a point that is not in its plane

@@ -1,6 +1,8 @@
 // Any two convex bodies: every answer is judged by bounds and errors in interval arithmetic, which share no code with the solver.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "properties/tests/allocations.hpp"
 #include "properties/tests/reference/drawn_bodies.hpp"
 #include "solver/method/convex.hpp"
@@ -14,16 +16,20 @@ using reference::bodies_tests::draw_pair;
 using reference::bodies_tests::shape_count;
 
 constexpr int judge_cells = 20'000;
-constexpr double overlap_floor = 1e-12, touching_floor = 1e-12, points_floor = 1e-9;  // of the size
+constexpr double overlap_floor = 1e-12, touching_floor = 1e-12;  // of the size
+/// What the law allows rounding (laws_convex.cpp): of the sizes and the distances.
+constexpr double points_floor = 1024 * std::numeric_limits<double>::epsilon();
 
 /// The largest of an answer's errors, each over what it may be; below 1 the answer is right.
 double severity(const ConvexPair& pair, const Contact<double>& contact) {
   const double size = size_of(pair);
   const auto bounds = reference::bound_overlap(pair, contact.normal, judge_cells);
   const auto e = reference::errors_of(pair, contact, bounds);
-  return std::max({e.overlap / overlap_floor, e.touching1 / touching_floor, e.touching2 / touching_floor,
-                   e.alignment / touching_floor, e.point1 / points_floor, e.point2 / points_floor}) /
-         size;
+  const double length = size + std::abs(bounds.upper) + pair.body1.position.lpNorm<Eigen::Infinity>() +
+                        pair.body2.position.lpNorm<Eigen::Infinity>();
+  const double of_size = std::max({e.overlap / overlap_floor, e.touching1 / touching_floor,
+                                   e.touching2 / touching_floor, e.alignment / touching_floor});
+  return std::max(of_size / size, std::max(e.point1, e.point2) / (points_floor * length));
 }
 
 bool are_half_spaces(std::size_t kind1, std::size_t kind2) {

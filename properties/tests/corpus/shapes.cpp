@@ -92,11 +92,21 @@ struct Refusal {
 TEST(Shapes, WhatIsWrongIsOneLine) {
   const std::string box = R"({"box": {"half_extents": [1, 1, 1]}})", half_space = R"({"half_space": {}})";
   const std::string with_motion = case_of(box).substr(0, case_of(box).size() - 1) + R"(, "motion": [0, 0, 1]})";
+  const std::string which =
+      "must hold one of sphere_swept, superellipsoid, capsule, cylinder, cone, frustum, box, polyhedron, "
+      "poly_superellipsoid, half_space";
+  const std::string too_far = "the bounding radius, to the farthest point, must be finite";
+  const auto swept = [](const std::string& core, const std::string& radius) {
+    return R"({"sphere_swept": {"core": )" + core + R"(, "radius": )" + radius + "}}";
+  };
   const std::vector<Refusal> refusals{
       {case_of(box, ball, "1"), R"(bodies[0].shape: is no superellipsoid: takes "format": "plumb/case-2")"},
       {case_of(ball, box, "1"), R"(bodies[1].shape: is no superellipsoid: takes "format": "plumb/case-2")"},
       {case_of(box, ball, "3"), "format: must be one of plumb/case-1, plumb/case-2"},
-      {case_of(R"({"boxes": {}})"), "bodies[0].shape.boxes: unknown field"},
+      {case_of(R"({"boxes": {}})"), "bodies[0].shape: " + which},
+      {case_of(box, R"({"boxes": {}})"), "bodies[1].shape: " + which},
+      {case_of(R"({"boxes": {}})", ball, "1"), "bodies[0].shape.boxes: unknown field"},
+      {case_of("1"), "bodies[0].shape: must be an object, not a number"},
       {case_of(R"({"box": {"half_extents": [1, 1, 1], "radius": 1}})"), "bodies[0].shape.box.radius: unknown field"},
       {case_of(R"({"box": {}})"), "bodies[0].shape.box.half_extents: missing"},
       {case_of(R"({"box": {"half_extents": [1, 1]}})"),
@@ -113,9 +123,13 @@ TEST(Shapes, WhatIsWrongIsOneLine) {
        "bodies[0].shape.sphere_swept.core.cone.radius: must be finite and above 0"},
       {case_of(R"({"sphere_swept": {"core": {"half_space": {}}, "radius": -1}})"),
        "bodies[0].shape.sphere_swept.radius: must not be negative"},
-      {case_of(R"({"box": {"half_extents": [1, 1, 1]}, "half_space": {}})"),
-       "bodies[0].shape: must hold one of sphere_swept, superellipsoid, capsule, cylinder, cone, frustum, box, "
-       "polyhedron, poly_superellipsoid, half_space"},
+      {case_of(R"({"box": {"half_extents": [1, 1, 1]}, "half_space": {}})"), "bodies[0].shape: " + which},
+      {case_of(swept(swept(half_space, "1e308"), "1e308")),
+       "bodies[0].shape.sphere_swept.radius: the radii add up to infinity"},
+      {case_of(swept(swept(R"({"capsule": {"half_length": 1e308, "radius": 1}})", "5e307"), "5e307")),
+       "bodies[0].shape.sphere_swept.radius: " + too_far},
+      {case_of(swept(R"({"box": {"half_extents": [1.7e308, 1.7e308, 1]}})", "1")),
+       "bodies[0].shape.sphere_swept.core.box: " + too_far},
       {case_of(half_space, half_space), "bodies[1].shape.half_space: two half-spaces have no lowest overlap"},
       {with_motion, "motion: is for two superellipsoids"}};
   for (const auto& [text, line] : refusals) EXPECT_EQ(error_of(text), "a.jsonl:7: " + line);
@@ -165,6 +179,7 @@ TEST_F(Commands, BoundsOfAShapeAreCertified) {
   EXPECT_GE(std::stod(certificate["overlap"]["upper"].get<std::string>()), 0.5);
   EXPECT_EQ(certificate["unique"], "open");
   EXPECT_FALSE(certificate.contains("normal"));
+  EXPECT_FALSE(certificate.contains("digits"));  // the bounds are doubles
 }
 
 TEST_F(Commands, AnswersToAShapeAreJudged) {

@@ -72,6 +72,43 @@ TEST(ConvexErrors, OfARightAnswerAreOfRounding) {
   });
 }
 
+/// A point that is no corner and no rim, with its outward normal.
+struct OnSurface {
+  Shape shape;
+  Vec point, normal;
+};
+
+/// At an angle about the axis.
+std::array<OnSurface, 6> sides(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const double depth = 11.0 / 28;  // of the frustum's bottom: (1 + 1 + 3/4) / (4 (1 + 1/2 + 1/4))
+  const double face = std::pow(1 - 2 * std::pow(0.5, 20), 1.0 / 20), slope = std::pow(0.5, 19);
+  return {{{Cylinder{0.75, 1}, {c, s, 0.3}, {c, s, 0}},
+           {Frustum{{1, 0.5}, 1}, {0.75 * c, 0.75 * s, 0.5 - depth}, Vec(c, s, 0.5).normalized()},
+           {Cone{1e-3, 1}, {5e-4 * c, 5e-4 * s, 0.25}, Vec(c, s, 1e-3).normalized()},
+           {Capsule{0.5, 1}, {c, s, 0.3}, {c, s, 0}},
+           {Box{{1, 1, 1}}, {0.9 * c, 0.9 * s, 1}, {0, 0, 1}},
+           {Superellipsoid<double>{{1, 1, 1}, 20, 20}, {0.5, 0.5, face}, Vec(slope, slope, 1).normalized()}}};
+}
+
+/// The search for the nearest point alone ends 1e-12 to 6e-11 away on curved surfaces.
+TEST(ConvexErrors, OfAPointOnASideAreOfRounding) {
+  constexpr double last_digits = 1e-14;
+  Stream stream("points on sides", 1, 1);
+  for (int i = 0; i < 60; ++i)
+    for (const double swept : {0.0, 0.25})
+      for (const OnSurface& side : sides(stream.uniform(0, 6))) {
+        const ConvexBody body{
+            side.shape, swept, random_direction(stream), {stream.uniform(), stream.uniform(), stream.uniform(), 1}};
+        const Mat3<double> turned = rotation<double>(body.quaternion);
+        Contact<double> contact;
+        contact.normal = turned * side.normal;
+        contact.point1 = contact.point2 = body.position + turned * side.point + swept * contact.normal;
+        const ConvexErrors errors = errors_of({body, body}, contact, {0, 0, 0});
+        EXPECT_LT(errors.point1, last_digits) << name(body.shape) << ' ' << i;
+      }
+}
+
 TEST(ConvexErrors, APointOutsideIsAsFarAsItWasMoved) {
   constexpr double moved = 1e-3;
   for_all_met(-0.25, [&](Met met, const std::string& where) {

@@ -173,5 +173,18 @@ TEST(Materials, WhatHasNoMeaningIsRefused) {
   EXPECT_EQ(refusal_of(two_balls(glass(), hard)), "materials.rigid.hertz: is rigid, and has no elastic law of its own");
 }
 
+TEST(Materials, RigidIsRefusedUnderALawOfOneStiffness) {
+  Material plain = glass();
+  plain.effects.hertz.reset();
+  Scene scene = two_balls(plain, rigid());
+  scene.effects.volume = Volume{.stiffness = 1e4};
+  EXPECT_EQ(refusal_of(scene), "materials.rigid.rigid: volume has one stiffness for all: leave rigid out");
+  scene.materials[0] = rigid();
+  EXPECT_EQ(refusal_of(scene), "materials.rigid.rigid: volume has one stiffness for all: leave rigid out");
+  scene.effects.volume.reset();
+  scene.effects.foundation = Foundation{};
+  EXPECT_EQ(refusal_of(scene), "materials.rigid.rigid: foundation has one stiffness for all: leave rigid out");
+}
+
 }  // namespace
 }  // namespace plumb::scene

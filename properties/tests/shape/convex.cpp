@@ -81,6 +81,9 @@ std::vector<Illegal> illegal_bodies() {
           {at_origin(PolySuperellipsoid{{1, 1, 1, 1, 0, 1}, 2, 2}), "shape.poly_superellipsoid.semi_axes[4]"},
           {at_origin(PolySuperellipsoid{{1, 1, 1, 1, 1, 1}, 1, 2}), "shape.poly_superellipsoid.exponents[0]"},
           {at_origin(cube, -1), "shape.sphere_swept.radius"},
+          {at_origin(Capsule{1.7e308, 1.7e308}), "shape.capsule"},
+          {at_origin(Box{Vec(1.7e308, 1.7e308, 1)}), "shape.box"},
+          {at_origin(Capsule{1e308, 1}, 1e308), "shape.sphere_swept.radius"},
           {{cube, 0, Vec(0, infinite, 0), {1, 0, 0, 0}}, "position"},
           {{cube, 0, Vec(0, 0, 0), {1, 0, none, 0}}, "orientation.quaternion_wxyz"},
           {{cube, 0, Vec(0, 0, 0), {0, 0, 0, 0}}, "orientation.quaternion_wxyz"}};

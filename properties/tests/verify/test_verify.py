@@ -98,6 +98,12 @@ class Suite(unittest.TestCase):
             self.assertEqual(verify.main(["--only", "nothing of this name", "--out", folder]), 2)
         self.assertIn("there is no such test", said.getvalue())
 
+    def test_a_part_is_not_recorded(self):
+        for part in (["--only", "rolls"], ["--quick"], ["--accuracy", "1e-2"]):
+            with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
+                self.assertEqual(verify.main(["--record", "--out", folder, *part]), 2)
+            self.assertEqual(said.getvalue(), "--record: takes all tests: leave --only, --quick and --accuracy out\n")
+
 
 if __name__ == "__main__":
     unittest.main()

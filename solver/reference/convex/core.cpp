@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "solver/shape/hull.hpp"
+#include "solver/shape/overloaded.hpp"
 
 namespace plumb::reference::cores {
 namespace {
 
-template <class... Case>
-struct Overloaded : Case... {
-  using Case::operator()...;
-};
-template <class... Case>
-Overloaded(Case...) -> Overloaded<Case...>;  // what clang 14 does not deduce by itself
+using detail::Overloaded;
 
 I scaled(double x, int exponent) {
   return times_power_of_two<I>(I(x), -exponent);
@@ -33,12 +29,15 @@ Core octants(const std::array<double, 6>& semi_axes, double n1, double n2, int e
   return out;
 }
 
-/// The centroid lies (R^2 + 2 R r + 3 r^2) / (4 (R^2 + R r + r^2)) of the height above the bottom.
+/// The centroid lies (R^2 + 2 R r + 3 r^2) / (4 (R^2 + R r + r^2)) of the height above the bottom. R and r are over the larger:
+/// squares of slender ones underflow.
 Core frustum(const Frustum& s, int exponent) {
-  const I from = scaled(s.radii[0], exponent), to = scaled(s.radii[1], exponent), height = scaled(s.height, exponent);
+  const I larger(std::max(s.radii[0], s.radii[1])), from = I(s.radii[0]) / larger, to = I(s.radii[1]) / larger;
   const I ends = square<I>(from) + square<I>(to), mixed = from * to;
   const I share = (ends + I(2.0) * (mixed + square<I>(to))) / (I(4.0) * (ends + mixed));
-  return DiscsCore{-(height * share), height * (I(1.0) - share), from, to};
+  const I height = scaled(s.height, exponent);
+  return DiscsCore{-(height * share), height * (I(1.0) - share), scaled(s.radii[0], exponent),
+                   scaled(s.radii[1], exponent)};
 }
 
 Core corners(const plumb::Hull& hull, int exponent) {
@@ -191,6 +190,32 @@ CorePoint farthest_in(const CornersCore& core, const Vec3<double>& u) {
   return {core.rough[best], static_cast<int>(best)};
 }
 
+/// What is outside is left to drawn_in.
+CorePoint near_in(const OctantsCore& /*core*/, const Vec3<double>& x) {
+  return {x};
+}
+/// drawn_in moves along a slender cone's axis by much more than its side is away: radius and height are cut off here.
+CorePoint near_in(const DiscsCore& core, const Vec3<double>& x) {
+  constexpr double less = 1 - 0x1p-50;  // of rounding
+  const double bottom = high(core.bottom), top = low(core.top), z = std::max(bottom, std::min(top, x[2]));
+  const double share = (z - bottom) / (top - bottom);
+  const double radius = less * (low(core.bottom_radius) * (1 - share) + low(core.top_radius) * share);
+  const double across = std::hypot(x[0], x[1]);
+  if (!(across > radius)) return {{x[0], x[1], z}};
+  return {{radius * (x[0] / across), radius * (x[1] / across), z}};
+}
+CorePoint near_in(const BoxCore& core, const Vec3<double>& x) {
+  CorePoint out;
+  for (int i = 0; i < 3; ++i) out.at[i] = std::copysign(std::min(std::abs(x[i]), low(core.half_extents[i])), x[i]);
+  return out;
+}
+CorePoint near_in(const CornersCore& core, const Vec3<double>& x) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < core.rough.size(); ++i)
+    if ((core.rough[i] - x).squaredNorm() < (core.rough[best] - x).squaredNorm()) best = i;
+  return {core.rough[best], static_cast<int>(best)};
+}
+
 }  // namespace
 
 Core core_of(const Shape& shape, int exponent) {
@@ -235,6 +260,10 @@ IVec3<I> proved_point(const Core& core, const CorePoint& point) {
 
 CorePoint farthest(const Core& core, const Vec3<double>& u) {
   return std::visit([&](const auto& c) { return farthest_in(c, u); }, core);
+}
+
+CorePoint near(const Core& core, const Vec3<double>& x) {
+  return std::visit([&](const auto& c) { return near_in(c, x); }, core);
 }
 
 }  // namespace plumb::reference::cores

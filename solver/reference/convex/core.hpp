@@ -1,7 +1,7 @@
 // The core of a convex body: the body without the radius by which it is swept, in its own axes and an enclosed unit of length. A
 // capsule's core is its segment, a sphere's a point. Four kinds cover all shapes but the half-space.
 //
-// Trusted: support_of and proved_point, and what makes a core. Not trusted: farthest, which only guesses.
+// Trusted: support_of and proved_point, and what makes a core. Not trusted: farthest and near, which only guess.
 #pragma once
 
 #include <limits>
@@ -58,5 +58,7 @@ struct CorePoint {
 [[nodiscard]] IVec3<I> proved_point(const Core& core, const CorePoint& point);
 /// Where u.x is greatest, rounded.
 [[nodiscard]] CorePoint farthest(const Core& core, const Vec3<double>& u);
+/// A point of the core near x, rounded: as near as rounding where x lies on the core's surface; of corners the nearest.
+[[nodiscard]] CorePoint near(const Core& core, const Vec3<double>& x);
 
 }  // namespace plumb::reference::cores

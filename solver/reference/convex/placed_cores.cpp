@@ -36,7 +36,7 @@ IMat3<I> enclosed_rotation_of(const std::array<double, 4>& quaternion) {
 int exponent_of(const ConvexPair& pair) {
   const Vec3<double> half_distance = pair.body2.position / 2 - pair.body1.position / 2;
   const double largest = std::max(size_of(pair) / 2, half_distance.cwiseAbs().maxCoeff());
-  if (!(largest > 0)) return 0;
+  if (!(largest > 0)) return std::numeric_limits<double>::min_exponent;  // two equal points: 0 stays 0
   return std::isfinite(largest) ? detail::exponent_above(largest) + 1 : std::numeric_limits<double>::max_exponent;
 }
 
@@ -92,6 +92,10 @@ Atom PlacedCores::farthest(const Vec3<double>& v) const {
   Atom out{cores::farthest(core1_, rough1_.transpose() * v), cores::farthest(core2_, -(rough2_.transpose() * v)), {}};
   out.w = rough1_ * out.point1.at - rough2_ * out.point2.at - rough_centre_;
   return out;
+}
+
+Atom PlacedCores::on_surface(const Vec3<double>& n) const {
+  return {near(core1_, rough1_.transpose() * (rough_centre_ - low(radii_) * n)), {Vec3<double>::Zero(), 0}, {}};
 }
 
 }  // namespace plumb::reference::cores

@@ -33,6 +33,8 @@ class PlacedCores {
 
   /// The farthest along v, rounded.
   [[nodiscard]] Atom farthest(const Vec3<double>& v) const;
+  /// Body 2 being a point on body 1's surface with outward normal n: that point, less the radii along n. w is not computed.
+  [[nodiscard]] Atom on_surface(const Vec3<double>& n) const;
 
  private:
   int exponent_;

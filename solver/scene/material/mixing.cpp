@@ -55,8 +55,21 @@ bool has_elastic_law(const Effects& effects) {
   return has;
 }
 
+/// A law of one stiffness for the whole scene cannot leave the overlap to one of two.
+void require_not_rigid(const Scene& scene, const Material& material) {
+  const auto require_without = [&](const auto& law, std::string_view name) {
+    if (!material.is_rigid || !law) return;
+    throw SceneError("materials." + material.name + ".rigid",
+                     std::string(name) + " has one stiffness for all: leave rigid out");
+  };
+  require_without(scene.effects.volume, Volume::name);
+  require_without(scene.effects.foundation, Foundation::name);
+}
+
 Effects effects_between(const Scene& scene, std::size_t first, std::size_t second) {
   const Material &a = scene.materials[first], &b = scene.materials[second];
+  require_not_rigid(scene, a);
+  require_not_rigid(scene, b);
   const MaterialPair* given = given_pair(scene, first, second);
   const bool is_law_given = given != nullptr && has_elastic_law(given->effects);
   Effects out = scene.effects;
