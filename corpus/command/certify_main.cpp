@@ -98,7 +98,7 @@ class CertifyRun {
   explicit CertifyRun(const Options& options) : options_(options) {}
 
   void certify(const Case& c) {
-    if (c.convex) return certify_convex(c);
+    if (c.convex) return certify_convex(c.name, *c.convex);
     const Stopwatch watch;
     const Reference found = reference_of(c.pair, options_);
     Json out{{"name", c.name}};
@@ -117,12 +117,12 @@ class CertifyRun {
   }
 
  private:
-  void certify_convex(const Case& c) const {
+  void certify_convex(const std::string& name, const ConvexPair& pair) const {
     if (options_.all || !options_.effort.empty() || !options_.proof.empty())
       throw FieldError("bodies", "--all, --effort and --proof are for superellipsoids");
     const Stopwatch watch;
-    Json out{{"name", c.name}};
-    put_convex(out, *c.convex, options_.digits);
+    Json out{{"name", name}};
+    put_convex(out, pair, options_.digits);
     out["timing"]["ms"] = watch.milliseconds();
     print(out, options_.json);
   }

@@ -127,8 +127,8 @@ FindingKind print(const Json& judgement, FindingKind finding) {
   return finding;
 }
 
-FindingKind check_convex(const Case& c, const GivenAnswer& answer, const Accuracy& accuracy) {
-  const Judgement judgement = judge_convex(*c.convex, answer.contact, accuracy, false);
+FindingKind check_convex(const Case& c, const ConvexPair& pair, const GivenAnswer& answer, const Accuracy& accuracy) {
+  const Judgement judgement = judge_convex(pair, answer.contact, accuracy, false);
   Json out = judgement_json(c, answer, judgement, nullptr);
   out["reference"] = name(Effort::bounds);
   return print(out, judgement.finding.kind);
@@ -162,7 +162,7 @@ int check(const Options& options) {
     if (c.convex && answer->problem != Problem::common_normal)
       throw InputFailure(answers.file(), answers.line(), "method", answer->method + " is for superellipsoids");
     const FindingKind found =
-        c.convex ? check_convex(c, *answer, accuracy) : check_answer(c, *answer, source, accuracy);
+        c.convex ? check_convex(c, *c.convex, *answer, accuracy) : check_answer(c, *answer, source, accuracy);
     if (found != FindingKind::none) code = exit_finding;
   }
   if (cases.failure) throw *cases.failure;

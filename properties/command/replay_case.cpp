@@ -97,23 +97,23 @@ std::string why_unsolved(const Solution& solution) {
 }
 
 /// What a case with an answer of its own expects is about that one.
-Reply reply_of(std::optional<Judge>& judge, const Case& c, const Solver& solver, const Accuracy& accuracy) {
+Reply reply_of(Judge& judge, const Case& c, const Solver& solver, const Accuracy& accuracy) {
   const bool is_cases_own = own_method(c) == solver.name && !c.extra.contains("x_answer");
   return {solver.name,
           solver.abilities.problem,
           is_cases_own,
           !solver.published,
           false,
-          judge ? solve_and_judge(*judge, c.pair, solver, accuracy) : solve_and_judge(*c.convex, solver, accuracy)};
+          c.convex ? solve_and_judge(*c.convex, solver, accuracy) : solve_and_judge(judge, c.pair, solver, accuracy)};
 }
 
-Reply reply_of(std::optional<Judge>& judge, const Case& c, const RecordedAnswer& recorded) {
+Reply reply_of(Judge& judge, const Case& c, const RecordedAnswer& recorded) {
   return {recorded.given.method,
           recorded.given.problem,
           true,
           false,
           true,
-          judge ? judge_recorded(*judge, recorded) : judge_recorded(*c.convex, recorded)};
+          c.convex ? judge_recorded(*c.convex, recorded) : judge_recorded(judge, recorded)};
 }
 
 /// What the folder asks is about the case's own method.
@@ -129,8 +129,7 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const auto recorded = instead ? std::nullopt : recorded_answer(c, file, line);
-  std::optional<Judge> judge;
-  if (!c.convex) judge.emplace(c.pair, source);
+  Judge judge(c.pair, source);  // of superellipsoids alone
   const Reply reply = recorded ? reply_of(judge, c, *recorded)
                                : reply_of(judge, c, instead ? *instead : solver_of_case(c, file, line), accuracy);
   const auto& [contact, judgement, nanoseconds, asked] = reply.judged;
@@ -142,7 +141,7 @@ Replayed replay_case(const Case& c, const std::string& file, int line, const std
     out.unjudged = "not asked: the solver claims no answer to such a pair";
     return out;
   }
-  if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge->solution(reply.problem));
+  if (!judgement.judged) out.unjudged = "not judged: " + why_unsolved(judge.solution(reply.problem));
   const Answered answered{c, contact, out.finding};
   const std::optional<Life> life = reply.is_cases_own ? life_of(file) : std::nullopt;
   compare_words(out.differences, answered, reply);

@@ -39,7 +39,8 @@ std::vector<Vec3<double>> starts(const PlacedCores& pair, const Vec3<double>& no
   constexpr std::size_t lowest_ones = 2;
   std::vector<LowDirection> all;
   for (int i = 0; i < 27; ++i) {
-    const Vec3<double> v(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    const int x = i % 3, y = i / 3 % 3, z = i / 9;
+    const Vec3<double> v(x - 1, y - 1, z - 1);
     if (i != 13) all.push_back(along(pair, v));
   }
   std::partial_sort(all.begin(), all.begin() + lowest_ones, all.end(),

@@ -65,7 +65,7 @@ TEST(Shapes, EveryShapeReadsBackToTheSameBits) {
 TEST(Shapes, RadiiOfSweepsAddUp) {
   const Case c = parsed(case_of(
       R"({"sphere_swept": {"core": {"sphere_swept": {"core": {"half_space": {}}, "radius": 0.25}}, "radius": 0.5}})"));
-  EXPECT_EQ(c.convex->body1.swept_radius, 0.75);
+  EXPECT_EQ(c.convex.value_or(ConvexPair{}).body1.swept_radius, 0.75);
   EXPECT_NE(format_case(c).find(R"({"sphere_swept": {"core": {"half_space": {}}, "radius": 0.75}})"),
             std::string::npos);
 }

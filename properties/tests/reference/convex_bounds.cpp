@@ -56,8 +56,9 @@ struct Known {
   double allowed = narrow;
 };
 
+const Box cube{{1, 1, 1}}, table{{2, 2, 1}};
+
 std::vector<Known> known_answers() {
-  const Box cube{Vec(1, 1, 1)}, table{Vec(2, 2, 1)};
   const std::array<Vec, 3> triangle{Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0)};
   const std::array<Vec, 2> segment{Vec(0.2, 0.2, -1), Vec(0.2, 0.2, 1)};
   const std::array<Vec, 1> point{Vec(0.2, 0.2, 0.5)};
@@ -142,7 +143,8 @@ double sampled_lowest(const ConvexPair& pair, Stream& stream) {
     return true;
   };
   for (int i = 0; i < 200; ++i) look(random_direction(stream));
-  for (double step = 0.3; step > 1e-9; step /= 2) {
+  double step = 0.3;
+  for (int halving = 0; halving < 29; ++halving, step /= 2) {
     bool is_lower = true;
     while (is_lower) {
       is_lower = false;

@@ -133,7 +133,8 @@ class DirectionSearch {
   CommonNormal best_;
   std::array<Vector3<double>, kept> seen_;  ///< the last; number k has the place k modulo their number
   int seen_count_ = 0;
-  std::array<Waiting, 4 * (deepest + 2)> waiting_;
+  static constexpr std::size_t most_waiting = 4UL * (deepest + 2);
+  std::array<Waiting, most_waiting> waiting_;
   int waiting_count_ = 0, cells_ = 0;
 };
 
