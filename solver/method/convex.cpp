@@ -89,21 +89,20 @@ struct Lowest {
 
 /// Of polytopes that overlap by more than rounding; nullopt: of others.
 [[nodiscard]] std::optional<Lowest> lowest_of_polytopes(const PlacedCores& pair, const Vec3<double>& line) {
-  const double rounding = 64 * std::numeric_limits<double>::epsilon() * pair.size;
   if (!pair.are_polytopes()) return std::nullopt;
   const Descent descent(pair);
   const bool has_many_edges =
       std::holds_alternative<HullCore>(pair.body1.core) || std::holds_alternative<HullCore>(pair.body2.core);
   PolytopeMinimum minimum(pair, has_many_edges ? descent.some_steps_from(line) : line);
   const auto normal = minimum.lowest();
-  if (!normal || !(pair.overlap(*normal) > rounding)) return std::nullopt;
+  if (!normal || !(pair.overlap(*normal) > pair.rounding())) return std::nullopt;
   for (const auto& n : {minimum.face_as_low(), normal}) {
     if (!n) continue;
     const CommonNormal found = descent.along(*n);
     if (descent.is_exact(found)) return Lowest{found, true, 0};
   }
   const CommonNormal beside = descent.from(*normal);
-  if (!descent.is_exact(beside) || beside.overlap > pair.overlap(*normal) + rounding) return std::nullopt;
+  if (!descent.is_exact(beside) || beside.overlap > pair.overlap(*normal) + pair.rounding()) return std::nullopt;
   return Lowest{beside, true, 0};
 }
 

@@ -19,8 +19,8 @@ class Descent {
     CommonNormal best = seen(n);
     for (int step = 0; step < most_steps; ++step) {
       const CommonNormal next = after(best, std::ldexp(pair_.size, step < 2 ? -6 : -10));
-      const bool is_lower = next.overlap < best.overlap - margin();
-      if (is_lower || (next.overlap <= best.overlap + margin() && defect(next) <= defect(best))) best = next;
+      const bool is_lower = next.overlap < best.overlap - pair_.rounding();
+      if (is_lower || (next.overlap <= best.overlap + pair_.rounding() && defect(next) <= defect(best))) best = next;
       if (!is_lower) break;
     }
     return settled(best);
@@ -49,11 +49,9 @@ class Descent {
   [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return settled(best_of(nearest)); }
 
   /// Whether the points are those of the normal, to rounding.
-  [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= 16 * margin(); }
+  [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= 16 * pair_.rounding(); }
 
  private:
-  [[nodiscard]] double margin() const { return 64 * std::numeric_limits<double>::epsilon() * pair_.size; }
-
   [[nodiscard]] CommonNormal seen(const Vec3<double>& n) const {
     const Difference at = pair_.support(n);
     return {n, at.w().dot(n), at.point1, at.point2};
@@ -74,7 +72,7 @@ class Descent {
     for (const int height : {-3, -6, -14})
       for (int step = 0; step < most_steps && !is_exact(best); ++step) {
         const CommonNormal next = after(best, std::ldexp(pair_.size, height));
-        if (next.overlap > best.overlap + margin() || !(defect(next) < defect(best))) break;
+        if (next.overlap > best.overlap + pair_.rounding() || !(defect(next) < defect(best))) break;
         best = next;
       }
     return best;
@@ -87,8 +85,8 @@ class Descent {
     };
     CommonNormal best = along(nearest.normal);
     const auto consider = [&](const CommonNormal& other) {
-      if (other.overlap < best.overlap - margin() ||
-          (other.overlap <= best.overlap + margin() && defect(other) < defect(best)))
+      if (other.overlap < best.overlap - pair_.rounding() ||
+          (other.overlap <= best.overlap + pair_.rounding() && defect(other) < defect(best)))
         best = other;
     };
     if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));

@@ -61,6 +61,8 @@ struct PlacedCores {
     return {first.point, second.point, first.piece, second.piece};
   }
   [[nodiscard]] bool are_polytopes() const { return body1.is_polytope() && body2.is_polytope(); }
+  /// Of overlaps: less than this apart they are the same.
+  [[nodiscard]] double rounding() const { return 64 * std::numeric_limits<double>::epsilon() * size; }
   /// o(n).
   [[nodiscard]] double overlap(const Vec3<double>& n) const { return support(n).w().dot(n); }
 };

@@ -88,8 +88,7 @@ class PolytopeMinimum {
 
   /// The lowest of the face normals alone, where it is as low to rounding: where an edge lies along a face, their product is rounding.
   [[nodiscard]] std::optional<Vec3<double>> face_as_low() const {
-    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-    return best_face_ <= best_ + rounding * pair_.size ? face_ : std::nullopt;
+    return best_face_ <= best_ + pair_.rounding() ? face_ : std::nullopt;
   }
 
  private:
@@ -105,9 +104,11 @@ class PolytopeMinimum {
     return false;
   }
 
-  void consider(const Vec3<double>& n) {
+  /// o(n).
+  double consider(const Vec3<double>& n) {
     const double overlap = pair_.overlap(n);
     if (overlap < best_) best_ = overlap, normal_ = n;
+    return overlap;
   }
 
   /// Whether a witness is higher than the lowest that is known, along both.
@@ -121,8 +122,7 @@ class PolytopeMinimum {
     const Mat3<double>&r1 = pair_.body1.rotation, &r2 = pair_.body2.rotation;
     const auto consider_unless_high = [&](const Vec3<double>& n) {
       if (is_left_out(n, n)) return;
-      consider(n);
-      if (const double overlap = pair_.overlap(n); overlap < best_face_) best_face_ = overlap, face_ = n;
+      if (const double overlap = consider(n); overlap < best_face_) best_face_ = overlap, face_ = n;
     };
     for (int k = 0; k < first.faces(); ++k) consider_unless_high(r1 * first.face_normal(k));
     for (int k = 0; k < second.faces(); ++k) consider_unless_high(-(r2 * second.face_normal(k)));
