@@ -5,7 +5,9 @@
 #include "solver/method/automatic.hpp"
 #include "solver/method/common.hpp"
 #include "solver/method/convex/direction_search.hpp"
+#include "solver/method/convex/meridian_search.hpp"
 #include "solver/method/convex/polytopes.hpp"
+#include "solver/method/convex/shared_face.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
@@ -98,30 +100,42 @@ struct Lowest {
   if (!normal || !(pair.overlap(*normal) > pair.rounding())) return std::nullopt;
   for (const auto& n : {minimum.face_as_low(), normal}) {
     if (!n) continue;
-    const CommonNormal found = descent.along(*n);
-    if (descent.is_exact(found)) return Lowest{found, true, 0};
+    for (const auto& found : {SharedFace(pair, *n).contact(), std::optional(descent.along(*n))})
+      if (found && descent.is_exact(*found)) return Lowest{*found, true, 0};
   }
   const CommonNormal beside = descent.from(*normal);
   if (!descent.is_exact(beside) || beside.overlap > pair.overlap(*normal) + pair.rounding()) return std::nullopt;
   return Lowest{beside, true, 0};
 }
 
-[[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {
-  const Descent descent(pair);
-  DirectionSearch search(pair, descent.from(line));
+template <class Search>
+[[nodiscard]] Lowest lowest_by(Search search, const Descent& descent) {
   const bool is_complete = search.run();
   return {search.best(), is_complete && descent.is_exact(search.best()), search.cells()};
+}
+
+[[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {
+  const Descent descent(pair);
+  const CommonNormal first = descent.from(line);
+  if (const auto axis = MeridianSearch::axis_of(pair)) return lowest_by(MeridianSearch(pair, *axis, first), descent);
+  return lowest_by(DirectionSearch(pair, first), descent);
+}
+
+/// Of cores apart there is one common normal; of faces that are parallel the middle of what they share is taken.
+[[nodiscard]] Lowest nearest_points(const PlacedCores& pair, const Nearest& nearest) {
+  const Descent descent(pair);
+  const CommonNormal found = descent.sharpened(nearest);
+  if (pair.are_polytopes())
+    if (const auto shared = SharedFace(pair, found.normal).contact(); shared && descent.is_exact(*shared))
+      return {*shared, true, 0};
+  return {found, descent.is_exact(found), 0};
 }
 
 [[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
   const Vec3<double>& c = pair.body2.centre;
   const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
   const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
-  if (!nearest.is_inside && pair.overlap(nearest.normal) < 0) {
-    const Descent descent(pair);
-    const CommonNormal found = descent.sharpened(nearest);  // of bodies apart there is one common normal
-    return {found, descent.is_exact(found), 0};
-  }
+  if (!nearest.is_inside && pair.overlap(nearest.normal) < 0) return nearest_points(pair, nearest);
   const auto of_polytopes = lowest_of_polytopes(pair, line);
   return of_polytopes ? *of_polytopes : lowest_by_search(pair, line);
 }

@@ -5,9 +5,11 @@
 // Superellipsoids      `auto`
 // Cores apart          the nearest points, by an active set, sharpened by Newton's method (convex/nearest.hpp, stationary.hpp): there is one
 //                      common normal
-// Polytopes            the face normals and the crossings of edges, all of them (convex/polytopes.hpp)
-// Others               a descent to a common normal (convex/descent.hpp), and a branch and bound that shows that none is lower
-//                      (convex/direction_search.hpp)
+// Polytopes            the face normals and the crossings of edges, all of them (convex/polytopes.hpp); the points are the middle of what
+//                      the two faces share (convex/shared_face.hpp)
+// Of revolution about  a descent to a common normal (convex/descent.hpp), and a search along half a meridian that shows that none is lower
+// one axis             (convex/meridian_search.hpp)
+// Others               a descent, and a branch and bound over all directions (convex/direction_search.hpp)
 #pragma once
 
 #include "solver/shape/convex.hpp"
@@ -15,8 +17,8 @@
 namespace plumb {
 
 /// Solves a pair. Overlap, normal, points and verdict as those of `auto`: converged, the overlap is the lowest of all directions to 256
-/// epsilon of the pair's size, or of the distance where that is more, and the points are those of the normal to 1024. Of faces that lie on
-/// one another the points are some of what they share. Curvature, derivatives and patch are not found: NaN. `evaluations`: cells of
+/// epsilon of the pair's size, or of the distance where that is more, and the points are those of the normal to 1024. Of flat faces that lie
+/// on one another the points are some of what they share, of polytopes its middle. Curvature, derivatives and patch are not found: NaN. `evaluations`: cells of
 /// directions that a search looked at. Never throws and never allocates; an illegal pair gives Status::invalid_input. Pairs of
 /// superellipsoids are `auto`'s; they alone start from `last`, the contact a step before, which may be null.
 [[nodiscard]] Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Contact<double>* last);

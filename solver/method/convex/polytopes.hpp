@@ -11,60 +11,9 @@
 
 #include <utility>
 
-#include "solver/method/convex/descent.hpp"
+#include "solver/method/convex/edges.hpp"
 
 namespace plumb::detail {
-
-/// An edge: its direction, of any length, one of its corners, and the normals of its two faces; a segment's has none.
-struct EdgeOfCore {
-  Vec3<double> direction, corner;
-  std::array<Vec3<double>, 2> normals;
-  bool has_faces;
-};
-
-inline const std::array<Vec3<double>, 2> none{Vec3<double>::Zero(), Vec3<double>::Zero()};
-
-/// What a polytope says of its faces and edges, in body axes.
-struct SegmentEdges {
-  const SegmentCore& core;
-
-  [[nodiscard]] static int faces() { return 0; }
-  [[nodiscard]] static Vec3<double> face_normal(int) { return Vec3<double>::Zero(); }
-  [[nodiscard]] int edges() const { return core.half_length > 0 ? 1 : 0; }
-  [[nodiscard]] EdgeOfCore edge(int) const { return {Vec3<double>::UnitZ(), core.corner(0), none, false}; }
-};
-
-struct BoxEdges {
-  const BoxCore& core;
-
-  [[nodiscard]] static int faces() { return 6; }
-  [[nodiscard]] static Vec3<double> face_normal(int k) { return (k % 2 == 0 ? -1.0 : 1.0) * Vec3<double>::Unit(k / 2); }
-  [[nodiscard]] static int edges() { return 12; }
-  /// Four along each axis.
-  [[nodiscard]] EdgeOfCore edge(int k) const {
-    const int axis = k / 4, second = (axis + 1) % 3, third = (axis + 2) % 3;
-    const double along_second = k % 2 == 0 ? -1 : 1, along_third = k / 2 % 2 == 0 ? -1 : 1;
-    const Vec3<double> n2 = along_second * Vec3<double>::Unit(second), n3 = along_third * Vec3<double>::Unit(third);
-    return {
-        Vec3<double>::Unit(axis), core.half_extents.cwiseProduct(n2 + n3 + Vec3<double>::Unit(axis)), {n2, n3}, true};
-  }
-};
-
-struct HullEdges {
-  const HullCore& core;
-
-  [[nodiscard]] int faces() const { return static_cast<int>(core.hull->faces.size()); }
-  [[nodiscard]] const Vec3<double>& face_normal(int k) const {
-    return core.hull->faces[static_cast<std::size_t>(k)].normal;
-  }
-  [[nodiscard]] int edges() const { return static_cast<int>(core.hull->edges.size()); }
-  [[nodiscard]] EdgeOfCore edge(int k) const {
-    const HullEdge& e = core.hull->edges[static_cast<std::size_t>(k)];
-    const Vec3<double> from = core.corner(e.corners[0]), to = core.corner(e.corners[1]);
-    if (e.faces[0] < 0) return {to - from, from, none, false};
-    return {to - from, from, {face_normal(e.faces[0]), face_normal(e.faces[1])}, true};
-  }
-};
 
 class PolytopeMinimum {
  public:
@@ -95,14 +44,6 @@ class PolytopeMinimum {
   static constexpr int together = 12;
   static constexpr double eighth_turn = 0.785398163397448, wide = 2, narrow = 0.5;
   static constexpr double margin = 1e-9;  // a normal that is known may be that of a face, to rounding
-
-  template <class F>
-  static bool with_edges(const Core& core, const F& use) {
-    if (const auto* segment = std::get_if<SegmentCore>(&core)) return use(SegmentEdges{*segment}), true;
-    if (const auto* box = std::get_if<BoxCore>(&core)) return use(BoxEdges{*box}), true;
-    if (const auto* hull = std::get_if<HullCore>(&core)) return use(HullEdges{*hull}), true;
-    return false;
-  }
 
   /// o(n).
   double consider(const Vec3<double>& n) {
@@ -146,22 +87,15 @@ class PolytopeMinimum {
     }
   }
 
-  /// In the pair's frame, its normals times a sign.
-  [[nodiscard]] static EdgeOfCore placed(const PlacedCore& body, const EdgeOfCore& edge, double sign) {
-    const Mat3<double>& r = body.rotation;
-    return {r * edge.direction,
-            r * edge.corner + body.centre,
-            {sign * (r * edge.normals[0]), sign * (r * edge.normals[1])},
-            edge.has_faces};
-  }
-
   void look_at_edges(const EdgeOfCore& a, const EdgeOfCore& b) {
-    if (!is_crossed_by(a, b.direction) || !is_crossed_by(b, a.direction)) return;
-    const Vec3<double> product = a.direction.cross(b.direction);
+    const Vec3<double> along = a.direction(), other = b.direction();
+    if (!is_crossed_by(a, other) || !is_crossed_by(b, along)) return;
+    // Across `along`: the product of two that are nearly parallel would be known to rounding over their angle alone.
+    const Vec3<double> across = other - other.dot(along) / along.squaredNorm() * along, product = along.cross(across);
     if (!(product.squaredNorm() > 0)) return;
     const Vec3<double> n = product.normalized();
     for (const double sign : {1.0, -1.0})  // the arcs cross at one of the two; along the other o is no lower than it is
-      if (sign * n.dot(a.corner - b.corner) < best_) consider(sign * n);
+      if (sign * n.dot(a.from - b.from) < best_) consider(sign * n);
   }
 
   /// Whether the plane across `direction` goes between the edge's two normals, or through one.
