@@ -10,17 +10,11 @@ add_library(foreign_example MODULE ${PROJECT_SOURCE_DIR}/fuzz/example/bounding_s
 target_link_libraries(foreign_example PRIVATE m)
 add_library(foreign_limited MODULE ${folder}/foreign/limited.cpp)
 target_link_libraries(foreign_limited PRIVATE plumb_solver plumb_flags)
-foreach(library foreign_misbehaving foreign_example foreign_limited)
+# `auto` with a fault that the environment names.
+add_library(foreign_planted MODULE ${folder}/foreign/planted.cpp)
+target_link_libraries(foreign_planted PRIVATE plumb_solver plumb_flags)
+foreach(library foreign_misbehaving foreign_example foreign_limited foreign_planted)
   target_include_directories(${library} PRIVATE ${PROJECT_SOURCE_DIR})
   set_target_properties(${library} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   add_dependencies(test_fuzz ${library})
 endforeach()
-
-# `auto` with a fault that the environment names.
-add_library(foreign_planted MODULE ${folder}/foreign/planted.cpp)
-target_include_directories(foreign_planted PRIVATE ${PROJECT_SOURCE_DIR})
-target_link_libraries(foreign_planted PRIVATE Eigen3::Eigen plumb_flags)
-target_link_options(foreign_planted PRIVATE -Wl,-Bsymbolic)
-set_target_properties(foreign_planted PROPERTIES PREFIX "" UNITY_BUILD OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-                                                 LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
-add_dependencies(test_fuzz foreign_planted)

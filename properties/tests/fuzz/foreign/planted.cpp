@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "corpus/solvers/auto_door.hpp"
+#include "solver/c/auto_door.hpp"
 
 namespace {
 
