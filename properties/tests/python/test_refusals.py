@@ -44,7 +44,7 @@ class Refusals(unittest.TestCase):
         names = ", ".join(method.name for method in plumb.methods())
         wanted = "overlap, normal, points, curvature, derivatives, patch"
         for kind, text, named in (
-            (TypeError, "body2: must be a plumb.Body, not NoneType", {"body2": None}),
+            (TypeError, "body2: must be a plumb.Body or a plumb.ConvexBody, not NoneType", {"body2": None}),
             (ValueError, f"method: no 'best' among {names}", {"method": "best"}),
             (ValueError, f"want: no 'depth' among {wanted}", {"want": "overlap,depth"}),
             (TypeError, "want: must be names, as a list or with commas", {"want": 3}),
