@@ -176,9 +176,9 @@ typedef struct plumb_convex_pair {
 /* As plumb_describe_input: "bodies[1].shape.box.half_extents[0]: must be finite and above 0". */
 PLUMB_API int plumb_describe_convex_input(const plumb_convex_pair* pair, char* text, size_t size);
 
-/* Solves a pair of any shapes by `auto`. An unknown kind, and a polyhedron without a hull, are PLUMB_INVALID_INPUT. Two superellipsoids get
- * the same bits as from plumb_solve; they alone start from the context. Of options the wants of a contact, the iteration limit and the
- * tolerance. options and context may be NULL. */
+/* Solves a pair of any shapes by `auto`. An unknown kind, and a polyhedron without a hull, are PLUMB_INVALID_INPUT. Two
+ * superellipsoids, neither of them swept, get the same bits as from plumb_solve; superellipsoids alone start from the context.
+ * Of options the wants of a contact, the iteration limit and the tolerance. options and context may be NULL. */
 PLUMB_API int plumb_solve_convex(const plumb_convex_pair* pair, const plumb_options* options, plumb_context* context,
                                  plumb_contact* contact);
 
