@@ -6,10 +6,12 @@
 namespace plumb::python {
 namespace {
 
-/// The shape, where its numbers are legal.
+/// The shape, where its numbers are legal. `arguments`: all of them, for what none alone is to blame for.
 template <class S>
-[[nodiscard]] S legal(S shape) {
-  refuse(find_input_error(ConvexPair{ConvexBody{shape}, {}}));
+[[nodiscard]] S legal(S shape, std::string_view arguments) {
+  InputError error = find_input_error(ConvexPair{ConvexBody{shape}, {}});
+  if (error.field.substr(error.field.find('.') + 1) == name(shape)) error.field = arguments;
+  refuse(error);
   return shape;
 }
 
@@ -35,33 +37,33 @@ template <class S>
 
 [[nodiscard]] Superellipsoid<double> make_superellipsoid(const py::object& semi_axes, const py::object& exponents) {
   const auto [n1, n2] = numbers<2>(exponents, "exponents");
-  return legal(Superellipsoid<double>{vector(semi_axes, "semi_axes"), n1, n2});
+  return legal(Superellipsoid<double>{vector(semi_axes, "semi_axes"), n1, n2}, "semi_axes, exponents");
 }
 [[nodiscard]] Capsule make_capsule(const py::object& half_length, const py::object& radius) {
-  return legal(Capsule{number(half_length, "half_length"), number(radius, "radius")});
+  return legal(Capsule{number(half_length, "half_length"), number(radius, "radius")}, "half_length, radius");
 }
 [[nodiscard]] Cylinder make_cylinder(const py::object& half_length, const py::object& radius) {
-  return legal(Cylinder{number(half_length, "half_length"), number(radius, "radius")});
+  return legal(Cylinder{number(half_length, "half_length"), number(radius, "radius")}, "half_length, radius");
 }
 [[nodiscard]] Cone make_cone(const py::object& radius, const py::object& height) {
-  return legal(Cone{number(radius, "radius"), number(height, "height")});
+  return legal(Cone{number(radius, "radius"), number(height, "height")}, "radius, height");
 }
 [[nodiscard]] Frustum make_frustum(const py::object& radii, const py::object& height) {
-  return legal(Frustum{numbers<2>(radii, "radii"), number(height, "height")});
+  return legal(Frustum{numbers<2>(radii, "radii"), number(height, "height")}, "radii, height");
 }
 [[nodiscard]] Box make_box(const py::object& half_extents) {
-  return legal(Box{vector(half_extents, "half_extents")});
+  return legal(Box{vector(half_extents, "half_extents")}, "half_extents");
 }
 [[nodiscard]] Polyhedron hull_of(const std::vector<Vec3<double>>& points) {
   const py::gil_scoped_release unlocked;
   return make_polyhedron(points);
 }
 [[nodiscard]] Polyhedron make_hull(const py::object& points) {
-  return legal(hull_of(vectors(points, "points")));
+  return legal(hull_of(vectors(points, "points")), "points");
 }
 [[nodiscard]] PolySuperellipsoid make_poly_superellipsoid(const py::object& semi_axes, const py::object& exponents) {
   const auto [n1, n2] = numbers<2>(exponents, "exponents");
-  return legal(PolySuperellipsoid{numbers<6>(semi_axes, "semi_axes"), n1, n2});
+  return legal(PolySuperellipsoid{numbers<6>(semi_axes, "semi_axes"), n1, n2}, "semi_axes, exponents");
 }
 
 constexpr auto superellipsoid_text = R"(Superellipsoid(semi_axes, exponents=(2, 2))

@@ -36,8 +36,8 @@ class Package(unittest.TestCase):
         tried = 0
         finder = doctest.DocTestFinder()
         texts = [text for module in modules() for text in finder.find(module)]
-        natives = [(getattr(plumb, name), name) for name in plumb.__all__ if hasattr(plumb._native, name) and name[0] != "_"]
-        texts += [text for kind, name in natives for text in finder.find(kind, name)]
+        natives = [name for name in plumb.__all__ if inspect.isclass(getattr(plumb._native, name, None))]
+        texts += [text for name in natives for text in finder.find(getattr(plumb, name), name)]
         for text in texts:
             text.globs.update(plumb=plumb, np=np)
             result = doctest.DocTestRunner().run(text)
