@@ -1,16 +1,18 @@
-/* plumb's C API: the contact of two superellipsoids by their common normal.
+/* plumb's C API: the contact of two superellipsoids, or of any two convex shapes, by their common normal.
  *
  *     plumb_pair pair = {{{{1, 1, 0.5}, {2, 2}, {0, 0, 0}, {1, 0, 0, 0}}, {{1, 1, 0.5}, {2, 2}, {0, 0, 0.9}, {1, 0, 0, 0}}}};
  *     plumb_contact contact;
  *     if (plumb_solve(&pair, NULL, NULL, &contact, NULL) == PLUMB_OK && contact.status == PLUMB_CONVERGED) ..
  *
  * Types     plumb_body, plumb_pair, plumb_contact, enum plumb_status and enum plumb_verdict: plumb_solver.h
+ * Shapes    plumb_solve is of superellipsoids; plumb_solve_convex of boxes, cylinders, hulls of points and others, too
  * Frames    world frame throughout; a body's quaternion takes body axes to world axes
  * Units     lengths in the caller's own unit, angles in radians
  * Signs     overlap > 0: the bodies penetrate by that length; < 0: they are -overlap apart; the normal points from body 1 to body 2
  * Validity  a number that was not asked for, or could not be found, is NaN - never a zero
  * Errors    functions return enum plumb_error and write no answer unless it is PLUMB_OK. A pair that cannot be solved is an answer
- *           (contact.status), not an error. Nothing is thrown, printed or kept; all functions may be called from any number of threads
+ *           (contact.status), not an error. Nothing is thrown, printed or kept but a plumb_hull; all functions may be called from any
+ *           number of threads
  * Modes     any floating-point mode of the caller (rounding, subnormal numbers as zero, traps) gives the same bits, and is put back
  * Link      cc main.c $(pkg-config --cflags --libs plumb); plumb_certify alone is in another library: pkg-config plumb-certify
  * ABI       structs grow at their end only, those with `size` without a new soname
@@ -38,8 +40,8 @@ enum plumb_error {
   PLUMB_OK = 0,
   PLUMB_ERROR_ARGUMENT = 1, /* a pointer that must not be null is, or a number is out of its range */
   PLUMB_ERROR_METHOD = 2,   /* there is no such method, or not for this function */
-  PLUMB_ERROR_MEMORY = 3,   /* plumb_certify alone */
-  PLUMB_ERROR_INTERNAL = 4  /* plumb_certify alone: a library under it failed */
+  PLUMB_ERROR_MEMORY = 3,   /* plumb_certify and plumb_hull_create alone, as the next */
+  PLUMB_ERROR_INTERNAL = 4  /* a library under it failed */
 };
 
 /* "0.1.0": of the library; a string that is never freed, as all that these functions return. */
@@ -120,12 +122,65 @@ typedef struct plumb_details {
 /* Bytes of the caller's stack that are enough for plumb_solve and both batches, whatever the pairs and the method: of a release
  * build by g++ for x86-64, which tests hold to them. */
 #define PLUMB_STACK_SOLVE (64 * 1024)
+/* The same for plumb_solve_convex. */
+#define PLUMB_STACK_CONVEX (96 * 1024)
 /* The same for plumb_certify. */
 #define PLUMB_STACK_CERTIFY (192 * 1024)
 
 /* Solves a pair. options, context and details may be NULL: the options above, a cold start, nothing more than the contact. */
 PLUMB_API int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_context* context,
                           plumb_contact* contact, plumb_details* details);
+
+/* What a shape is; its parameters are told in their order, lengths but for the exponents. Body axes, the origin at the body's position. */
+enum plumb_shape_kind {
+  PLUMB_SHAPE_SUPERELLIPSOID = 0,      /* semi-axes a, b, c > 0; exponents n1, n2 > 1: as plumb_body */
+  PLUMB_SHAPE_CAPSULE = 1,             /* half-length >= 0, radius > 0: about the segment |z| <= half-length */
+  PLUMB_SHAPE_CYLINDER = 2,            /* half-length, radius > 0: along z, flat ends */
+  PLUMB_SHAPE_CONE = 3,                /* radius, height > 0: centroid at the origin, apex up z */
+  PLUMB_SHAPE_FRUSTUM = 4,             /* radius below, radius above >= 0, one of them > 0; height > 0: as the cone */
+  PLUMB_SHAPE_BOX = 5,                 /* half-extents along x, y, z > 0 */
+  PLUMB_SHAPE_POLYHEDRON = 6,          /* none, but a hull */
+  PLUMB_SHAPE_POLY_SUPERELLIPSOID = 7, /* semi-axes to +x, -x, +y, -y, +z, -z > 0; exponents n1, n2 > 1 */
+  PLUMB_SHAPE_HALF_SPACE = 8           /* none: z <= 0 */
+};
+
+/* The convex hull of points, which may be a polygon, a segment or a point. Any number of bodies and threads may share one. */
+typedef struct plumb_hull plumb_hull;
+
+/* The hull of `count` > 0 finite points, x, y and z of each in turn, decided exactly: once, for it takes longer than a solve. NULL where
+ * there is none; then *error says why. error may be NULL. */
+PLUMB_API plumb_hull* plumb_hull_create(const double* points, size_t count, int* error);
+/* Frees it, where no body that is still solved has it; NULL is nothing to free. */
+PLUMB_API void plumb_hull_destroy(plumb_hull* hull);
+
+/* A convex shape: {.kind = PLUMB_SHAPE_BOX, .parameters = {0.5, 0.25, 0.125}}. */
+typedef struct plumb_shape {
+  int kind;               /* enum plumb_shape_kind */
+  const plumb_hull* hull; /* a polyhedron's; not read of others */
+  double parameters[12];  /* those of the kind; the rest is not read */
+} plumb_shape;
+
+/* A shape, swept by a sphere, and where it is. */
+typedef struct plumb_convex_body {
+  plumb_shape shape;
+  double swept_radius; /* >= 0: all points within this of the shape belong to the body */
+  double position[3];
+  double quaternion_wxyz[4]; /* any non-zero length */
+} plumb_convex_body;
+
+/* Bodies 1 and 2: these doubles are the exact input. Two half-spaces are not legal. */
+typedef struct plumb_convex_pair {
+  plumb_convex_body bodies[2];
+} plumb_convex_pair;
+
+/* As plumb_describe_input: "bodies[1].shape.box.half_extents[0]: must be finite and above 0". */
+PLUMB_API int plumb_describe_convex_input(const plumb_convex_pair* pair, char* text, size_t size);
+
+/* Solves a pair of any shapes by `auto`. An unknown kind, and a polyhedron without a hull, are PLUMB_INVALID_INPUT. Two
+ * superellipsoids, neither of them swept, get the same bits as from plumb_solve; superellipsoids alone start from the context.
+ * Of options the wants of a contact, the iteration limit and the tolerance. options and context may be NULL. */
+PLUMB_API int plumb_solve_convex(const plumb_convex_pair* pair, const plumb_options* options, plumb_context* context,
+                                 plumb_contact* contact);
 
 /* One body of each of n pairs: entry i of each array is of pair i. */
 typedef struct plumb_body_arrays {

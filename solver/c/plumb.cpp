@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -15,6 +13,8 @@
 #include "solver/batch/chunk.hpp"
 #include "solver/c/auto_door.hpp"
 #include "solver/c/contexts.hpp"
+#include "solver/c/options.hpp"
+#include "solver/c/texts.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/patch/patch.hpp"
 #include "solver/standard_arithmetic.hpp"
@@ -23,44 +23,6 @@ namespace plumb {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// Options as this library knows them: a caller of an older header has fewer of them, and the rest are the defaults.
-plumb_options options_of(const plumb_options* given) {
-  plumb_options out = PLUMB_OPTIONS;
-  if (given == nullptr) return out;
-  std::memcpy(&out, given, std::min(given->size, sizeof out));
-  out.size = given->size;
-  return out;
-}
-
-constexpr unsigned all_wants = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES | PLUMB_WANT_PATCH;
-
-/// A size that ends within a field is no header's: of a pointer a part would be left.
-bool is_of_a_header(std::size_t size) {
-  constexpr std::array ends{offsetof(plumb_options, method),          offsetof(plumb_options, want),
-                            offsetof(plumb_options, iteration_limit), offsetof(plumb_options, tolerance),
-                            offsetof(plumb_options, motion),          offsetof(plumb_options, patch_tolerance)};
-  return size >= sizeof(plumb_options) || std::find(ends.begin(), ends.end(), size) != ends.end();
-}
-
-bool are_legal(const plumb_options& options) {
-  return is_of_a_header(options.size) && (options.want & ~all_wants) == 0 && options.iteration_limit > 0 &&
-         options.tolerance >= 0 && std::isfinite(options.tolerance) && options.patch_tolerance > 0 &&
-         std::isfinite(options.patch_tolerance) && Vec3<double>::Map(options.motion).allFinite();
-}
-
-Want want_of(const plumb_options& options) {
-  const auto is_wanted = [&](unsigned bit) { return (options.want & bit) != 0; };
-  return {.overlap = is_wanted(PLUMB_WANT_OVERLAP),
-          .normal = is_wanted(PLUMB_WANT_NORMAL),
-          .points = is_wanted(PLUMB_WANT_POINTS),
-          .curvature = is_wanted(PLUMB_WANT_CURVATURE),
-          .derivatives = is_wanted(PLUMB_WANT_DERIVATIVES),
-          .patch = is_wanted(PLUMB_WANT_PATCH),
-          .patch_tolerance = options.patch_tolerance,
-          .iteration_limit = options.iteration_limit,
-          .tolerance = options.tolerance};
-}
 
 template <class Matrix, std::size_t N>
 void write_rows(const Matrix& from, double (&to)[N][3]) {
@@ -272,10 +234,6 @@ int solve_warm(std::size_t n, const plumb_body_arrays bodies[2], const Want& wan
   });
 }
 
-const char* c_text(std::string_view literal) {
-  return literal.data();
-}
-
 }  // namespace
 }  // namespace plumb
 
@@ -313,10 +271,7 @@ const char* plumb_method_name(size_t index) {
 
 int plumb_describe_input(const plumb_pair* pair, char* text, size_t size) {
   if (pair == nullptr || text == nullptr || size == 0) return PLUMB_ERROR_ARGUMENT;
-  const InputError error = find_input_error(door::pair_of(*pair));
-  text[0] = '\0';
-  if (!error.reason.empty())
-    (void)std::snprintf(text, size, "bodies[%d].%s: %s", error.body, c_text(error.field), c_text(error.reason));
+  write_text(find_input_error(door::pair_of(*pair)), {text, size});
   return PLUMB_OK;
 }
 
@@ -349,7 +304,7 @@ int plumb_solve_batch_warm(size_t n, const plumb_body_arrays bodies[2], const pl
   const plumb_options chosen = options_of(options);
   if (bodies == nullptr || contacts == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
   if (n > 0 && !(is_complete(bodies[0]) && is_complete(bodies[1]))) return PLUMB_ERROR_ARGUMENT;
-  if (chosen.method != nullptr && std::string_view(chosen.method) != "auto") return PLUMB_ERROR_METHOD;
+  if (!is_auto(chosen)) return PLUMB_ERROR_METHOD;
   return contexts == nullptr ? solve_cold(n, bodies, want_of(chosen), *contacts)
                              : solve_warm(n, bodies, wants_of(want_of(chosen), *contacts), contexts, *contacts);
 }

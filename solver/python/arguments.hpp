@@ -8,8 +8,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "solver/contact.hpp"
+#include "solver/shape/convex.hpp"
 
 namespace plumb::python {
 
@@ -31,8 +32,25 @@ template <std::size_t N>
   return {v[0], v[1], v[2]};
 }
 
+/// A number: ValueError for an array of more, TypeError for a type as above.
+[[nodiscard]] double number(py::handle value, std::string_view argument);
+/// The rows of an array (n, 3) of finite numbers, at least one: refused as above.
+[[nodiscard]] std::vector<Vec3<double>> vectors(py::handle value, std::string_view argument);
+
+/// ValueError with the argument's name, where something is wrong.
+void refuse(const InputError& error);
+/// What Python itself would raise, with the argument's name; `wanted`: "a plumb.Body".
+[[noreturn]] void refuse_type(py::handle value, std::string_view argument, const char* wanted);
+
+/// TypeError where it is none of the package's shapes.
+[[nodiscard]] Shape shape_of(py::handle value, std::string_view argument);
+/// The package's own.
+[[nodiscard]] py::object object_of(const Shape& shape);
+
 /// TypeError where it is no plumb.Body.
 [[nodiscard]] const Body& body_of(py::handle value, std::string_view argument);
+/// A plumb.ConvexBody, or a plumb.Body as one; TypeError for another.
+[[nodiscard]] ConvexBody convex_body_of(py::handle value, std::string_view argument);
 /// At least 1; ValueError below, TypeError where it is no whole number.
 [[nodiscard]] int count_of(py::handle value, std::string_view argument);
 /// 0 or more; ValueError below, TypeError where it is no number.

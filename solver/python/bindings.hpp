@@ -5,6 +5,7 @@
 
 namespace plumb::python {
 
+void add_shapes(pybind11::module_& module);
 void add_body(pybind11::module_& module);
 void add_contact(pybind11::module_& module);
 void add_solve(pybind11::module_& module);

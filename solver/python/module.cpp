@@ -5,6 +5,7 @@ PYBIND11_MODULE(_native, module) {
   pybind11::options options;
   options.disable_function_signatures();
   module.attr("__version__") = PLUMB_VERSION;
+  plumb::python::add_shapes(module);
   plumb::python::add_body(module);
   plumb::python::add_contact(module);
   plumb::python::add_solve(module);

@@ -34,6 +34,11 @@ static_assert(sizeof(plumb_contact_arrays) == 136 && offsetof(plumb_contact_arra
               offsetof(plumb_contact_arrays, overlap) == 16 && offsetof(plumb_contact_arrays, normal) == 24 &&
               offsetof(plumb_contact_arrays, points) == 48 && offsetof(plumb_contact_arrays, contact_point) == 96 &&
               offsetof(plumb_contact_arrays, iterations) == 120 && offsetof(plumb_contact_arrays, evaluations) == 128);
+static_assert(sizeof(plumb_shape) == 112 && offsetof(plumb_shape, hull) == 8 &&
+              offsetof(plumb_shape, parameters) == 16);
+static_assert(sizeof(plumb_convex_body) == 176 && offsetof(plumb_convex_body, swept_radius) == 112 &&
+              offsetof(plumb_convex_body, position) == 120 && offsetof(plumb_convex_body, quaternion_wxyz) == 144);
+static_assert(sizeof(plumb_convex_pair) == 352);
 // These may grow; what they have does not move.
 static_assert(sizeof(plumb_options) >= 64 && offsetof(plumb_options, patch_tolerance) == 56 &&
               offsetof(plumb_options, method) == 8 && offsetof(plumb_options, want) == 16 &&
@@ -71,6 +76,11 @@ static_assert(is<decltype(plumb_solve),
               is<decltype(plumb_solve_batch_warm), int(size_t, const plumb_body_arrays*, const plumb_options*,
                                                        plumb_context*, const plumb_contact_arrays*)> &&
               is<decltype(plumb_certify), int(const plumb_pair*, plumb_certificate*)>);
+static_assert(is<decltype(plumb_hull_create), plumb_hull*(const double*, size_t, int*)> &&
+              is<decltype(plumb_hull_destroy), void(plumb_hull*)> &&
+              is<decltype(plumb_describe_convex_input), int(const plumb_convex_pair*, char*, size_t)> &&
+              is<decltype(plumb_solve_convex),
+                 int(const plumb_convex_pair*, const plumb_options*, plumb_context*, plumb_contact*)>);
 static_assert(is<decltype(plumb_solver_version), int(void)> &&
               is<decltype(plumb_solver_solve), int(const plumb_pair*, plumb_contact*)> &&
               is<decltype(plumb_solver_abilities), void(plumb_abilities*)> &&
@@ -85,6 +95,9 @@ static_assert(PLUMB_OPEN == 0 && PLUMB_PROVED == 1 && PLUMB_DISPROVED == 2);
 static_assert(PLUMB_CONVERGED == 0 && PLUMB_ITERATION_LIMIT == 1 && PLUMB_STALLED == 2 && PLUMB_SINGULAR == 3 &&
               PLUMB_NOT_FINITE == 4 && PLUMB_INVALID_INPUT == 5);
 static_assert(PLUMB_SUPERELLIPSOIDS == 0 && PLUMB_ELLIPSOIDS == 1 && PLUMB_SPHERES == 2);
+static_assert(PLUMB_SHAPE_SUPERELLIPSOID == 0 && PLUMB_SHAPE_CAPSULE == 1 && PLUMB_SHAPE_CYLINDER == 2 &&
+              PLUMB_SHAPE_CONE == 3 && PLUMB_SHAPE_FRUSTUM == 4 && PLUMB_SHAPE_BOX == 5 &&
+              PLUMB_SHAPE_POLYHEDRON == 6 && PLUMB_SHAPE_POLY_SUPERELLIPSOID == 7 && PLUMB_SHAPE_HALF_SPACE == 8);
 static_assert(PLUMB_APART_DISTANCE == 0 && PLUMB_APART_VERDICT == 1 && PLUMB_APART_NONE == 2);
 static_assert(PLUMB_POINTS_TWO == 0 && PLUMB_POINTS_MIDWAY == 1 && PLUMB_POINTS_NONE == 2);
 static_assert(PLUMB_COMMON_NORMAL == 0 && PLUMB_DEEPEST_POINTS == 1 && PLUMB_MIDWAY == 2);
@@ -101,10 +114,11 @@ std::set<std::string> shown_by(const std::string& library) {
 
 TEST(CAbi, TheLibrariesShowTheFunctionsOfTheHeaderAndNothingElse) {
   EXPECT_EQ(shown_by(PLUMB_C_LIBRARY),
-            (std::set<std::string>{"plumb_describe_input", "plumb_error_text", "plumb_method_name", "plumb_solve",
-                                   "plumb_solve_batch", "plumb_solve_batch_warm", "plumb_solver_solve",
-                                   "plumb_solver_solve_warm", "plumb_solver_version", "plumb_status_name",
-                                   "plumb_verdict_name", "plumb_version"}));
+            (std::set<std::string>{"plumb_describe_convex_input", "plumb_describe_input", "plumb_error_text",
+                                   "plumb_hull_create", "plumb_hull_destroy", "plumb_method_name", "plumb_solve",
+                                   "plumb_solve_batch", "plumb_solve_batch_warm", "plumb_solve_convex",
+                                   "plumb_solver_solve", "plumb_solver_solve_warm", "plumb_solver_version",
+                                   "plumb_status_name", "plumb_verdict_name", "plumb_version"}));
   EXPECT_EQ(shown_by(PLUMB_CERTIFY_LIBRARY), (std::set<std::string>{"plumb_certify"}));
 }
 

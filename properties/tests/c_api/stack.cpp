@@ -5,6 +5,7 @@
 #include "corpus/case/case.hpp"
 #include "properties/doors/columns.hpp"
 #include "properties/generators/families.hpp"
+#include "properties/tests/c_api/convex_pairs.hpp"
 #include "properties/tests/c_api/painted.hpp"
 #include "solver/c/door.hpp"
 #include "solver/method/methods.hpp"
@@ -93,6 +94,13 @@ void solve_as_batch(const Pairs& pairs) {
     EXPECT_EQ(plumb_solve_batch_warm(pairs.size(), bodies, nullptr, contexts.data(), &contacts), PLUMB_OK);
 }
 
+void solve_convex_in_c(const std::vector<BothPairs>& pairs) {
+  for (const BothPairs& both : pairs) {
+    plumb_contact contact{};
+    EXPECT_EQ(plumb_solve_convex(&both.c_pair, nullptr, nullptr, &contact), PLUMB_OK);
+  }
+}
+
 void certify(const Pairs& pairs) {
   for (const Pair& pair : pairs) {
     const plumb_pair c = door::c_pair(pair);
@@ -163,6 +171,13 @@ TEST_F(CStack, TheLongestSearchesTakeWhatTheHeaderSays) {
   EXPECT_LE(thread.run([&] { most = solve_by_all_wants(pairs); }).by_work, PLUMB_STACK_SOLVE);
   EXPECT_LE(thread.run([&] { solve_as_batch(pairs); }).by_work, PLUMB_STACK_SOLVE);
   EXPECT_GE(most, 1650);  // the limit of a search: nothing takes more
+}
+
+TEST_F(CStack, ShapesTakeWhatTheHeaderSays) {
+  PaintedThread thread(ample);
+  std::vector<BothPairs> pairs;
+  for_c_pairs(40, [&](BothPairs both) { pairs.push_back(std::move(both)); });
+  EXPECT_LE(thread.run([&] { solve_convex_in_c(pairs); }).by_work, PLUMB_STACK_CONVEX);
 }
 
 // In all, with what the C library has of it; one that takes more ends the program.

@@ -10,7 +10,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" 
 endif()
 
 # With the library's sources in the program, so that clang's sanitizers, which are the program's, see them.
-add_executable(extreme_calls ${folder}/extreme_calls/extreme_calls.cpp ${PROJECT_SOURCE_DIR}/solver/c/plumb.cpp)
+add_executable(extreme_calls ${folder}/extreme_calls/extreme_calls.cpp ${PROJECT_SOURCE_DIR}/solver/c/plumb.cpp
+                             ${PROJECT_SOURCE_DIR}/solver/c/convex.cpp)
 target_compile_definitions(extreme_calls PRIVATE PLUMB_LIBRARY_VERSION="${PROJECT_VERSION}")
 target_link_libraries(extreme_calls PRIVATE plumb_batch plumb_flags)
 add_test(NAME c_api/extreme_calls COMMAND extreme_calls)

@@ -10,6 +10,8 @@ import plumb
 from drawn import pairs
 
 LONG = np.ones(3, np.longdouble)
+ORIGIN = (0, 0, 0)
+REACH = "the bounding radius, to the farthest point, must be finite"
 
 
 class Refusals(unittest.TestCase):
@@ -44,7 +46,7 @@ class Refusals(unittest.TestCase):
         names = ", ".join(method.name for method in plumb.methods())
         wanted = "overlap, normal, points, curvature, derivatives, patch"
         for kind, text, named in (
-            (TypeError, "body2: must be a plumb.Body, not NoneType", {"body2": None}),
+            (TypeError, "body2: must be a plumb.Body or a plumb.ConvexBody, not NoneType", {"body2": None}),
             (ValueError, f"method: no 'best' among {names}", {"method": "best"}),
             (ValueError, f"want: no 'depth' among {wanted}", {"want": "overlap,depth"}),
             (TypeError, "want: must be names, as a list or with commas", {"want": 3}),
@@ -60,6 +62,56 @@ class Refusals(unittest.TestCase):
             with self.subTest(text):
                 self.expect(kind, text, plumb.solve, **{"body1": ball, "body2": ball, **named})
         self.expect(TypeError, "contact: must be a plumb.Contact", plumb.diagnose, ball, ball, ball)
+
+    def test_shapes(self):
+        positive, not_negative = "must be finite and above 0", "must be finite and not below 0"
+        for kind, text, call, arguments in (
+            (ValueError, f"semi_axes[2]: {positive}", plumb.Superellipsoid, ((1, 1, np.nan),)),
+            (ValueError, f"half_length: {not_negative}", plumb.Capsule, (-1, 1)),
+            (ValueError, f"radius: {positive}", plumb.Capsule, (1, 0)),
+            (ValueError, f"half_length: {positive}", plumb.Cylinder, (0, 1)),
+            (ValueError, f"height: {positive}", plumb.Cone, (1, np.inf)),
+            (ValueError, f"radii[1]: {not_negative}", plumb.Frustum, ((1, -1), 1)),
+            (ValueError, "radii: must not both be 0", plumb.Frustum, ((0, 0), 1)),
+            (ValueError, "radii: must have shape (2,), not (3,)", plumb.Frustum, ((1, 1, 1), 1)),
+            (ValueError, f"half_extents[1]: {positive}", plumb.Box, ((1, 0, 1),)),
+            (ValueError, f"semi_axes[5]: {positive}", plumb.PolySuperellipsoid, ((1, 1, 1, 1, 1, 0),)),
+            (ValueError, "exponents[0]: must be finite and above 1", plumb.PolySuperellipsoid, ((1,) * 6, (1, 2))),
+            (ValueError, "points: must have shape (n, 3), not (3,)", plumb.Polyhedron, (ORIGIN,)),
+            (ValueError, "points: must be a point at least", plumb.Polyhedron, (np.empty((0, 3)),)),
+            (ValueError, "points: must be finite", plumb.Polyhedron, ([(0, np.nan, 0)],)),
+            (ValueError, f"points: {REACH}", plumb.Polyhedron, ([(1.7e308, 1.7e308, 0)],)),
+            (ValueError, f"half_length, radius: {REACH}", plumb.Capsule, (1e308, 1e308)),
+            (ValueError, "radius: must be a number, not of shape (1,)", plumb.Cone, ([1], 1)),
+            (TypeError, "radius: must be of real numbers that fit in float64, not of object", plumb.Cone, (None, 1)),
+            (TypeError, "points: must be of real numbers that fit in float64, not of complex128", plumb.Polyhedron, ([[1j] * 3],)),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, call, *arguments)
+
+    def test_convex_bodies(self):
+        box = plumb.Box((1, 1, 1))
+        for kind, text, named in (
+            (TypeError, "shape: must be a shape, as plumb.Box or plumb.Capsule, not int", {"shape": 3}),
+            (ValueError, "position: must be finite", {"position": (0, 0, np.inf)}),
+            (ValueError, "quaternion: must not be zero", {"quaternion": (0, 0, 0, 0)}),
+            (ValueError, "swept_radius: must be finite and not below 0", {"swept_radius": -1}),
+            (ValueError, f"swept_radius: {REACH}", {"shape": plumb.Box((1e308, 1, 1)), "swept_radius": 1e308}),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, plumb.ConvexBody, **{"shape": box, "position": ORIGIN, **named})
+        self.expect(ValueError, "position: must be finite", plumb.ConvexBody(box, ORIGIN).moved, (0, np.nan, 0))
+
+    def test_solve_of_shapes(self):
+        brick, wall = (plumb.ConvexBody(shape, ORIGIN) for shape in (plumb.Box((1, 1, 1)), plumb.HalfSpace()))
+        for kind, text, named in (
+            (TypeError, "body1: must be a plumb.Body or a plumb.ConvexBody, not Box", {"body1": brick.shape}),
+            (ValueError, "body2: two half-spaces have no lowest overlap", {"body1": wall, "body2": wall}),
+            (ValueError, "method: 'new_cn' solves two plumb.Body alone, auto any pair", {"method": "new_cn"}),
+        ):
+            with self.subTest(text):
+                self.expect(kind, text, plumb.solve, **{"body1": brick, "body2": brick, **named})
+        self.expect(TypeError, "body1: must be a plumb.Body, not ConvexBody", plumb.case, brick, brick)
 
     def test_cases(self):
         ball = plumb.Body((1, 1, 1), (0, 0, 0))

@@ -1,10 +1,11 @@
-"""plumb: the contact of two ellipsoids or superquadrics, its common normal, and a judge of both.
+"""plumb: the contact of two ellipsoids, superquadrics or other convex shapes, its common normal, and a judge of both.
 
     >>> contact = plumb.solve(plumb.Body((1, 1, 2), (0, 0, 0)), plumb.Body((1, 1, 1), (1.5, 0, 0)))
     >>> contact.overlap
     0.5
 
 One pair       Body, solve, diagnose, methods
+Other shapes   ConvexBody, Box, Capsule, Cone, Cylinder, Frustum, HalfSpace, Polyhedron, PolySuperellipsoid, Superellipsoid
 Many pairs     Bodies, solve_batch
 Proved         certify, certify_all: rigorous bounds, 50 digits
 The harness    campaign, check, shrink, replay, scene, scene_plan, named_scene, case, bodies_of
@@ -27,7 +28,23 @@ from ._batch import Bodies, Contacts, solve_batch
 from ._case import bodies_of, case
 from ._certify import Bounds, Certificate, certify, certify_all
 from ._harness import Campaign, Replay, campaign, check, named_scene, replay, scene, scene_plan, shrink
-from ._native import Body, Contact, Patch, PoseDerivative, __version__
+from ._native import (
+    Body,
+    Box,
+    Capsule,
+    Cone,
+    Contact,
+    ConvexBody,
+    Cylinder,
+    Frustum,
+    HalfSpace,
+    Patch,
+    Polyhedron,
+    PolySuperellipsoid,
+    PoseDerivative,
+    Superellipsoid,
+    __version__,
+)
 from ._program import find_program
 from ._solve import Diagnosis, Method, diagnose, methods, solve
 from ._words import Status, Verdict
@@ -36,16 +53,26 @@ __all__ = [
     "Bodies",
     "Body",
     "Bounds",
+    "Box",
     "Campaign",
+    "Capsule",
     "Certificate",
+    "Cone",
     "Contact",
     "Contacts",
+    "ConvexBody",
+    "Cylinder",
     "Diagnosis",
+    "Frustum",
+    "HalfSpace",
     "Method",
     "Patch",
+    "PolySuperellipsoid",
+    "Polyhedron",
     "PoseDerivative",
     "Replay",
     "Status",
+    "Superellipsoid",
     "Verdict",
     "__version__",
     "bodies_of",

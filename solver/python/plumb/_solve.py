@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._native import Body, Contact
+from ._native import Body, Contact, ConvexBody
 from ._words import words_of
 
 
@@ -40,8 +40,8 @@ def methods() -> list[Method]:
 
 
 def solve(
-    body1: Body,
-    body2: Body,
+    body1: Body | ConvexBody,
+    body2: Body | ConvexBody,
     method: str = "auto",
     *,
     want: str | Iterable[str] = ("overlap", "normal", "points"),
@@ -53,10 +53,10 @@ def solve(
 ) -> Contact:
     """Solves the contact of a pair.
 
-    body1, body2     lengths in one unit, world frame
-    method           a name of ``methods()``
+    body1, body2     lengths in one unit, world frame; a Body, or a ConvexBody of any shape
+    method           a name of ``methods()``; ``auto`` alone where a ConvexBody is one of the pair
     want             of overlap, normal, points, curvature, derivatives, patch, or all of them as "overlap,normal"; none: the
-                     verdict alone. Curvature, derivatives and patch are of ``auto`` only.
+                     verdict alone. Curvature, derivatives and patch are of ``auto`` and two Body only.
     motion           (3,) velocity of body 2 relative to body 1, any unit; ``first_touch`` goes back along it
     last             an earlier answer for bodies of these shapes nearby: where the search starts (a warm start)
     iteration_limit  of each local solve

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/tests/c_api/owned_hull.hpp"
 #include "properties/tests/extremes.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/c/door.hpp"
@@ -38,11 +39,12 @@ class Caller {
 
   /// What is wrong with what came back; empty where nothing is.
   [[nodiscard]] std::string call() {
-    switch (draw_.below(8)) {
+    switch (draw_.below(9)) {
       case 0: return describe();
       case 1: return batch();
       case 2: return batch_by_c();
       case 3: return door();
+      case 4: return convex();
       default: return solve();
     }
   }
@@ -113,6 +115,48 @@ class Caller {
     plumb_contact contact{};
     const int error = plumb_solve(&pair, draw_.one_in(5) ? nullptr : &options, context, &contact,
                                   draw_.one_in(2) ? details : nullptr);
+    return error == PLUMB_OK ? fault_of(contact) : std::string();
+  }
+
+  /// Of any points, some of them the same; null where one is not finite.
+  [[nodiscard]] OwnedHull any_hull() {
+    std::vector<double> points(3 * draw_.below(9));
+    const double size = draw_.power_of_ten(-300, 300);
+    for (double& x : points)
+      x = draw_.one_in(50) ? draw_.anything() : size * draw_.any_of({-1.0, 0.0, 1.0, draw_.uniform(-1, 1)});
+    int error = PLUMB_OK;
+    return OwnedHull(plumb_hull_create(points.data(), points.size() / 3, draw_.one_in(2) ? &error : nullptr));
+  }
+
+  [[nodiscard]] plumb_convex_body any_convex_body(const plumb_hull* hull) {
+    plumb_convex_body out{};
+    out.shape.kind = draw_.one_in(50) ? static_cast<int>(draw_.bits()) : static_cast<int>(draw_.below(9));
+    out.shape.hull = hull;
+    const double size = draw_.one_in(2) ? 1 : draw_.power_of_ten(-300, 300);
+    const bool has_exponents =
+        out.shape.kind == PLUMB_SHAPE_SUPERELLIPSOID || out.shape.kind == PLUMB_SHAPE_POLY_SUPERELLIPSOID;
+    for (double& x : out.shape.parameters) x = size * draw_.uniform(0.2, 1);
+    const std::size_t exponents = out.shape.kind == PLUMB_SHAPE_SUPERELLIPSOID ? 3 : 6;
+    for (std::size_t k = 0; k < 2 && has_exponents; ++k)
+      out.shape.parameters[exponents + k] = draw_.any_of({1.001, 2.0, 8.0, 1e6});
+    if (draw_.one_in(3)) out.swept_radius = size * draw_.uniform(0, 1);
+    for (double& x : out.position) x = size * draw_.uniform(-1, 1);
+    for (double& component : out.quaternion_wxyz) component = draw_.uniform(-1, 1);
+    if (draw_.one_in(4)) out.shape.parameters[draw_.below(8)] = draw_.anything();
+    if (draw_.one_in(10)) out.position[draw_.below(3)] = draw_.anything();
+    return out;
+  }
+
+  [[nodiscard]] std::string convex() {
+    const OwnedHull hull1 = any_hull(), hull2 = any_hull();
+    const plumb_convex_pair pair{{any_convex_body(hull1.get()), any_convex_body(hull2.get())}};
+    char text[100];
+    (void)plumb_describe_convex_input(&pair, text, draw_.below(sizeof text + 1));
+    const plumb_options options = any_options();
+    plumb_context context{};
+    plumb_contact contact{};
+    const int error =
+        plumb_solve_convex(&pair, draw_.one_in(2) ? nullptr : &options, draw_.one_in(2) ? nullptr : &context, &contact);
     return error == PLUMB_OK ? fault_of(contact) : std::string();
   }
 
