@@ -19,11 +19,14 @@ ConvexBody point_at(const Vec3<double>& x) {
   return {Capsule{0, 0}, 0, x, {1, 0, 0, 0}};
 }
 
-/// A bound of the distance outside: of the point less the radius, drawn in until it is proved to be of the core. The general bound
-/// comes from a search that is slow on curved surfaces: 1e-11 where the point is 3e-16 away.
+/// A bound of the distance outside: of the point less the radius, drawn in until it is proved to be of the core, and from the face that
+/// is farthest along the normal. The general bound comes from a search that is slow on curved surfaces, 1e-11 where the point is 3e-16 away,
+/// and does not tell the faces of a thin plate.
 double outside_at_most(const ConvexBody& body, const Vec3<double>& x, const Vec3<double>& normal) {
   const PlacedCores pair({body, point_at(x)});
-  const double lower = proved_everywhere(pair, {{pair.on_surface(normal)}, {1}, 0});
+  const double lower =
+      std::max(proved_everywhere(pair, {{pair.on_surface(normal)}, {1}, 0}),
+               proved_everywhere(pair, nearest_point_from(pair, nearest_on_face(pair, normal.stableNormalized()))));
   return not_below_zero(high(times_power_of_two<I>(-(I(lower) + pair.radii()), pair.exponent())));
 }
 

@@ -89,9 +89,14 @@ Mixture mixture_in(const PlacedCores& pair, const CornersOfCell& corners, std::v
 }
 
 Mixture nearest_point(const PlacedCores& pair) {
+  return nearest_point_from(
+      pair, {{pair.farthest(-pair.rough_centre() + Vec3<double>(0, 0, std::numeric_limits<double>::min()))}, {1}, 0});
+}
+
+Mixture nearest_point_from(const PlacedCores& pair, Mixture start) {
   constexpr int rounds = 100;
-  Mixture out{{pair.farthest(-pair.rough_centre() + Vec3<double>(0, 0, std::numeric_limits<double>::min()))}, {1}, 0};
-  Vec3<double> w = out.atoms[0].w;
+  Mixture out = std::move(start);
+  Vec3<double> w = mixed(out);
   for (int k = 0; k < rounds && w.squaredNorm() > 0; ++k) {
     const Atom atom = pair.farthest(-w);
     if (!(w.squaredNorm() - atom.w.dot(w) > rounding * w.norm())) break;
@@ -102,6 +107,29 @@ Mixture nearest_point(const PlacedCores& pair) {
     keep_used(next.atoms, next.weights);
     const Vec3<double> nearer = mixed(next);
     if (!(nearer.squaredNorm() < w.squaredNorm())) break;
+    out = std::move(next);
+    w = nearer;
+    if (out.atoms.size() == 4) break;
+  }
+  return out;
+}
+
+Mixture nearest_on_face(const PlacedCores& pair, const Vec3<double>& n) {
+  constexpr int rounds = 40;
+  constexpr double aside = 0x1p-44;  // what is lower by more than this is of another face
+  const auto across = [&](const Vec3<double>& w) { return Vec3<double>(w - w.dot(n) * n); };
+  Mixture out{{pair.farthest(n)}, {1}, 0};
+  Vec3<double> w = across(out.atoms[0].w);
+  for (int k = 0; k < rounds && w.norm() > rounding; ++k) {
+    Mixture next = out;
+    next.atoms.push_back(pair.farthest(n - aside * w.normalized()));
+    Points flat = points_of(next.atoms);
+    for (Vec3<double>& point : flat) point = across(point);
+    next.weights = nearest_mixture(flat);
+    if (next.weights.empty()) break;
+    keep_used(next.atoms, next.weights);
+    const Vec3<double> nearer = across(mixed(next));
+    if (!(nearer.norm() < w.norm())) break;
     out = std::move(next);
     w = nearer;
     if (out.atoms.size() == 4) break;

@@ -32,6 +32,10 @@ struct Enough {
 
 /// The point of A nearest to the origin; the origin itself where the cores overlap.
 [[nodiscard]] Mixture nearest_point(const PlacedCores& pair);
+[[nodiscard]] Mixture nearest_point_from(const PlacedCores& pair, Mixture start);
+/// The point nearest to the line through the origin along a unit n, of those of A that are farthest along n, to rounding: a face of a
+/// plate is told from its other face.
+[[nodiscard]] Mixture nearest_on_face(const PlacedCores& pair, const Vec3<double>& n);
 [[nodiscard]] Vec3<double> mixed(const Mixture& mixture);
 
 /// Downhill from a direction to the lowest one near it, with the mixture that shows how low the overlap may be there.
