@@ -93,15 +93,14 @@ struct Lowest {
 [[nodiscard]] std::optional<Lowest> lowest_of_polytopes(const PlacedCores& pair, const Vec3<double>& line) {
   if (!pair.are_polytopes()) return std::nullopt;
   const Descent descent(pair);
-  const bool has_many_edges =
-      std::holds_alternative<HullCore>(pair.body1.core) || std::holds_alternative<HullCore>(pair.body2.core);
-  PolytopeMinimum minimum(pair, has_many_edges ? descent.some_steps_from(line) : line);
+  PolytopeMinimum minimum(pair, pair.has_hull() ? descent.some_steps_from(line) : line);
   const auto normal = minimum.lowest();
   if (!normal || !(pair.overlap(*normal) > pair.rounding())) return std::nullopt;
   for (const auto& n : {minimum.face_as_low(), normal}) {
     if (!n) continue;
-    for (const auto& found : {SharedFace(pair, *n).contact(), std::optional(descent.along(*n))})
-      if (found && descent.is_exact(*found)) return Lowest{*found, true, 0};
+    if (const auto shared = SharedFace(pair, *n).contact(); shared && descent.is_exact(*shared))
+      return Lowest{*shared, true, 0};
+    if (const CommonNormal found = descent.along(*n); descent.is_exact(found)) return Lowest{found, true, 0};
   }
   const CommonNormal beside = descent.from(*normal);
   if (!descent.is_exact(beside) || beside.overlap > pair.overlap(*normal) + pair.rounding()) return std::nullopt;
@@ -134,9 +133,13 @@ template <class Search>
 [[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
   const Vec3<double>& c = pair.body2.centre;
   const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
+  // Of few edges all crossings are looked at sooner than the nearest points are found.
+  const bool are_few_edges = !pair.has_hull() && pair.are_polytopes() && pair.overlap(line) > 0;
+  if (are_few_edges)
+    if (const auto overlapping = lowest_of_polytopes(pair, line)) return *overlapping;
   const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
   if (!nearest.is_inside && pair.overlap(nearest.normal) < 0) return nearest_points(pair, nearest);
-  const auto of_polytopes = lowest_of_polytopes(pair, line);
+  const auto of_polytopes = are_few_edges ? std::nullopt : lowest_of_polytopes(pair, line);
   return of_polytopes ? *of_polytopes : lowest_by_search(pair, line);
 }
 

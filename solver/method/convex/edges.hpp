@@ -5,6 +5,11 @@
 
 namespace plumb::detail {
 
+/// The numbers of an edge's corners.
+struct Ends {
+  int from, to;
+};
+
 /// An edge from corner to corner, and the normals of its two faces; a segment's has none.
 struct EdgeOfCore {
   Vec3<double> from, to;
@@ -14,6 +19,16 @@ struct EdgeOfCore {
   [[nodiscard]] Vec3<double> direction() const { return to - from; }
 };
 
+/// Whose edges have few directions, each at every corner: a box, a segment.
+template <class Edges>
+concept HasDirections = requires(const Edges& edges) { edges.directions(); };
+
+/// Across both, of any length: across what of `other` is across `along`, for the product of two that are nearly parallel would be known
+/// to rounding over their angle alone.
+[[nodiscard]] inline Vec3<double> crossing_of(const Vec3<double>& along, const Vec3<double>& other) {
+  return along.cross(other - other.dot(along) / along.squaredNorm() * along);
+}
+
 inline const std::array<Vec3<double>, 2> none{Vec3<double>::Zero(), Vec3<double>::Zero()};
 
 struct SegmentEdges {
@@ -22,7 +37,10 @@ struct SegmentEdges {
   [[nodiscard]] static int faces() { return 0; }
   [[nodiscard]] static Vec3<double> face_normal(int) { return Vec3<double>::Zero(); }
   [[nodiscard]] int edges() const { return core.half_length > 0 ? 1 : 0; }
+  [[nodiscard]] static Ends ends(int) { return {0, 1}; }
   [[nodiscard]] EdgeOfCore edge(int) const { return {core.corner(0), core.corner(1), none, false}; }
+  [[nodiscard]] int directions() const { return edges(); }
+  [[nodiscard]] static Vec3<double> direction(int) { return Vec3<double>::UnitZ(); }
 };
 
 struct BoxEdges {
@@ -32,13 +50,22 @@ struct BoxEdges {
   [[nodiscard]] static Vec3<double> face_normal(int k) { return (k % 2 == 0 ? -1.0 : 1.0) * Vec3<double>::Unit(k / 2); }
   [[nodiscard]] static int edges() { return 12; }
   /// Four along each axis.
-  [[nodiscard]] EdgeOfCore edge(int k) const {
-    const int axis = k / 4, second = (axis + 1) % 3, third = (axis + 2) % 3;
-    const double along_second = k % 2 == 0 ? -1 : 1, along_third = k / 2 % 2 == 0 ? -1 : 1;
-    const Vec3<double> n2 = along_second * Vec3<double>::Unit(second), n3 = along_third * Vec3<double>::Unit(third);
-    const Vec3<double>&a = core.half_extents, along = Vec3<double>::Unit(axis);
-    return {a.cwiseProduct(n2 + n3 - along), a.cwiseProduct(n2 + n3 + along), {n2, n3}, true};
+  [[nodiscard]] static Ends ends(int k) {
+    const int axis = k / 4, from = (k % 2 << second(axis)) + (k / 2 % 2 << third(axis));
+    return {from, from + (1 << axis)};
   }
+  [[nodiscard]] EdgeOfCore edge(int k) const {
+    const int axis = k / 4;
+    const Vec3<double> n2 = (k % 2 == 0 ? -1.0 : 1.0) * Vec3<double>::Unit(second(axis)),
+                       n3 = (k / 2 % 2 == 0 ? -1.0 : 1.0) * Vec3<double>::Unit(third(axis));
+    return {core.corner(ends(k).from), core.corner(ends(k).to), {n2, n3}, true};
+  }
+  [[nodiscard]] static int directions() { return 3; }
+  [[nodiscard]] static Vec3<double> direction(int axis) { return Vec3<double>::Unit(axis); }
+
+ private:
+  [[nodiscard]] static int second(int axis) { return (axis + 1) % 3; }
+  [[nodiscard]] static int third(int axis) { return (axis + 2) % 3; }
 };
 
 struct HullEdges {
@@ -49,9 +76,13 @@ struct HullEdges {
     return core.hull->faces[static_cast<std::size_t>(k)].normal;
   }
   [[nodiscard]] int edges() const { return static_cast<int>(core.hull->edges.size()); }
+  [[nodiscard]] Ends ends(int k) const {
+    const auto& corners = core.hull->edges[static_cast<std::size_t>(k)].corners;
+    return {corners[0], corners[1]};
+  }
   [[nodiscard]] EdgeOfCore edge(int k) const {
     const HullEdge& e = core.hull->edges[static_cast<std::size_t>(k)];
-    const Vec3<double> from = core.corner(e.corners[0]), to = core.corner(e.corners[1]);
+    const Vec3<double> from = core.corner(ends(k).from), to = core.corner(ends(k).to);
     if (e.faces[0] < 0) return {from, to, none, false};
     return {from, to, {face_normal(e.faces[0]), face_normal(e.faces[1])}, true};
   }

@@ -61,6 +61,9 @@ struct PlacedCores {
     return {first.point, second.point, first.piece, second.piece};
   }
   [[nodiscard]] bool are_polytopes() const { return body1.is_polytope() && body2.is_polytope(); }
+  [[nodiscard]] bool has_hull() const {
+    return std::holds_alternative<HullCore>(body1.core) || std::holds_alternative<HullCore>(body2.core);
+  }
   /// Of overlaps: less than this apart they are the same.
   [[nodiscard]] double rounding() const { return 64 * std::numeric_limits<double>::epsilon() * size; }
   /// o(n).

@@ -20,10 +20,12 @@ class PolytopeMinimum {
   /// `known`: a unit direction whose overlap is low already, and above 0.
   PolytopeMinimum(const PlacedCores& pair, const Vec3<double>& known)
       : pair_(pair), best_(pair.overlap(known) * (1 + margin)) {
+    if (!pair.has_hull()) return;  // few faces and edges: all are looked at
     const Vec3<double> s = known.unitOrthogonal(), t = known.cross(s);
-    for (std::size_t k = 0; k < witnesses_.size(); ++k) {
-      const double aside = k % 2 == 0 ? wide : narrow, angle = eighth_turn * static_cast<double>(k);
-      witnesses_[k] = pair.support((known + aside * (std::cos(angle) * s + std::sin(angle) * t)).normalized()).w();
+    for (; witness_count_ < witnesses_.size(); ++witness_count_) {
+      const std::size_t k = witness_count_;
+      const double aside = k % 2 == 0 ? wide : narrow;
+      witnesses_[k] = pair.support((known + aside * (eighths[k + 2] * s + eighths[k] * t)).normalized()).w();
     }
   }
 
@@ -42,7 +44,9 @@ class PolytopeMinimum {
 
  private:
   static constexpr int together = 12;
-  static constexpr double eighth_turn = 0.785398163397448, wide = 2, narrow = 0.5;
+  static constexpr double wide = 2, narrow = 0.5;
+  static constexpr std::array<double, 10> eighths{0,    0.7, 1,    0.7, 0,
+                                                  -0.7, -1,  -0.7, 0,   0.7};  // about the sine of k turns
   static constexpr double margin = 1e-9;  // a normal that is known may be that of a face, to rounding
 
   /// o(n).
@@ -54,7 +58,7 @@ class PolytopeMinimum {
 
   /// Whether a witness is higher than the lowest that is known, along both.
   [[nodiscard]] bool is_left_out(const Vec3<double>& n1, const Vec3<double>& n2) const {
-    return std::any_of(witnesses_.begin(), witnesses_.end(),
+    return std::any_of(witnesses_.begin(), witnesses_.begin() + static_cast<std::ptrdiff_t>(witness_count_),
                        [&](const Vec3<double>& w) { return w.dot(n1) > best_ && w.dot(n2) > best_; });
   }
 
@@ -67,6 +71,24 @@ class PolytopeMinimum {
     };
     for (int k = 0; k < first.faces(); ++k) consider_unless_high(r1 * first.face_normal(k));
     for (int k = 0; k < second.faces(); ++k) consider_unless_high(-(r2 * second.face_normal(k)));
+    look_at_crossings(first, second);
+  }
+
+  /// Each two directions of edges cross somewhere, on one side or the other.
+  template <HasDirections First, HasDirections Second>
+  void look_at_crossings(const First& first, const Second& second) {
+    for (int i = 0; i < first.directions(); ++i)
+      for (int j = 0; j < second.directions(); ++j) {
+        const Vec3<double> product =
+            crossing_of(pair_.body1.rotation * first.direction(i), pair_.body2.rotation * second.direction(j));
+        if (!(product.squaredNorm() > 0)) continue;
+        const Vec3<double> n = product.normalized();
+        consider(n.dot(pair_.body2.centre) < 0 ? (-n).eval() : n);  // o is as high along both, but for the centres
+      }
+  }
+
+  template <class First, class Second>
+  void look_at_crossings(const First& first, const Second& second) {
     std::array<EdgeOfCore, together> against;
     int count = 0;
     for (int j = 0; j < second.edges(); ++j) {
@@ -90,8 +112,7 @@ class PolytopeMinimum {
   void look_at_edges(const EdgeOfCore& a, const EdgeOfCore& b) {
     const Vec3<double> along = a.direction(), other = b.direction();
     if (!is_crossed_by(a, other) || !is_crossed_by(b, along)) return;
-    // Across `along`: the product of two that are nearly parallel would be known to rounding over their angle alone.
-    const Vec3<double> across = other - other.dot(along) / along.squaredNorm() * along, product = along.cross(across);
+    const Vec3<double> product = crossing_of(along, other);
     if (!(product.squaredNorm() > 0)) return;
     const Vec3<double> n = product.normalized();
     for (const double sign : {1.0, -1.0})  // the arcs cross at one of the two; along the other o is no lower than it is
@@ -107,6 +128,7 @@ class PolytopeMinimum {
   double best_, best_face_ = std::numeric_limits<double>::infinity();
   std::optional<Vec3<double>> normal_, face_;
   std::array<Vec3<double>, 8> witnesses_;
+  std::size_t witness_count_ = 0;
 };
 
 }  // namespace plumb::detail

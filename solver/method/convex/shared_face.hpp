@@ -43,17 +43,19 @@ class Polygon {
     for (int k = 0; k < count_; ++k) out = std::max(out, outward.dot((*this)[k]));
     return out;
   }
-  /// What lies in outward.x <= bound.
-  [[nodiscard]] Polygon cut(const Flat& outward, double bound) const {
-    Polygon out;
+  /// Leaves what lies in outward.x <= bound.
+  void cut(const Flat& outward, double bound) {
+    std::array<Flat, most> left;
+    int count = 0;
+    const auto keep = [&](const Flat& x) { left[static_cast<std::size_t>(count++)] = x; };
     for (int k = 0; k < count_; ++k) {
       const Flat &from = (*this)[k], &to = (*this)[k + 1];
       const double before = outward.dot(from) - bound, after = outward.dot(to) - bound;
-      if (before <= 0) out.add(from);
-      if ((before < 0 && after > 0) || (before > 0 && after < 0))
-        out.add(from + before / (before - after) * (to - from));
+      if (before <= 0) keep(from);
+      if ((before < 0 && after > 0) || (before > 0 && after < 0)) keep(from + before / (before - after) * (to - from));
     }
-    return out;
+    std::copy_n(left.begin(), count, points_.begin());
+    count_ = count;
   }
   /// The centroid; of what has next to no area that of its corners. There is one at least.
   [[nodiscard]] Flat middle() const {
@@ -93,8 +95,8 @@ class SharedFace {
   [[nodiscard]] std::optional<CommonNormal> contact() const {
     const auto first = face(pair_.body1, farthest_.point1, 1), second = face(pair_.body2, farthest_.point2, -1);
     if (!first || !second) return std::nullopt;
-    Polygon shared = cut(*first, *second, 0);
-    if (shared.size() == 0) shared = cut(*first, *second, pair_.rounding());
+    Polygon shared = shared_by(*first, *second, 0);
+    if (shared.size() == 0) shared = shared_by(*first, *second, pair_.rounding());
     if (shared.size() == 0) return std::nullopt;
     const Flat middle = shared.middle();
     const auto at = [&](const Vec3<double>& x) {
@@ -107,9 +109,9 @@ class SharedFace {
  private:
   static constexpr int most_corners = 24;
 
-  /// What lies within `by`, a polygon whose sides are moved outwards by `aside`; where it has none, in the box about it.
-  [[nodiscard]] static Polygon cut(Polygon out, const Polygon& by, double aside) {
-    const auto cut_across = [&](const Flat& outward) { out = out.cut(outward, by.farthest(outward) + aside); };
+  /// What of a polygon lies in `by`, whose sides are moved outwards by `aside`, and in the box about it: where it has no sides.
+  [[nodiscard]] static Polygon shared_by(Polygon out, const Polygon& by, double aside) {
+    const auto cut_across = [&](const Flat& outward) { out.cut(outward, by.farthest(outward) + aside); };
     for (int k = 0; k < by.size(); ++k) {
       const Flat side = by[k + 1] - by[k];
       if (const double length = side.norm(); length > 0) cut_across(Flat(side[1], -side[0]) / length);
@@ -120,20 +122,25 @@ class SharedFace {
 
   /// A body's points that are as far along sign times the normal as `farthest`, but for rounding.
   [[nodiscard]] std::optional<Polygon> face(const PlacedCore& body, const Vec3<double>& farthest, double sign) const {
+    const Mat3<double> to_body = body.rotation.transpose();
+    const Vec3<double> u = sign * (to_body * normal_), s = to_body * s_, t = to_body * t_;
+    const Flat centre(s_.dot(body.centre), t_.dot(body.centre));
+    const double reach = sign * (farthest - body.centre).dot(normal_) - pair_.rounding();
     Polygon corners;
     const auto add = [&](const Vec3<double>& x) {
-      const Flat seen(s_.dot(x), t_.dot(x));
+      const Flat seen = Flat(s.dot(x), t.dot(x)) + centre;
       if (corners.size() <= most_corners && !corners.holds(seen)) corners.add(seen);
     };
-    const auto below = [&](const Vec3<double>& x) { return sign * (farthest - x).dot(normal_) - pair_.rounding(); };
-    add(farthest);
+    const auto below = [&](const Vec3<double>& x) { return reach - x.dot(u); };
+    add(to_body * (farthest - body.centre));
     (void)with_edges(body.core, [&](const auto& polytope) {
       for (int k = 0; k < polytope.edges(); ++k) {
-        const EdgeOfCore edge = placed(body, polytope.edge(k), 1);
-        const double from = below(edge.from), to = below(edge.to);
-        if (from > 0 && to > 0) continue;
-        add(from > 0 ? edge.to + to / (to - from) * (edge.from - edge.to) : edge.from);
-        add(to > 0 ? edge.from + from / (from - to) * (edge.to - edge.from) : edge.to);
+        const Ends ends = polytope.ends(k);
+        const Vec3<double> from = polytope.core.corner(ends.from), to = polytope.core.corner(ends.to);
+        const double before = below(from), after = below(to);
+        if (before > 0 && after > 0) continue;
+        add(before > 0 ? to + after / (after - before) * (from - to) : from);
+        add(after > 0 ? from + before / (before - after) * (to - from) : to);
       }
     });
     if (corners.size() > most_corners) return std::nullopt;
