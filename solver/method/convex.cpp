@@ -17,8 +17,9 @@ namespace {
 /// The core of a shape in the pair's unit, 2^exponent of the caller's.
 struct CoreOf {
   PowerOfTwo<double> unit;
+  bool is_moderate;
 
-  explicit CoreOf(int exponent) : unit(-exponent) {}
+  explicit CoreOf(int exponent) : unit(-exponent), is_moderate(std::abs(exponent) < 400) {}
 
   RoundedCore operator()(const Superellipsoid<double>& s) const {
     const Vec3<double> a = unit(s.semi_axes);
@@ -38,7 +39,7 @@ struct CoreOf {
     return {FrustumCore{{-below, h - below}, {r, t}}, 0};
   }
   RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
-  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit}, 0}; }
+  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit, is_moderate}, 0}; }
   RoundedCore operator()(const PolySuperellipsoid& s) const {
     SmoothCore core{{}, s.n1, s.n2};
     std::transform(s.semi_axes.begin(), s.semi_axes.end(), core.semi_axes.begin(), unit);

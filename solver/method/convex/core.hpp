@@ -61,18 +61,28 @@ struct BoxCore {
 struct HullCore {
   const Hull* hull;
   PowerOfTwo<double> unit;
+  bool
+      is_moderate;  ///< heights in the hull's own unit are far from the ends of double: they tell the farthest corner as well
 
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
-    int best = 0;
-    double height = -std::numeric_limits<double>::infinity();
-    for (int k = 0; k < static_cast<int>(hull->corners.size()); ++k)
-      if (const double of_k = corner(k).dot(u); of_k > height) height = of_k, best = k;
+    const int best = is_moderate ? farthest([&](const Vec3<double>& x) { return x.dot(u); })
+                                 : farthest([&](const Vec3<double>& x) { return unit(x).dot(u); });
     return {corner(best), best};
   }
   [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
     return {corner(piece), Mat3<double>::Zero()};
   }
   [[nodiscard]] Vec3<double> corner(int k) const { return unit(hull->corners[static_cast<std::size_t>(k)]); }
+
+ private:
+  template <class Height>
+  [[nodiscard]] int farthest(const Height& height_of) const {
+    std::size_t best = 0;
+    double height = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < hull->corners.size(); ++k)
+      if (const double of_k = height_of(hull->corners[k]); of_k > height) height = of_k, best = k;
+    return static_cast<int>(best);
+  }
 };
 
 /// The hull of two circles about the z axis, the lower of which is piece 0; either radius may be 0. A cylinder, a cone, a frustum.
