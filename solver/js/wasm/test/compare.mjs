@@ -1,5 +1,6 @@
-// node compare.mjs PACKAGE NATIVE [--exact] [--pairs N] [--seed S] holds the package's answers against those of NATIVE, the program made
-// of native_door.cpp and the library.
+// node compare.mjs PACKAGE LIBRARY SCALAR [--pairs N] [--seed S] holds the package's answers against those of two programs made of
+// native_door.cpp: LIBRARY with the library, and SCALAR with the library as WebAssembly can have it, whose answers are to be the same to
+// the last bit.
 //
 // A number agrees where it differs by at most 4 epsilon: overlaps of the larger body's size, normals of 1, points of the size or of the
 // place, whichever is larger. Statuses agree where they are the same. A line a method; exit 1 where one is beyond its limits.
@@ -29,11 +30,12 @@ const { values, positionals } = parseArgs({
   options: {
     pairs: { type: "string", default: "10000" },
     seed: { type: "string", default: "1" },
-    exact: { type: "boolean", default: false },
   },
   allowPositionals: true,
 });
-const [folder, program] = positionals;
+const [folder, ...programs] = positionals;
+/** Without FMA glibc's exp, log and pow round as musl's do, which are the same algorithms. */
+const WITHOUT_FMA = "glibc.cpu.hwcaps=-FMA_Usable,-FMA4_Usable,-AVX2_Usable,-FMA,-FMA4,-AVX2";
 const { load } = await import(pathToFileURL(resolve(folder, "plumb_contact.mjs")).href);
 const plumb = await load();
 const cases = [...pairs(Number(values.pairs), Number(values.seed))];
@@ -57,7 +59,7 @@ const numbersOf = ({ semi_axes, exponents, position, quaternion }) => [
   ...quaternion,
 ];
 
-function nativeAnswers() {
+function nativeAnswers(program, isExact) {
   const given = new Float64Array(cases.length * methods.length * RECORD);
   let at = 0;
   for (const one of cases)
@@ -65,7 +67,11 @@ function nativeAnswers() {
       given.set([methods.indexOf(method), ...pairOf(one).bodies.flatMap(numbersOf)], at);
       at += RECORD;
     }
-  const { status, stdout } = spawnSync(resolve(program), { input: new Uint8Array(given.buffer), maxBuffer: 2 ** 30 });
+  const { status, stdout } = spawnSync(resolve(program), {
+    input: new Uint8Array(given.buffer),
+    maxBuffer: 2 ** 30,
+    env: { ...process.env, ...(isExact ? { GLIBC_TUNABLES: WITHOUT_FMA } : {}) },
+  });
   const answers = new Float64Array(new Uint8Array(stdout).buffer);
   if (status !== 0 || answers.length !== cases.length * methods.length * ANSWER)
     throw new Error(`${program}: exit ${status}, ${answers.length} numbers`);
@@ -111,13 +117,11 @@ const areRight = (method, mine, native, auto) =>
   [mine.normal, normalOf(native)].every((normal) => degrees(normal, normalOf(auto)) <= RIGHT);
 
 const empty = () => ({ same: 0, status: 0, number: 0, worst: 0, right: 0, worstRight: 0, first: "" });
-const rows = new Map(methods.map((name) => [name, empty()]));
 
 /** The word of a status's number, as its first answer has it. */
 const words = new Map([[0, "converged"]]);
 
-function hold(row, name, pair, method, native, auto) {
-  const mine = plumb.solve(pair, { method });
+function hold(row, name, pair, method, mine, native, auto) {
   const isConverged = native[0] === 0;
   if (!words.has(native[0])) words.set(native[0], mine.status);
   if (words.get(native[0]) !== mine.status) {
@@ -137,22 +141,35 @@ function hold(row, name, pair, method, native, auto) {
   row.first ||= name;
 }
 
-const answers = nativeAnswers();
+const natives = programs.map((program, at) => ({
+  program,
+  isExact: at === 1,
+  answers: nativeAnswers(program, at === 1),
+  rows: new Map(methods.map((name) => [name, empty()])),
+}));
 cases.forEach((one, index) => {
-  const answer = (at) => answers.subarray((index * methods.length + at) * ANSWER, (index * methods.length + at + 1) * ANSWER);
-  methods.forEach((method, at) => hold(rows.get(method), one.name, pairOf(one), method, answer(at), answer(AUTO)));
+  const pair = pairOf(one);
+  methods.forEach((method, at) => {
+    const mine = plumb.solve(pair, { method });
+    for (const { answers, rows } of natives) {
+      const answer = (which) => answers.subarray((index * methods.length + which) * ANSWER).subarray(0, ANSWER);
+      hold(rows.get(method), one.name, pair, method, mine, answer(at), answer(AUTO));
+    }
+  });
 });
 
 const column = (text, width) => String(text).padStart(width);
-const limitsOf = (name) => (values.exact ? LIMITS.exact : (LIMITS[name] ?? LIMITS.published));
-console.log(
-  `${cases.length} pairs; equal to the last bit; another status; beyond ${EPSILONS} epsilon; largest difference in epsilons; both right; their largest`,
-);
-for (const [name, row] of rows)
+for (const { program, isExact, rows } of natives) {
+  const limitsOf = (name) => (isExact ? LIMITS.exact : (LIMITS[name] ?? LIMITS.published));
   console.log(
-    `${name.padEnd(28)}${[row.same, row.status, row.number].map((n) => column(n, 8)).join("")}` +
-      `${column(row.worst.toPrecision(3), 12)}${column(row.right, 8)}${column(row.worstRight.toPrecision(3), 12)}  ${row.first}`,
+    `${program}: ${cases.length} pairs; equal to the last bit; another status; beyond ${EPSILONS} epsilon; largest difference in epsilons; both right; their largest`,
   );
-const beyond = [...rows].filter(([name, row]) => Object.entries(limitsOf(name)).some(([what, most]) => row[what] > most));
-for (const [name] of beyond) console.log(`${name}: beyond its limits, ${JSON.stringify(limitsOf(name))}`);
-process.exitCode = beyond.length > 0 ? 1 : 0;
+  for (const [name, row] of rows)
+    console.log(
+      `${name.padEnd(28)}${[row.same, row.status, row.number].map((n) => column(n, 8)).join("")}` +
+        `${column(row.worst.toPrecision(3), 12)}${column(row.right, 8)}${column(row.worstRight.toPrecision(3), 12)}  ${row.first}`,
+    );
+  const beyond = [...rows].filter(([name, row]) => Object.entries(limitsOf(name)).some(([what, most]) => row[what] > most));
+  for (const [name] of beyond) console.log(`${name}: beyond its limits, ${JSON.stringify(limitsOf(name))}`);
+  if (beyond.length > 0) process.exitCode = 1;
+}
