@@ -107,6 +107,14 @@ class Times(InAFolder):
         self.assertEqual(ran.returncode, 1)
         self.assertEqual(ran.stdout.splitlines()[-1], "other/cheap: 61 s, its limit is 60 (.ci/limits.tsv)")
 
+    def test_a_slower_machine_has_wider_limits(self):
+        names = [f"other{k}" for k in range(8)]
+        self.write(".ci/limits.tsv", "default\t60\nfast/dear\t100\n" + "".join(f"fast/{name}\t90\n" for name in names))
+        self.write("build/fast/times.log", "dear\ta.o\t190\t0\n" + "".join(f"{name}\ta.o\t60\t0\n" for name in names))
+        self.assertEqual(self.times().returncode, 0)
+        self.write("build/fast/times.log", "dear\ta.o\t210\t0\n" + "".join(f"{name}\ta.o\t60\t0\n" for name in names))
+        self.assertEqual(self.times().stdout.splitlines()[-1], "fast/dear: 210 s, its limit is 200 (.ci/limits.tsv)")
+
     def test_an_update_leaves_room(self):
         self.assertEqual(self.times("--update").returncode, 0)
         rows = (self.top / ".ci/limits.tsv").read_text().splitlines()[1:]
