@@ -76,10 +76,10 @@ class Polygon {
  private:
   [[nodiscard]] static double cross(const Flat& a, const Flat& b) { return a[0] * b[1] - a[1] * b[0]; }
   void turn_left_to(const Flat& x, int first) {
-    while (count_ > first && !(cross(points_[index(-1)] - points_[index(-2)], x - points_[index(-1)]) > 0)) --count_;
+    while (count_ > first && !(cross(before_end(1) - before_end(2), x - before_end(1)) > 0)) --count_;
     add(x);
   }
-  [[nodiscard]] std::size_t index(int back) const { return static_cast<std::size_t>(count_ + back); }
+  [[nodiscard]] const Flat& before_end(std::size_t k) const { return points_[static_cast<std::size_t>(count_) - k]; }
 
   std::array<Flat, most> points_;
   int count_ = 0;
