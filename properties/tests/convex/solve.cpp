@@ -150,7 +150,7 @@ TEST(Convex, AlignedBodiesAreRightOrStalled) {
           if (contact.status != Status::converged)
             ++stalled;
           else
-            EXPECT_LE(severity(pair, contact, judge_few_cells), 1)
+            EXPECT_LE(severity(pair, contact), 1)
                 << name(first) << " " << name(second) << " at " << place.transpose() << " turned by " << turn[1];
         }
   EXPECT_LE(stalled * 20, asked);  // axes that are common but for a little leave a long, even valley
