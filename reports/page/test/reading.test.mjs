@@ -8,25 +8,13 @@ import { makeReport } from "./support/fixture.mjs";
 import { makeFem } from "./support/fixture-fem.mjs";
 import { makePlayback } from "./support/fixture-playback.mjs";
 import { makeStudy } from "./support/fixture-study.mjs";
-import { withPage } from "./support/tab.mjs";
+import { views, withPage } from "./support/tab.mjs";
 
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 const small = (options) => makeReport({ failures: 8, cases: 1000, ...options });
 const scenes = () => [makePlayback({ bodies: 8, frames: 5 }), makePlayback({ name: "cut", frames: 5, ended: false })];
 const whole = () => ({ second: true, playbacks: scenes(), study: makeStudy(), fem: makeFem() });
-
-/** By day axe looks at each width and at each set of colours once, by night at all four. */
-const views = [
-  { width: 400, dark: false },
-  { width: 1400, dark: true },
-  ...(process.env.PLUMB_NIGHTLY === "1"
-    ? [
-        { width: 400, dark: true },
-        { width: 1400, dark: false },
-      ]
-    : []),
-];
 
 for (const { width, dark } of views)
   test(`axe finds nothing, ${width} pixels, ${dark ? "dark" : "light"}`, () =>

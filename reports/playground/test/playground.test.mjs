@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { withUrl } from "../../page/test/support/tab.mjs";
+import { views, withUrl } from "../../page/test/support/tab.mjs";
 
 const URL_OF_PAGE = pathToFileURL(resolve(process.env.PLUMB_PLAYGROUND)).href;
 const BIN = process.env.PLUMB_BIN;
@@ -35,18 +35,6 @@ const kinds = (page) =>
   page.$$eval("tr[data-method]", (rows) =>
     Object.fromEntries(rows.map(({ dataset }) => [dataset.method, dataset.kind])),
   );
-
-/** By day each width and each set of colours once, by night all four. */
-const views = [
-  { width: 400, dark: false },
-  { width: 1400, dark: true },
-  ...(process.env.PLUMB_NIGHTLY === "1"
-    ? [
-        { width: 400, dark: true },
-        { width: 1400, dark: false },
-      ]
-    : []),
-];
 
 for (const { width, dark } of views)
   test(`axe finds nothing and nothing is too wide, ${width} pixels, ${dark ? "dark" : "light"}`, () =>

@@ -4,6 +4,18 @@ import { after } from "node:test";
 import { launch, show } from "./browser.mjs";
 import { withFolder, writePage } from "./pages.mjs";
 
+/** Widths and colours that axe looks at: by day each width and each set of colours once, by night all four. */
+export const views = [
+  { width: 400, dark: false },
+  { width: 1400, dark: true },
+  ...(process.env.PLUMB_NIGHTLY === "1"
+    ? [
+        { width: 400, dark: true },
+        { width: 1400, dark: false },
+      ]
+    : []),
+];
+
 let browser;
 let tab;
 
