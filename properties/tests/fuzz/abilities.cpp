@@ -10,6 +10,7 @@
 #include "properties/generators/families.hpp"
 #include "properties/laws/judged_answer.hpp"
 #include "properties/tests/corpus/programs.hpp"
+#include "properties/tests/kept_references.hpp"
 
 namespace plumb {
 namespace {
@@ -32,7 +33,8 @@ class Limited : public testing::TestWithParam<const char*> {
 };
 
 void take(Outcome& out, const Solver& solver, const Pair& pair, const Accuracy& accuracy) {
-  Judge judge(pair);
+  static const ReferenceSource source = kept_references();
+  Judge judge(pair, source);
   const JudgedAnswer judged = solve_and_judge(judge, pair, solver, accuracy);
   ++(judged.asked ? out.asked : out.not_asked);
   if (!judged.asked) return;
