@@ -21,8 +21,12 @@ add_library(plumb_scene STATIC ${scene_sources} ${effect_sources})
 add_library(plumb::scene ALIAS plumb_scene)
 set_target_properties(plumb_scene PROPERTIES PLUMB_EFFECTS "${plumb_effects}")
 set_source_files_properties(scene/effects.cpp PROPERTIES INCLUDE_DIRECTORIES ${CMAKE_CURRENT_BINARY_DIR}/effects)
-# Each effect an object of its own: a program whose list leaves one out does not link it.
-set_source_files_properties(scene/effects.cpp ${effect_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+# Each effect an object of its own: a program whose list leaves one out does not link it. Fuzz targets leave none out.
+set(apart scene/effects.cpp)
+if(NOT PLUMB_FUZZERS)
+  list(APPEND apart ${effect_sources})
+endif()
+set_source_files_properties(${apart} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 target_link_libraries(plumb_scene PUBLIC plumb_solver PRIVATE plumb_batch $<BUILD_INTERFACE:plumb_flags> $<BUILD_INTERFACE:Boost::headers>)
 # Threads for the solver's calls in a step, where the compiler has them; g++'s flag is nothing for clang-tidy.
 if(NOT PLUMB_ONE_COMPILATION)
