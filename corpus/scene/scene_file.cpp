@@ -1,8 +1,11 @@
 #include "corpus/scene/scene_file.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "corpus/case/body_json.hpp"
@@ -15,13 +18,14 @@ namespace {
 
 constexpr const char* scene_format = "plumb/scene-1";
 
-constexpr std::array<OutputWord, 7> words_of_outputs{{{"touching", &Outputs::touching},
+constexpr std::array<OutputWord, 8> words_of_outputs{{{"touching", &Outputs::touching},
                                                       {"contacts", &Outputs::contacts},
                                                       {"dump", &Outputs::dump},
                                                       {"vtk", &Outputs::vtk},
                                                       {"playback", &Outputs::playback},
                                                       {"energy", &Outputs::energy},
-                                                      {"lives", &Outputs::lives}}};
+                                                      {"lives", &Outputs::lives},
+                                                      {"bulk", &Outputs::bulk}}};
 
 // What the fields of effects are of: read_value() for each kind, and its opposite.
 
@@ -189,7 +193,8 @@ void read_word(const Field& field, Outputs& out) {
   const std::string text = field.text();
   const auto found = std::ranges::find(words_of_outputs, text, &OutputWord::word);
   if (found == words_of_outputs.end())
-    field.fail("must be one of touching, contacts, dump, vtk, playback, energy, lives");
+    field.fail(
+        fmt::format("must be one of {}", fmt::join(words_of_outputs | std::views::transform(&OutputWord::word), ", ")));
   if (std::exchange(out.*found->asked, true)) field.fail("stands twice");
 }
 
@@ -202,9 +207,15 @@ void read_every(const Field& field, Outputs& out) {
   out.every_step = true;
 }
 
+Region read_region(const Field& field) {
+  field.require_object({"low", "high"});
+  return {field.member("low").vector(), field.member("high").vector()};
+}
+
 Outputs read_outputs(const Field& field) {
-  field.require_object({"every", "write"});
+  field.require_object({"every", "write", "region"});
   Outputs out;
+  if (const auto region = field.find("region")) out.region = read_region(*region);
   if (const auto every = field.find("every")) read_every(*every, out);
   if (const auto write = field.find("write"))
     for (const Field& word : write->elements()) read_word(word, out);
@@ -297,15 +308,24 @@ Json wall_json(const Scene& scene, const Wall& wall) {
   return out;
 }
 
-Json run_json(const Run& run) {
+Json outputs_json(const Outputs& outputs) {
   Json write = Json::array();
   for (const auto& [word, asked] : words_of_outputs)
-    if (run.outputs.*asked) write.push_back(word);
+    if (outputs.*asked) write.push_back(word);
+  Json out;
+  out["every"] = outputs.every_step ? Json("step") : Json(outputs.every);
+  out["write"] = write;
+  if (outputs.region)
+    out["region"] = {{"low", vector_json(outputs.region->low)}, {"high", vector_json(outputs.region->high)}};
+  return out;
+}
+
+Json run_json(const Run& run) {
   Json out;
   out["duration"] = run.duration;
   out["time_step"] = run.time_step ? Json(*run.time_step) : Json("auto");
   out["accuracy"] = run.accuracy;
-  out["outputs"] = {{"every", run.outputs.every_step ? Json("step") : Json(run.outputs.every)}, {"write", write}};
+  out["outputs"] = outputs_json(run.outputs);
   return out;
 }
 

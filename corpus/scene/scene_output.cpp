@@ -57,8 +57,8 @@ OpenedOutput open_lives(const std::filesystem::path& folder, std::uint64_t lengt
 }
 
 std::vector<std::string> output_names() {
-  return {"touching.jsonl",   "contacts.jsonl", "dump.lammpstrj", "vtk/bodies.pvd",
-          "vtk/contacts.pvd", "playback.jsonl", "energy.jsonl",   "lives.jsonl"};
+  return {"touching.jsonl", "contacts.jsonl", "dump.lammpstrj", "vtk/bodies.pvd", "vtk/contacts.pvd",
+          "playback.jsonl", "energy.jsonl",   "lives.jsonl",    "bulk.jsonl"};
 }
 
 Outs open_outputs(const Scene& scene, const Plan& plan, const std::filesystem::path& folder, const Lengths& lengths) {
@@ -76,6 +76,7 @@ Outs open_outputs(const Scene& scene, const Plan& plan, const std::filesystem::p
   if (asked.playback) out.push_back(open_playback(scene, plan, folder, length("playback.jsonl")));
   if (asked.energy) out.push_back(open_energy(folder, length("energy.jsonl")));
   if (asked.lives) out.push_back(open_lives(folder, length("lives.jsonl")));
+  if (asked.bulk) out.push_back(open_bulk(scene, folder, length("bulk.jsonl")));
   return out;
 }
 

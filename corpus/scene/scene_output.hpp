@@ -59,6 +59,7 @@ using OpenedOutput = std::unique_ptr<SceneOutput>;
 [[nodiscard]] OpenedOutput open_contacts(const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_energy(const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_lives(const std::filesystem::path& folder, std::uint64_t length);
+[[nodiscard]] OpenedOutput open_bulk(const Scene& scene, const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_dump(const Scene& scene, const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_vtk_bodies(const std::filesystem::path& folder, std::uint64_t length);
 [[nodiscard]] OpenedOutput open_vtk_contacts(const std::filesystem::path& folder, std::uint64_t length);

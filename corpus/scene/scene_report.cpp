@@ -93,13 +93,14 @@ struct Size {
   bool Outputs::* asked;
   double of_frame, of_body;
 };
-constexpr std::array<Size, 7> sizes{{{&Outputs::energy, 200, 0},
+constexpr std::array<Size, 8> sizes{{{&Outputs::energy, 200, 0},
                                      {&Outputs::touching, 60, 20},
                                      {&Outputs::contacts, 60, 600},
                                      {&Outputs::dump, 300, 400},
                                      {&Outputs::vtk, 4000, 950},
                                      {&Outputs::playback, 150, 300},
-                                     {&Outputs::lives, 0, 0}}};
+                                     {&Outputs::lives, 0, 0},
+                                     {&Outputs::bulk, 900, 0}}};
 
 std::size_t turning_bodies(const Plan& plan) {
   return static_cast<std::size_t>(std::ranges::count(plan.turns, true));

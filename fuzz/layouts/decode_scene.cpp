@@ -84,6 +84,7 @@ void drop_what_needs_elastic_force(Effects& effects) {
   effects.rolling.reset();
   effects.twisting.reset();
   effects.cohesion.reset();
+  effects.dmt.reset();
 }
 
 /// Linear before volume before foundation before hertz, and what needs one where there is one.
@@ -97,7 +98,8 @@ void keep_one_elastic_law(Effects& effects) {
                          : effects.volume     ? effects.volume->stiffness
                          : effects.foundation ? effects.foundation->stiffness
                                               : effects.hertz.value_or(Hertz{}).youngs_modulus;
-  if (elastic == 0) effects.cohesion.reset();
+  if (elastic == 0) effects.cohesion.reset(), effects.dmt.reset();
+  if (elastic == 0 || !effects.hertz) effects.jkr.reset();
 }
 
 Effects read_scene_effects(Bytes bytes, std::size_t walls) {
@@ -111,12 +113,16 @@ Effects read_scene_effects(Bytes bytes, std::size_t walls) {
     asked >>= 1;
   };
   each_effect(effects, [&](auto& slot) {
-    constexpr bool is_new = std::is_same_v<decltype(slot), std::optional<Volume>&> ||
-                            std::is_same_v<decltype(slot), std::optional<Foundation>&>;
+    using Slot = std::remove_cvref_t<decltype(slot)>;
+    constexpr bool is_new =
+        std::is_same_v<Slot, std::optional<Volume>> || std::is_same_v<Slot, std::optional<Foundation>> ||
+        std::is_same_v<Slot, std::optional<Dmt>> || std::is_same_v<Slot, std::optional<Jkr>>;
     if constexpr (!is_new) fill(slot);
   });
   fill(effects.volume);
   fill(effects.foundation);
+  fill(effects.dmt);
+  fill(effects.jkr);
   keep_one_elastic_law(effects);
   return effects;
 }

@@ -10,15 +10,15 @@
 //    4   1  the step of the snapshot: v % steps
 //    5   1  time step: % 3 = 0 the longest that the effects allow, 1 a quarter, 2 a 32nd of it
 //    6   2  the duration, unless the steps are shorter           number, 1e-4 .. 1e2
-//    8   2  effects asked for, a bit each in the order of each_effect, volume and foundation last; of linear, volume, foundation
-//           and hertz the first; what needs an elastic
-//           force is not where there is none, cohesion not where it is 0
+//    8   2  effects asked for, a bit each in the order of each_effect, volume, foundation, dmt and jkr last; of linear,
+//           volume, foundation and hertz the first; what needs an elastic force is not where there is none, cohesion, dmt and jkr
+//           not where it is 0, jkr only with hertz
 //   10   1  accuracy: 10^-(1 + v % 8)
 //   11   1  unused
-//   12  96  their fields in that order and that of each_field, asked for or not (moving_walls: 3 motions, without their wall):
+//   12 100  their fields in that order and that of each_field, asked for or not (moving_walls: 3 motions, without their wall):
 //           numbers 1e-6 .. 1e6, what has an upper bound 1e-6 .. 1, Poisson's ratio half of that, an exponent 1 more; a component of a vector
 //           is negative where v is odd
-//  108  12  unused
+//  112   8  unused
 //  120  48  body 1, and so on to body 6
 //  408  16  wall 1, and so on to wall 3
 // A body

@@ -51,6 +51,30 @@ def hertz_ellipse(e_star, radius1, radius2):
     return (3 * k / (2 * pi * axis * e_star)) ** mpf("-1.5")
 
 
+class Neck:
+    """JKR's contact of a ball of radius R and work of adhesion w (Johnson, Kendall & Roberts 1971), by the radius a of its patch: overlap =
+    a^2/R - sqrt(2 pi w a/E*), force = 4 E* a^3/(3 R) - sqrt(8 pi w E* a^3). It begins at overlap 0 and ends where the overlap is least;
+    `lost` is what the force has done on the way in from there to the way out."""
+
+    def __init__(self, work, e_star, radius):
+        w, r = mpf(work), mpf(radius)
+
+        def overlap(a):
+            return a ** 2 / r - sqrt(2 * pi * w * a / e_star)
+
+        def force(a):
+            return 4 * e_star * a ** 3 / (3 * r) - sqrt(8 * pi * w * e_star * a ** 3)
+
+        def slope(a):
+            return 2 * a / r - sqrt(pi * w / (2 * e_star * a))
+
+        scale = (pi * w * r ** 2 / e_star) ** (mpf(1) / 3)
+        begins = findroot(overlap, 1.3 * scale)
+        ends = findroot(slope, scale / 2)
+        self.lost = -quad(lambda a: force(a) * slope(a), [ends, begins])
+        self.rest = overlap(findroot(force, 1.5 * scale))
+
+
 class Spring:
     """Collision with a linear force."""
 

@@ -7,6 +7,7 @@ import pathlib
 import sys
 import time
 
+import adhesion
 import bodies
 import impacts
 import resting
@@ -20,7 +21,7 @@ MISSING = (
     ("6: spinning ball on a plane", "data of the paper not at hand"),
     ("7: two balls, one spins", "data of the paper not at hand"),
     ("8: two unlike balls, one spins", "data of the paper not at hand"),
-    ("JKR pull-off", "scenes have no such law"),
+    ("JKR and DMT of elliptic patches", "JKR has none in closed form; DMT: a test of the force"),
     ("impact of any body with friction", "its ODE is not solved here"),
     ("superquadric that rocks on a plane", "not built"),
 )
@@ -65,6 +66,7 @@ def rows_of_set(runner, group, accuracies):
 
 def everything(quick):
     yield from impacts.cases()
+    yield from adhesion.cases()
     yield from resting.cases()
     yield from bodies.sets(2 if quick else 20)
 

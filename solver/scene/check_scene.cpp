@@ -75,6 +75,14 @@ void check_materials(const Scene& scene) {
   }
 }
 
+void check_region(const Outputs& outputs) {
+  const char* const at = "run.outputs.region";
+  const Region& region = *outputs.region;
+  require(outputs.bulk, at, "is of the output bulk, which is not asked for");
+  require(region.low.allFinite() && region.high.allFinite(), at, "must be finite numbers");
+  require((region.low.array() < region.high.array()).all(), at, "low must be below high along each axis");
+}
+
 void check_run(const Run& run) {
   require(std::isfinite(run.duration) && run.duration >= 0, "run.duration", "must be a number, 0 or more");
   require(run.accuracy > 0 && run.accuracy < 1, "run.accuracy", "must be a number between 0 and 1");
@@ -82,6 +90,7 @@ void check_run(const Run& run) {
           "must be a positive number or auto");
   require(std::isfinite(run.outputs.every) && run.outputs.every >= 0, "run.outputs.every",
           "must be a number, 0 or more");
+  if (run.outputs.region) check_region(run.outputs);
 }
 
 }  // namespace

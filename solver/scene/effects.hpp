@@ -9,31 +9,35 @@
 #include "solver/scene/effect/cohesion.hpp"
 #include "solver/scene/effect/conduction.hpp"
 #include "solver/scene/effect/damping.hpp"
+#include "solver/scene/effect/dmt.hpp"
 #include "solver/scene/effect/drag.hpp"
 #include "solver/scene/effect/foundation.hpp"
 #include "solver/scene/effect/friction.hpp"
 #include "solver/scene/effect/gravity.hpp"
 #include "solver/scene/effect/hertz.hpp"
+#include "solver/scene/effect/jkr.hpp"
 #include "solver/scene/effect/linear.hpp"
 #include "solver/scene/effect/moving_walls.hpp"
 #include "solver/scene/effect/rolling.hpp"
 #include "solver/scene/effect/twisting.hpp"
 #include "solver/scene/effect/volume.hpp"
 
-#define PLUMB_EFFECTS(ROW)    \
-  ROW(Gravity, gravity)       \
-  ROW(Linear, linear)         \
-  ROW(Hertz, hertz)           \
-  ROW(Volume, volume)         \
-  ROW(Foundation, foundation) \
-  ROW(Damping, damping)       \
-  ROW(Friction, friction)     \
-  ROW(Rolling, rolling)       \
-  ROW(Twisting, twisting)     \
-  ROW(Cohesion, cohesion)     \
-  ROW(Drag, drag)             \
-  ROW(Conduction, conduction) \
-  ROW(MovingWalls, moving_walls)
+#define PLUMB_EFFECTS(ROW)       \
+  ROW(Gravity, gravity)          \
+  ROW(Linear, linear)            \
+  ROW(Hertz, hertz)              \
+  ROW(Volume, volume)            \
+  ROW(Foundation, foundation)    \
+  ROW(Damping, damping)          \
+  ROW(Friction, friction)        \
+  ROW(Rolling, rolling)          \
+  ROW(Twisting, twisting)        \
+  ROW(Cohesion, cohesion)        \
+  ROW(Drag, drag)                \
+  ROW(Conduction, conduction)    \
+  ROW(MovingWalls, moving_walls) \
+  ROW(Dmt, dmt)                  \
+  ROW(Jkr, jkr)
 
 namespace plumb::scene {
 

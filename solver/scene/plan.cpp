@@ -31,7 +31,7 @@ constexpr double contact_share = 1e-6;
 Analysis analysis_of(const Scene& scene) {
   if (scene.run.duration > 0 && can_move(scene)) return Analysis::motion;
   const Outputs& outputs = scene.run.outputs;
-  return outputs.contacts || outputs.vtk || outputs.playback ? Analysis::contacts : Analysis::touching;
+  return outputs.contacts || outputs.vtk || outputs.playback || outputs.bulk ? Analysis::contacts : Analysis::touching;
 }
 
 void add_needs(Needs& all, const Needs& one) {
@@ -130,7 +130,7 @@ std::string names_of(const Plan& plan, const Needs_& needs) {
 void plan_contacts(Plan& plan, const Scene& scene) {
   const std::string who = names_of(plan, [](const Needs& needs) { return needs.contacts; });
   const Outputs& outputs = scene.run.outputs;
-  const bool is_written = outputs.contacts || outputs.touching || outputs.lives;
+  const bool is_written = outputs.contacts || outputs.touching || outputs.lives || outputs.bulk;
   if (!who.empty())
     plan.contacts_why = "needed by " + who;
   else if (plan.analysis != Analysis::motion || is_written)
@@ -138,10 +138,11 @@ void plan_contacts(Plan& plan, const Scene& scene) {
   else
     plan.contacts_why = "no effect needs them and no output asks for them";
   plan.needs.contacts = plan.needs.contacts || plan.analysis != Analysis::motion || is_written;
-  const bool is_shown = plan.needs.contacts && (outputs.contacts || outputs.vtk || outputs.playback || outputs.lives);
+  const bool is_shown =
+      plan.needs.contacts && (outputs.contacts || outputs.vtk || outputs.playback || outputs.lives || outputs.bulk);
   plan.needs.points = plan.needs.points || plan.analysis == Analysis::contacts || is_shown;
   plan.needs.lives = outputs.lives && plan.analysis == Analysis::motion;
-  plan.needs.contact_force = outputs.contacts && plan.needs.normal_force;
+  plan.needs.contact_force = (outputs.contacts || outputs.bulk) && plan.needs.normal_force;
 }
 
 void plan_turning(Plan& plan, const Scene& scene) {

@@ -34,17 +34,24 @@ struct Wall {
   std::size_t material = 0;
 };
 
+/// A box along the axes.
+struct Region {
+  Vec3<double> low, high;
+};
+
 /// What is written down as the run goes. `touching` alone asks which pairs overlap, and nothing about where.
 struct Outputs {
-  double every = 0;         ///< time between two; 0: the first and the last state only
-  bool every_step = false;  ///< in the place of a time
-  bool touching = false;    ///< pairs that overlap
-  bool contacts = false;    ///< each contact with point, normal, overlap and force
-  bool dump = false;        ///< LAMMPS text dump
-  bool vtk = false;         ///< VTK files
-  bool playback = false;    ///< for the page
-  bool energy = false;      ///< of each effect and of motion
-  bool lives = false;       ///< of each contact how long, how deep, how strong
+  double every = 0;                             ///< time between two; 0: the first and the last state only
+  bool every_step = false;                      ///< in the place of a time
+  bool touching = false;                        ///< pairs that overlap
+  bool contacts = false;                        ///< each contact with point, normal, overlap and force
+  bool dump = false;                            ///< LAMMPS text dump
+  bool vtk = false;                             ///< VTK files
+  bool playback = false;                        ///< for the page
+  bool energy = false;                          ///< of each effect and of motion
+  bool lives = false;                           ///< of each contact how long, how deep, how strong
+  bool bulk = false;                            ///< packing fraction, coordination, stress and more: bulk.hpp
+  std::optional<Region> region = std::nullopt;  ///< of `bulk`; none: the smallest that holds all bodies
 };
 
 /// How long, how finely, and what is written.

@@ -267,6 +267,17 @@ TEST_F(SceneCommand, LivesAreALineEach) {
   }
 }
 
+TEST_F(SceneCommand, BulkIsALineAFrame) {
+  ASSERT_EQ(plumb("scene s.json --out s").code, 0);
+  const auto lines = lines_of(read("s/bulk.jsonl"));
+  EXPECT_EQ(lines.size(), json("s/run.json")["plan"]["frames"]);
+  EXPECT_EQ(lines.front()["region"], Json::parse(R"({"low": [-1.0, -1.0, 0.0], "high": [1.0, 1.0, 3.0]})"));
+  EXPECT_EQ(lines.front()["bodies"], 1);  // the others' centres are above
+  EXPECT_GT(lines.front()["packing_fraction"].get<double>(), 0.4);
+  EXPECT_LT(lines.back()["stress"][2][2].get<double>(), 0);
+  EXPECT_GE(lines.back()["coordination"].get<double>(), 1);
+}
+
 TEST_F(SceneCommand, ThePlanSaysWhatEachPairOfMaterialsHas) {
   (void)file("m.json", sample_with_materials());
   const std::string table = plumb("scene m.json --plan").out;

@@ -20,7 +20,7 @@ inline std::string sample_scene() {
          R"( "effects": {"gravity": {"acceleration": [0, 0, -10]}, "linear": {"stiffness": 10000},)"
          R"( "damping": {"restitution": 0.5}, "friction": {"coefficient": 0.4}},)"
          R"( "run": {"duration": 0.5, "accuracy": 0.001, "outputs": {"every": 0.05,)"
-         R"( "write": ["touching", "contacts", "dump", "vtk", "playback", "energy", "lives"]}}})";
+         R"( "write": ["touching", "contacts", "dump", "vtk", "playback", "energy", "lives", "bulk"], "region": {"low": [-1, -1, 0], "high": [1, 1, 3]}}}})";
 }
 
 /// The first occurrence is replaced.

@@ -102,7 +102,8 @@ struct StoredEnergy {
 struct World {
   double time = 0, time_step = 0;
   int threads = 1;
-  PairEffects pair_effects;
+  Effects effects;           ///< asked for: of the scene, where it has no materials
+  PairEffects pair_effects;  ///< else of each pair of them
   Bodies bodies;
   Columns columns;
   State state;

@@ -125,6 +125,7 @@ void add_wall(Bodies& bodies, const Wall& wall) {
 }
 
 void add_columns(World& world, const Plan& plan) {
+  world.effects = plan.asked;
   world.pair_effects = plan.pair_effects;
   add_state(world, plan);
   if (plan.needs.contacts) add_contacts(world, plan);
