@@ -268,7 +268,8 @@ TEST_F(SceneCommand, LivesAreALineEach) {
 }
 
 TEST_F(SceneCommand, BulkIsALineAFrame) {
-  ASSERT_EQ(plumb("scene s.json --out s").code, 0);
+  (void)file("b.json", sample_scene_with_region("[-1, -1, 0]", "[1, 1, 3]"));
+  ASSERT_EQ(plumb("scene b.json --out s").code, 0);
   const auto lines = lines_of(read("s/bulk.jsonl"));
   EXPECT_EQ(lines.size(), json("s/run.json")["plan"]["frames"]);
   EXPECT_EQ(lines.front()["region"], Json::parse(R"({"low": [-1.0, -1.0, 0.0], "high": [1.0, 1.0, 3.0]})"));

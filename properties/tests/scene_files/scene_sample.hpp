@@ -20,13 +20,18 @@ inline std::string sample_scene() {
          R"( "effects": {"gravity": {"acceleration": [0, 0, -10]}, "linear": {"stiffness": 10000},)"
          R"( "damping": {"restitution": 0.5}, "friction": {"coefficient": 0.4}},)"
          R"( "run": {"duration": 0.5, "accuracy": 0.001, "outputs": {"every": 0.05,)"
-         R"( "write": ["touching", "contacts", "dump", "vtk", "playback", "energy", "lives", "bulk"], "region": {"low": [-1, -1, 0], "high": [1, 1, 3]}}}})";
+         R"( "write": ["touching", "contacts", "dump", "vtk", "playback", "energy", "lives", "bulk"]}}})";
 }
 
 /// The first occurrence is replaced.
 inline std::string sample_scene_with(const std::string& old_text, const std::string& new_text) {
   std::string text = sample_scene();
   return text.replace(text.find(old_text), old_text.size(), new_text);
+}
+
+/// Whose bulk is of a region.
+inline std::string sample_scene_with_region(const std::string& low, const std::string& high) {
+  return sample_scene_with(R"("bulk"])", R"("bulk"], "region": {"low": )" + low + R"(, "high": )" + high + "}");
 }
 
 /// With one more field at the end.
