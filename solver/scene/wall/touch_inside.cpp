@@ -1,0 +1,168 @@
+// A body in a cylinder or a cone: a straight line turned about the z axis, solid beyond it.
+//
+// Side   into the wall is u(phi) = c e(phi) + s z, e(phi) the radial direction, and o(phi) = h(u) + x.u - d has a local maximum where the
+//        farthest point has no component along e'(phi). Where the body is narrower than the wall there is one; a body that is wide, or long,
+//        may touch at several. Each is looked for from a round of directions: where G = (x + p).e' changes from + to -.
+// Rim    of an open end: o(phi, a) with u turned by a from the side's, least in a (an edge), then as above in phi: for each phi the inner
+//        minimum, and the envelope's slope is G again times the cosine of u to e: + to - is a maximum where u points outwards,
+//        a minimum where it points inwards
+// End    flat: a plane. A closed end's joint is concave: neither has an edge there
+#include <cmath>
+#include <numbers>
+
+#include "solver/scene/wall/touches.hpp"
+
+namespace plumb::scene {
+namespace {
+
+struct MeridianPoint {
+  double radius, height;
+};
+
+/// From the lower end to the upper.
+struct Meridian {
+  std::array<MeridianPoint, 2> ends;
+  Ends kind;
+
+  [[nodiscard]] double length() const {
+    return std::hypot(ends[1].radius - ends[0].radius, ends[1].height - ends[0].height);
+  }
+  /// Into the wall, radial and along z.
+  [[nodiscard]] MeridianPoint into() const {
+    return {(ends[1].height - ends[0].height) / length(), -(ends[1].radius - ends[0].radius) / length()};
+  }
+};
+
+Vec3<double> radial(double phi) {
+  return {std::cos(phi), std::sin(phi), 0};
+}
+Vec3<double> around(double phi) {
+  return {-std::sin(phi), std::cos(phi), 0};
+}
+
+/// Calls found(phi) for each phi where G changes from + to -. Below `least` it is rounding: a ball on the axis touches all round, and has
+/// no contact of its own.
+template <class G, class Found>
+void each_change(const G& g, double least, int directions, const Found& found) {
+  constexpr double first = 0.3;  // no direction that a scene's author would choose: there G is 0 to rounding
+  const double step = 2 * std::numbers::pi / directions, g_first = g(first);
+  double before = g_first;
+  for (int k = 1; k <= directions; ++k) {
+    const double low = first + step * (k - 1), high = first + step * k, after = k < directions ? g(high) : g_first;
+    const bool changes = before > 0 && after <= 0;
+    if (changes && before - after > least) found(root_between(g, low, before, high, after));
+    before = after;
+  }
+}
+
+class InsideQuery {
+ public:
+  InsideQuery(const Meridian& meridian, const BodyAtWall& body, Touches& out)
+      : meridian_(meridian), body_(body), out_(out), into_(meridian.into()) {}
+
+  void find() {
+    const double outermost = std::max(meridian_.ends[0].radius, meridian_.ends[1].radius);
+    if (!(std::hypot(body_.centre.x(), body_.centre.y()) <= outermost + body_.radius + body_.range)) return;
+    find_side();
+    for (const std::size_t end : {0, 1}) {
+      if (meridian_.kind == Ends::closed) find_end(end);
+      if (meridian_.kind == Ends::open) find_rim(end);
+    }
+  }
+
+ private:
+  static constexpr int side_directions = 48, rim_directions = 16;
+
+  [[nodiscard]] double rounding() const { return 1e-13 * body_.radius; }
+
+  [[nodiscard]] Vec3<double> into_at(double phi) const { return into_.radius * radial(phi) + Vec3<double>(0, 0, into_.height); }
+
+  /// Nearer to the wall than that the body's centre has to be, somewhere.
+  void find_side() {
+    const double offset = into_.radius * meridian_.ends[0].radius + into_.height * meridian_.ends[0].height;
+    const double centre = into_.radius * std::hypot(body_.centre.x(), body_.centre.y()) + into_.height * body_.centre.z();
+    if (!(offset - centre < body_.radius + body_.range)) return;
+    const auto g = [&](double phi) { return (body_.along(into_at(phi)).point + body_.centre).dot(around(phi)); };
+    each_change(g, rounding(), side_directions, [&](double phi) {
+      const Vec3<double> u = into_at(phi);
+      const BodyAtWall::Reach at = body_.along(u);
+      if (is_on_side(at.point + body_.centre, radial(phi)) && offset > u.dot(body_.centre))
+        out_.add_reach(body_, u, at, offset - u.dot(body_.centre));
+    });
+  }
+
+  [[nodiscard]] bool is_on_side(const Vec3<double>& point, const Vec3<double>& outwards) const {
+    if (meridian_.kind == Ends::closed) return true;
+    const auto& [low, high] = meridian_.ends;
+    const double along = (point.dot(outwards) - low.radius) * (high.radius - low.radius) +
+                         (point.z() - low.height) * (high.height - low.height);
+    const double length = meridian_.length();
+    return along >= 0 && along <= length * length;
+  }
+
+  void find_end(std::size_t end) {
+    const Vec3<double> into(0, 0, end == 0 ? -1 : 1);
+    const double distance = into.z() * (meridian_.ends[end].height - body_.centre.z());
+    const BodyAtWall::Reach at = body_.along(into);
+    if (distance > 0) out_.add_reach(body_, into, at, distance);
+  }
+
+  /// u turned by `angle` from the side's into the sheet.
+  [[nodiscard]] Vec3<double> into_rim(std::size_t end, double phi, double angle) const {
+    const double sign = end == 0 ? 1 : -1;  // into the sheet, along the meridian: (-into.height, into.radius) times that
+    const double c = std::cos(angle), s = sign * std::sin(angle);
+    return (c * into_.radius - s * into_.height) * radial(phi) + Vec3<double>(0, 0, c * into_.height + s * into_.radius);
+  }
+
+  /// The angle of least o; negative where it is on no edge: the body lies on the side, or beyond.
+  [[nodiscard]] double rim_angle(std::size_t end, double phi) const {
+    constexpr double most = std::numbers::pi;
+    const Vec3<double> w = rim_point(end, phi) - body_.centre;
+    const auto slope = [&](double angle) {
+      const Vec3<double> turned = into_rim(end, phi, angle + std::numbers::pi / 2);
+      return (body_.along(into_rim(end, phi, angle)).point - w).dot(turned);
+    };
+    const double first = slope(0), last = slope(most);
+    return first < 0 && last > 0 ? root_between(slope, 0, first, most, last) : -1;
+  }
+  [[nodiscard]] Vec3<double> rim_point(std::size_t end, double phi) const {
+    return meridian_.ends[end].radius * radial(phi) + Vec3<double>(0, 0, meridian_.ends[end].height);
+  }
+
+  void find_rim(std::size_t end) {
+    const MeridianPoint& rim = meridian_.ends[end];
+    const double across = std::hypot(body_.centre.x(), body_.centre.y());
+    const double reach = body_.radius + body_.range;
+    if (rim.radius == 0 || std::hypot(across - rim.radius, body_.centre.z() - rim.height) >= reach) return;
+    const auto g = [&](double phi) {
+      const double angle = std::max(0.0, rim_angle(end, phi));
+      return (body_.along(into_rim(end, phi, angle)).point + body_.centre).dot(around(phi));
+    };
+    each_change(g, rounding(), rim_directions, [&](double phi) {
+      const double angle = rim_angle(end, phi);
+      if (angle < 0) return;
+      const Vec3<double> u = into_rim(end, phi, angle);
+      const double distance = u.dot(rim_point(end, phi) - body_.centre);
+      if (distance > 0) out_.add_reach(body_, u, body_.along(u), distance);
+    });
+  }
+
+  const Meridian& meridian_;
+  const BodyAtWall& body_;
+  Touches& out_;
+  MeridianPoint into_;
+};
+
+}  // namespace
+
+void touch_inside(const CylinderWall& wall, const BodyAtWall& body, Touches& out) {
+  const Meridian meridian{{{{wall.radius, -wall.half_length}, {wall.radius, wall.half_length}}}, wall.ends};
+  InsideQuery(meridian, body, out).find();
+}
+
+void touch_inside(const ConeWall& wall, const BodyAtWall& body, Touches& out) {
+  const Meridian meridian{{{{wall.radii[0], 0}, {wall.radii[1], wall.height}}}, wall.ends};
+  InsideQuery(meridian, body, out).find();
+}
+
+}  // namespace plumb::scene
