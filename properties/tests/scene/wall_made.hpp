@@ -26,13 +26,13 @@ inline void add_quadrangle(std::vector<Triangle>& out, const std::array<Vec, 4>&
 /// n x n squares over origin + [0, 1] along + [0, 1] across, their diagonals and their windings at random.
 [[nodiscard]] inline std::vector<Triangle> sheet(int n, const Vec& origin, const Vec& along, const Vec& across) {
   std::vector<Triangle> out;
-  Stream draws(7);
+  Stream draws("sheet", 7, 0);
   const auto at = [&](int i, int j) -> Vec { return origin + along * (double(i) / n) + across * (double(j) / n); };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
-      add_quadrangle(out, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, draws.unit() < 0.5);
+      add_quadrangle(out, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, draws.chance(0.5));
   for (Triangle& t : out)
-    if (draws.unit() < 0.5) std::swap(t[1], t[2]);
+    if (draws.chance(0.5)) std::swap(t[1], t[2]);
   return out;
 }
 
@@ -65,8 +65,11 @@ inline void add_quadrangle(std::vector<Triangle>& out, const std::array<Vec, 4>&
   return out;
 }
 
-[[nodiscard]] inline std::size_t touching(const Simulation& run) {
-  return run.world().contacts.touching.size();
+[[nodiscard]] inline const std::vector<std::uint32_t>& touching(const Simulation& run) {
+  return run.world().contacts.touching;
+}
+[[nodiscard]] inline Vec normal(const Simulation& run, std::uint32_t contact) {
+  return run.world().contacts.normal->vector(contact);
 }
 
 }  // namespace plumb::scene::made

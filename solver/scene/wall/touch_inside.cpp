@@ -22,7 +22,7 @@ struct MeridianPoint {
 /// From the lower end to the upper.
 struct Meridian {
   std::array<MeridianPoint, 2> ends;
-  Ends kind;
+  std::array<End, 2> kinds;
 
   [[nodiscard]] double length() const {
     return std::hypot(ends[1].radius - ends[0].radius, ends[1].height - ends[0].height);
@@ -65,8 +65,8 @@ class InsideQuery {
     if (!(std::hypot(body_.centre.x(), body_.centre.y()) <= outermost + body_.radius + body_.range)) return;
     find_side();
     for (const std::size_t end : {0, 1}) {
-      if (meridian_.kind == Ends::closed) find_end(end);
-      if (meridian_.kind == Ends::open) find_rim(end);
+      if (meridian_.kinds[end] == End::closed) find_end(end);
+      if (meridian_.kinds[end] == End::open) find_rim(end);
     }
   }
 
@@ -92,12 +92,12 @@ class InsideQuery {
   }
 
   [[nodiscard]] bool is_on_side(const Vec3<double>& point, const Vec3<double>& outwards) const {
-    if (meridian_.kind == Ends::closed) return true;
     const auto& [low, high] = meridian_.ends;
     const double along = (point.dot(outwards) - low.radius) * (high.radius - low.radius) +
                          (point.z() - low.height) * (high.height - low.height);
     const double length = meridian_.length();
-    return along >= 0 && along <= length * length;
+    const bool is_above = meridian_.kinds[0] == End::closed || along >= 0;
+    return is_above && (meridian_.kinds[1] == End::closed || along <= length * length);
   }
 
   void find_end(std::size_t end) {

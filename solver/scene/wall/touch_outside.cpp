@@ -24,20 +24,20 @@ void touch_solid(const Shape& shape, const Vec3<double>& centre, const Vec3<doub
 
 void touch_outside(const CylinderWall& wall, const BodyAtWall& body, Touches& out) {
   const Vec3<double> none = Vec3<double>::Zero(), half(wall.radius, wall.radius, wall.half_length);
-  touch_solid(Cylinder{wall.half_length, wall.radius}, none, half, none, body, out);
+  touch_solid(plumb::Cylinder{wall.half_length, wall.radius}, none, half, none, body, out);
 }
 
 void touch_outside(const ConeWall& wall, const BodyAtWall& body, Touches& out) {
   const auto [r, t] = wall.radii;
   const double centroid = wall.height / 4 * ((r * r + 2 * r * t + 3 * t * t) / (r * r + r * t + t * t));
   const double widest = std::max(r, t);
-  touch_solid(Frustum{wall.radii, wall.height}, Vec3<double>(0, 0, centroid),
+  touch_solid(plumb::Frustum{wall.radii, wall.height}, Vec3<double>(0, 0, centroid),
               Vec3<double>(widest, widest, wall.height / 2), Vec3<double>(0, 0, wall.height / 2), body, out);
 }
 
 void touch_outside(const BoxWall& wall, const BodyAtWall& body, Touches& out) {
   const Vec3<double> none = Vec3<double>::Zero();
-  touch_solid(Box{wall.half_extents}, none, wall.half_extents, none, body, out);
+  touch_solid(plumb::Box{wall.half_extents}, none, wall.half_extents, none, body, out);
 }
 
 }  // namespace plumb::scene

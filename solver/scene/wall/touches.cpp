@@ -44,7 +44,7 @@ void Touches::keep_deepest(const BodyAtWall& body, double smooth, std::size_t pl
 }
 
 void find_touches(const WallShape& wall, const BodyAtWall& body, std::vector<std::uint32_t>& scratch, Touches& out) {
-  std::visit(detail::Overloaded{[](const PlaneWall&) {},
+  std::visit(plumb::detail::Overloaded{[](const PlaneWall&) {},
                                 [&](const MeshWall& mesh) {
                                   touch_mesh(mesh, body, scratch, out);
                                   out.keep_deepest(body, mesh.smooth_deg * std::numbers::pi / 180, places_of(mesh));

@@ -22,7 +22,7 @@ std::size_t places_on(Side side, std::size_t inside) {
 
 std::size_t places_of(const WallShape& shape) {
   return std::visit(
-      detail::Overloaded{[](const PlaneWall&) -> std::size_t { return 1; },
+      plumb::detail::Overloaded{[](const PlaneWall&) -> std::size_t { return 1; },
                  [](const MeshWall&) { return many_places; },
                  [](const CylinderWall& wall) { return places_on(wall.side, many_places); },
                  [](const ConeWall& wall) { return places_on(wall.side, many_places); },
@@ -32,7 +32,7 @@ std::size_t places_of(const WallShape& shape) {
 
 double extent_of(const WallShape& shape) {
   return std::visit(
-      detail::Overloaded{[](const PlaneWall&) { return std::numeric_limits<double>::infinity(); },
+      plumb::detail::Overloaded{[](const PlaneWall&) { return std::numeric_limits<double>::infinity(); },
                  [](const MeshWall& wall) { return wall.mesh->extent(); },
                  [](const CylinderWall& wall) { return std::hypot(wall.radius, wall.half_length); },
                  [](const ConeWall& wall) { return std::max(wall.radii[0], std::hypot(wall.radii[1], wall.height)); },

@@ -19,11 +19,11 @@ struct PlaneWall {};
 /// On which side of it bodies are.
 enum class Side { inside, outside };
 
-/// Of a wall with bodies inside.
-enum class Ends {
-  open,   ///< the rims are edges that bodies touch
-  bare,   ///< the same, but nothing touches a rim: another wall goes on there
-  closed  ///< by flat ends
+/// Of a wall with bodies inside, where it ends.
+enum class End {
+  open,   ///< the rim is an edge that bodies touch
+  bare,   ///< nothing touches the rim: another wall goes on there
+  closed  ///< by a flat end
 };
 
 /// A thin sheet of triangles, which bodies may touch on either side: on that of their centre.
@@ -38,7 +38,7 @@ struct MeshWall {
 struct CylinderWall {
   double radius = 1, half_length = 1;
   Side side = Side::inside;
-  Ends ends = Ends::open;
+  std::array<End, 2> ends{End::open, End::open};  ///< the lower, the upper
 };
 
 /// About the z axis, of radii[0] at z = 0 and radii[1] at z = height; one of them may be 0. Outside: solid with flat ends.
@@ -46,7 +46,7 @@ struct ConeWall {
   std::array<double, 2> radii{1, 1};
   double height = 1;
   Side side = Side::inside;
-  Ends ends = Ends::open;
+  std::array<End, 2> ends{End::open, End::open};  ///< the lower, the upper
 };
 
 /// |x| <= half_extents[0] and so on. Inside: a closed room.
