@@ -105,9 +105,8 @@ Scene room(const Superellipsoid<double>& shape, std::vector<Wall> walls) {
   scene.bodies[0].angular_velocity = {1, 2, 3};
   scene.walls = std::move(walls);
   scene.effects.linear = Linear{2000};
-  scene.effects.friction = Friction{.coefficient = 0.1};
-  scene.run.duration = is_nightly() ? 350 : 100;
-  scene.run.time_step = 1e-3;
+  scene.run.duration = is_nightly() ? 150 : 40;
+  scene.run.time_step = 5e-4;
   return scene;
 }
 
@@ -159,12 +158,15 @@ std::vector<Vec> arc(int pieces, double from, double to, double radius = 1) {
   return out;
 }
 
-/// Along the way a body touches so often, at once at most so many times; energies at the ends.
+/// Contacts at once at most, by how much the overlap changed in a step beyond what the body moved, and the energy that was gained.
 struct Way {
   std::size_t most = 0;
-  double gained = 0, jump = 0;
-  bool parts = false;
+  double gained = 0, jump = -1;
 };
+
+double spin_of(const Simulation& run) {
+  return run.world().has_turning() ? spin(run, 0).norm() : 0;
+}
 
 Way follow(const Scene& scene) {
   const auto run = started(scene);
@@ -176,8 +178,8 @@ Way follow(const Scene& scene) {
     const auto& contacts = touching(*run);
     out.most = std::max(out.most, contacts.size());
     const double now = contacts.empty() ? 0 : (*run->world().contacts.overlap)[contacts[0]];
-    if (overlap > 0) out.jump = std::max(out.jump, std::abs(now - overlap));
-    out.parts = out.parts || (overlap > 0 && contacts.empty());
+    const double moved = velocity(*run, 0).norm() + spin_of(*run) * run->world().bodies.radius[0];
+    if (overlap > 0) out.jump = std::max(out.jump, std::abs(now - overlap) - 1.01 * moved * run->plan().time_step);
     overlap = now;
   }
   out.gained = total_energy(*run) / first - 1;
@@ -196,11 +198,11 @@ TEST(MeshWalls, ABodyGoesOverARidgeOnOneContact) {
     scene.effects.gravity = Gravity{{0, 0, -10}};
     scene.effects.linear = Linear{5000};
     scene.run.duration = 0.45;
-    scene.run.time_step = 2e-4;
+    scene.run.time_step = 1e-5;  // what a bounce gains by a leapfrog goes to 0 with it: 2e-3 at ten times as much
     const Way way = follow(scene);
     EXPECT_EQ(way.most, 1U);
-    EXPECT_LT(std::abs(way.gained), 1e-4);
-    EXPECT_LT(way.jump, 2e-3 * 0.1);
+    EXPECT_LT(std::abs(way.gained), 1.5e-4);
+    EXPECT_LE(way.jump, 0);
   }
 }
 
@@ -211,8 +213,8 @@ TEST(MeshWalls, AValleyOfSmoothlyJoinedTrianglesIsOneContact) {
     scene.walls = {wall_of(mesh_of(strip(arc(40, 2.2, 4.1))))};
     scene.effects.gravity = Gravity{{0, 0, -10}};
     scene.effects.linear = Linear{5000};
-    scene.run.duration = 3;
-    scene.run.time_step = 2e-4;
+    scene.run.duration = 1;
+    scene.run.time_step = 4e-5;
     const Way way = follow(scene);
     EXPECT_EQ(way.most, 1U);
     EXPECT_LT(std::abs(way.gained), 1e-3);

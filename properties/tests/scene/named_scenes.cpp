@@ -30,7 +30,7 @@ std::unique_ptr<Simulation> watched_to_end(const Scene& scene, double& greatest_
 }
 
 TEST(NamedScenes, AreElevenAndLegal) {
-  EXPECT_EQ(named_scenes().size(), 11U);
+  EXPECT_EQ(named_scenes().size(), 14U);
   for (const NamedScene& named : named_scenes()) {
     const Scene scene = make(named.name);
     EXPECT_EQ(scene.name, named.name);

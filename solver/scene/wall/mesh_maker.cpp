@@ -153,10 +153,11 @@ void MeshMaker::fill_facet(std::uint32_t seed) {
   const auto index = static_cast<std::uint32_t>(mesh_.facets_.size());
   mesh_.facets_.push_back(facet);
   mesh_.parts_[seed].facet = index;
-  std::vector<std::uint32_t> front{seed};
+  std::vector<std::uint32_t> front{seed}, members;
   while (!front.empty()) {
     const std::uint32_t triangle = front.back();
     front.pop_back();
+    members.push_back(triangle);
     mesh_.is_reversed_[triangle] = doubled_area(mesh_.triangles_[triangle]).dot(facet.normal) < 0 ? 1 : 0;
     for (const std::uint32_t at : joint_of_[triangle]) {
       const auto [first, last] = std::ranges::equal_range(joints_, joints_[at].ends, {}, &Joint::ends);
@@ -169,6 +170,23 @@ void MeshMaker::fill_facet(std::uint32_t seed) {
       }
     }
   }
+  sharpen(mesh_.facets_[index], members);
+}
+
+/// The normal by three corners that are far apart: what rounding does to the corners of one triangle is less there.
+void MeshMaker::sharpen(MeshFacet& facet, std::span<const std::uint32_t> members) const {
+  const auto farthest = [&](const auto& distance) {
+    Vec3<double> best = facet.point;
+    for (const std::uint32_t triangle : members)
+      for (const Vec3<double>& corner : mesh_.triangles_[triangle])
+        if (distance(corner) > distance(best)) best = corner;
+    return best;
+  };
+  const Vec3<double> a = farthest([&](const Vec3<double>& x) { return (x - facet.point).squaredNorm(); });
+  const Vec3<double> b = farthest([&](const Vec3<double>& x) { return (x - a).squaredNorm(); });
+  const Vec3<double> c = farthest([&](const Vec3<double>& x) { return (x - a).cross(b - a).squaredNorm(); });
+  const Vec3<double> normal = (b - a).cross(c - a).normalized();
+  facet.normal = normal.dot(facet.normal) < 0 ? Vec3<double>(-normal) : normal;
 }
 
 Vec3<double> MeshMaker::inward_of(TriangleSide at) const {

@@ -28,6 +28,7 @@ class MeshMaker {
   void list_joints();
   void lay_together();
   void fill_facet(std::uint32_t seed);
+  void sharpen(MeshFacet& facet, std::span<const std::uint32_t> members) const;
   [[nodiscard]] bool is_in_plane(const MeshFacet& facet, std::uint32_t triangle) const;
   void find_edges();
   void find_edge(std::span<const Joint> joints);

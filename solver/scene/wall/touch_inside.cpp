@@ -40,20 +40,51 @@ Vec3<double> around(double phi) {
   return {-std::sin(phi), std::cos(phi), 0};
 }
 
-/// Calls found(phi) for each phi where G changes from + to -. Below `least` it is rounding: a ball on the axis touches all round, and has
-/// no contact of its own.
-template <class G, class Found>
-void each_change(const G& g, double least, int directions, const Found& found) {
-  constexpr double first = 0.3;  // no direction that a scene's author would choose: there G is 0 to rounding
-  const double step = 2 * std::numbers::pi / directions, g_first = g(first);
-  double before = g_first;
-  for (int k = 1; k <= directions; ++k) {
-    const double low = first + step * (k - 1), high = first + step * k, after = k < directions ? g(high) : g_first;
-    const bool changes = before > 0 && after <= 0;
-    if (changes && before - after > least) found(root_between(g, low, before, high, after));
-    before = after;
+/// Of a direction: G, and how deep the body is.
+struct Round {
+  double g, overlap;
+};
+
+/// Calls found(phi) for each phi where G changes from + to -. Between two directions it is looked at more closely where the body may reach
+/// the wall: two contacts of which neither is seen are nearer to each other than a degree. Below `least` G is rounding: a ball on the axis
+/// touches all round, and has no contact of its own.
+template <class At, class Found>
+class RoundSearch {
+ public:
+  RoundSearch(const At& at, double least, double curvature, const Found& found)
+      : at_(at), found_(found), least_(least), curvature_(curvature) {}
+
+  void search(int directions) {
+    constexpr double first = 0.3;  // no direction that a scene's author would choose: there G is 0 to rounding
+    const double step = 2 * std::numbers::pi / directions;
+    const Round start = at_(first);
+    Round before = start;
+    for (int k = 1; k <= directions; ++k) {
+      const Round after = k < directions ? at_(first + step * k) : start;
+      look_between(first + step * (k - 1), before, first + step * k, after);
+      before = after;
+    }
   }
-}
+
+ private:
+  void look_between(double low, const Round& at_low, double high, const Round& at_high) {
+    constexpr int pieces = 8;
+    const double step = high - low, slope = std::max(std::abs(at_low.g), std::abs(at_high.g)) + curvature_ * step;
+    if (!(std::max(at_low.overlap, at_high.overlap) + slope * step > 0)) return;
+    Round before = at_low;
+    for (int k = 1; k <= pieces; ++k) {
+      const double from = low + step * (k - 1) / pieces, to = k < pieces ? low + step * k / pieces : high;
+      const Round after = k < pieces ? at_(to) : at_high;
+      if (before.g > 0 && after.g <= 0 && before.g - after.g > least_ / pieces)
+        found_(root_between([&](double phi) { return at_(phi).g; }, from, before.g, to, after.g));
+      before = after;
+    }
+  }
+
+  const At& at_;
+  const Found& found_;
+  double least_, curvature_;
+};
 
 class InsideQuery {
  public:
@@ -73,7 +104,12 @@ class InsideQuery {
  private:
   static constexpr int side_directions = 48, rim_directions = 16;
 
-  [[nodiscard]] double rounding() const { return 1e-13 * body_.radius; }
+  template <class At, class Found>
+  void search(const At& at, int directions, const Found& found) const {
+    constexpr double rounding = 1e-13;
+    const double curvature = body_.radius + std::hypot(body_.centre.x(), body_.centre.y());
+    RoundSearch<At, Found>(at, rounding * body_.radius, curvature, found).search(directions);
+  }
 
   [[nodiscard]] Vec3<double> into_at(double phi) const { return into_.radius * radial(phi) + Vec3<double>(0, 0, into_.height); }
 
@@ -82,8 +118,12 @@ class InsideQuery {
     const double offset = into_.radius * meridian_.ends[0].radius + into_.height * meridian_.ends[0].height;
     const double centre = into_.radius * std::hypot(body_.centre.x(), body_.centre.y()) + into_.height * body_.centre.z();
     if (!(offset - centre < body_.radius + body_.range)) return;
-    const auto g = [&](double phi) { return (body_.along(into_at(phi)).point + body_.centre).dot(around(phi)); };
-    each_change(g, rounding(), side_directions, [&](double phi) {
+    const auto at_phi = [&](double phi) -> Round {
+      const BodyAtWall::Reach at = body_.along(into_at(phi));
+      const Vec3<double> point = at.point + body_.centre;
+      return {point.dot(around(phi)), at.height + into_at(phi).dot(body_.centre) - offset + body_.range};
+    };
+    search(at_phi, side_directions, [&](double phi) {
       const Vec3<double> u = into_at(phi);
       const BodyAtWall::Reach at = body_.along(u);
       if (is_on_side(at.point + body_.centre, radial(phi)) && offset > u.dot(body_.centre))
@@ -134,11 +174,13 @@ class InsideQuery {
     const double across = std::hypot(body_.centre.x(), body_.centre.y());
     const double reach = body_.radius + body_.range;
     if (rim.radius == 0 || std::hypot(across - rim.radius, body_.centre.z() - rim.height) >= reach) return;
-    const auto g = [&](double phi) {
-      const double angle = std::max(0.0, rim_angle(end, phi));
-      return (body_.along(into_rim(end, phi, angle)).point + body_.centre).dot(around(phi));
+    const auto at_phi = [&](double phi) -> Round {
+      const Vec3<double> u = into_rim(end, phi, std::max(0.0, rim_angle(end, phi)));
+      const BodyAtWall::Reach at = body_.along(u);
+      const Vec3<double> w = rim_point(end, phi) - body_.centre;
+      return {(at.point + body_.centre).dot(around(phi)), at.height - w.dot(u) + body_.range};
     };
-    each_change(g, rounding(), rim_directions, [&](double phi) {
+    search(at_phi, rim_directions, [&](double phi) {
       const double angle = rim_angle(end, phi);
       if (angle < 0) return;
       const Vec3<double> u = into_rim(end, phi, angle);
