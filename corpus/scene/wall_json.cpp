@@ -12,8 +12,6 @@ namespace plumb::scene {
 namespace {
 
 constexpr std::array<std::string_view, 4> shape_words{"mesh", "cylinder", "cone", "box"};
-constexpr std::array<std::string_view, 2> side_words{"inside", "outside"};
-constexpr std::array<std::string_view, 3> end_words{"open", "bare", "closed"};
 
 template <class Word, std::size_t N>
 Word read_one_of(const Field& field, const std::array<std::string_view, N>& words) {
@@ -105,9 +103,8 @@ Json triangles_json(const Mesh& mesh) {
 
 template <class Round>
 void add_side_and_ends(Json& out, const Round& wall) {
-  out["side"] = side_words[static_cast<std::size_t>(wall.side)];
-  const auto word = [&](std::size_t k) { return end_words[static_cast<std::size_t>(wall.ends[k])]; };
-  if (wall.side == Side::inside) out["ends"] = {word(0), word(1)};
+  out["side"] = word_of(wall.side);
+  if (wall.side == Side::inside) out["ends"] = {word_of(wall.ends[0]), word_of(wall.ends[1])};
 }
 
 Json shape_json(const WallShape& shape) {
@@ -138,7 +135,7 @@ Json shape_json(const WallShape& shape) {
                                        [](const BoxWall& wall) {
                                          Json out;
                                          out["half_extents"] = vector_json(wall.half_extents);
-                                         out["side"] = side_words[static_cast<std::size_t>(wall.side)];
+                                         out["side"] = word_of(wall.side);
                                          return out;
                                        }},
                     shape);

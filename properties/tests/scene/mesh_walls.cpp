@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <chrono>
+#include <cstdio>
 
 #include "properties/tests/draws.hpp"
 #include "properties/tests/scene/wall_made.hpp"
@@ -281,6 +283,35 @@ TEST(MeshWalls, WhatIsBeneathATableDoesNotTouchIt) {
   const Vec at = 0.3 * along + 0.0199 * across;
   const auto found = touches_of(table, placed({{0.02, 0.02, 0.5}}, at, leaning));
   for (const Touch& touch : found) EXPECT_LT(touch.overlap, 0.01);
+}
+
+// A ball over hills: where it touches is the point of the surface nearest to its centre, to what its squares are short of it.
+TEST(MeshWalls, AQueryOfManyTriangles) {
+  const int n = is_nightly() ? 708 : 100;
+  std::vector<Triangle> hills = sheet(n, Vec::Zero(), Vec::UnitX(), Vec::UnitY());
+  const auto height = [](const Vec& x) { return 0.02 * std::sin(9 * x.x()) * std::cos(7 * x.y()); };
+  for (Triangle& t : hills)
+    for (Vec& corner : t) corner.z() = height(corner);
+  const MeshWall mesh = mesh_of(std::move(hills));
+  Stream draws("hills", 1, 0);
+  const double radius = 4.0 / n;
+  std::vector<BodyAtWall> bodies;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec at(draws.uniform(0.1, 0.9), draws.uniform(0.1, 0.9), 0);
+    const Superellipsoid<double> shape{radius * Vec(1, draws.uniform(0.6, 1), draws.uniform(0.6, 1)), 2, 2};
+    bodies.push_back(placed(shape, at + (height(at) + 0.98 * shape.semi_axes.z()) * Vec::UnitZ(), Eigen::Quaterniond::Identity()));
+  }
+  std::vector<std::uint32_t> scratch;
+  std::int64_t touched = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (const BodyAtWall& body : bodies) {
+    Touches found;
+    find_touches(mesh, body, scratch, found);
+    touched += found.all().size() == 1 && found.is_complete() ? 1 : 0;
+  }
+  const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
+  EXPECT_GT(touched, 1990);
+  std::printf("%zu triangles: %.1f us a query\n", mesh.mesh->triangles().size(), spent.count() / 2000);
 }
 
 TEST(MeshWalls, WhatIsNoMeshIsRefused) {

@@ -36,6 +36,9 @@ struct MeshQuery {
   Towards towards{};
 
   void look_at(std::uint32_t triangle) {
+    const auto& [a, b, c] = mesh.triangles()[triangle];
+    const Vec3<double> low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    if ((body.centre - body.centre.cwiseMax(low).cwiseMin(high)).squaredNorm() >= reach * reach) return;
     const Mesh::Parts& parts = mesh.parts(triangle);
     look_at_face(triangle, parts);
     for (const std::uint32_t edge : parts.edges)

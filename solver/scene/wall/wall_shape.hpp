@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "solver/contact.hpp"
@@ -18,6 +19,7 @@ struct PlaneWall {};
 
 /// On which side of it bodies are.
 enum class Side { inside, outside };
+inline constexpr std::array<std::string_view, 2> side_words{"inside", "outside"};  ///< of files, as the next ones
 
 /// Of a wall with bodies inside, where it ends.
 enum class End {
@@ -25,6 +27,14 @@ enum class End {
   bare,   ///< nothing touches the rim: another wall goes on there
   closed  ///< by a flat end
 };
+inline constexpr std::array<std::string_view, 3> end_words{"open", "bare", "closed"};
+
+[[nodiscard]] inline std::string_view word_of(Side side) {
+  return side_words[static_cast<std::size_t>(side)];
+}
+[[nodiscard]] inline std::string_view word_of(End end) {
+  return end_words[static_cast<std::size_t>(end)];
+}
 
 /// A thin sheet of triangles, which bodies may touch on either side: on that of their centre.
 struct MeshWall {
