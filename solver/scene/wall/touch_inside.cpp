@@ -54,13 +54,17 @@ class RoundSearch {
   RoundSearch(const At& at, double least, double curvature, const Found& found)
       : at_(at), found_(found), least_(least), curvature_(curvature) {}
 
-  void search(int directions) {
-    constexpr double first = 0.3;  // no direction that a scene's author would choose: there G is 0 to rounding
-    const double step = 2 * std::numbers::pi / directions;
+  /// Of `directions` all round, those within `half` of the middle.
+  void search(double middle, double half, int directions) {
+    constexpr int least = 6;
+    constexpr double aside = 0.3;  // all round no direction that a scene's author would choose: there G is 0 to rounding
+    const bool is_round = half >= std::numbers::pi;
+    const int steps = std::max(least, static_cast<int>(std::ceil(directions * half / std::numbers::pi)));
+    const double first = is_round ? aside : middle - half, step = 2 * half / steps;
     const Round start = at_(first);
     Round before = start;
-    for (int k = 1; k <= directions; ++k) {
-      const Round after = k < directions ? at_(first + step * k) : start;
+    for (int k = 1; k <= steps; ++k) {
+      const Round after = is_round && k == steps ? start : at_(first + step * k);
       look_between(first + step * (k - 1), before, first + step * k, after);
       before = after;
     }
@@ -89,11 +93,12 @@ class RoundSearch {
 class InsideQuery {
  public:
   InsideQuery(const Meridian& meridian, const BodyAtWall& body, Touches& out)
-      : meridian_(meridian), body_(body), out_(out), into_(meridian.into()) {}
+      : meridian_(meridian), body_(body), out_(out), into_(meridian.into()),
+        across_(std::hypot(body.centre.x(), body.centre.y())), reach_(body.radius + body.range) {}
 
   void find() {
     const double outermost = std::max(meridian_.ends[0].radius, meridian_.ends[1].radius);
-    if (!(std::hypot(body_.centre.x(), body_.centre.y()) <= outermost + body_.radius + body_.range)) return;
+    if (!(across_ <= outermost + reach_)) return;
     find_side();
     for (const std::size_t end : {0, 1}) {
       if (meridian_.kinds[end] == End::closed) find_end(end);
@@ -102,28 +107,35 @@ class InsideQuery {
   }
 
  private:
-  static constexpr int side_directions = 48, rim_directions = 16;
+  static constexpr int side_directions = 48, rim_directions = 32;
 
+  /// In directions within `half` of the middle.
   template <class At, class Found>
-  void search(const At& at, int directions, const Found& found) const {
-    constexpr double rounding = 1e-13;
-    const double curvature = body_.radius + std::hypot(body_.centre.x(), body_.centre.y());
-    RoundSearch<At, Found>(at, rounding * body_.radius, curvature, found).search(directions);
+  void search(const At& at, double middle, double half, int directions, const Found& found) const {
+    constexpr double rounding = 1e-13, slack = 1e-6;
+    RoundSearch<At, Found>(at, rounding * body_.radius, body_.radius + across_, found)
+        .search(middle, std::min(half + slack, std::numbers::pi), directions);
   }
 
   [[nodiscard]] Vec3<double> into_at(double phi) const { return into_.radius * radial(phi) + Vec3<double>(0, 0, into_.height); }
 
-  /// Nearer to the wall than that the body's centre has to be, somewhere.
+  /// Times into_.radius the part of a point along e'(phi), of u's own phi.
+  [[nodiscard]] double across(const Vec3<double>& point, const Vec3<double>& u) const {
+    return (u.x() * point.y() - u.y() * point.x()) / into_.radius;
+  }
+
   void find_side() {
     const double offset = into_.radius * meridian_.ends[0].radius + into_.height * meridian_.ends[0].height;
-    const double centre = into_.radius * std::hypot(body_.centre.x(), body_.centre.y()) + into_.height * body_.centre.z();
-    if (!(offset - centre < body_.radius + body_.range)) return;
+    const double left = offset - into_.height * body_.centre.z() - reach_;  // of the centre's way along e: it takes so much
+    const double most = into_.radius * across_;
+    if (!(left < most)) return;
     const auto at_phi = [&](double phi) -> Round {
-      const BodyAtWall::Reach at = body_.along(into_at(phi));
-      const Vec3<double> point = at.point + body_.centre;
-      return {point.dot(around(phi)), at.height + into_at(phi).dot(body_.centre) - offset + body_.range};
+      const Vec3<double> u = into_at(phi);
+      const BodyAtWall::Reach at = body_.along(u);
+      return {across(at.point + body_.centre, u), at.height + u.dot(body_.centre) - offset + body_.range};
     };
-    search(at_phi, side_directions, [&](double phi) {
+    const double half = left > -most ? std::acos(left / most) : std::numbers::pi;
+    search(at_phi, std::atan2(body_.centre.y(), body_.centre.x()), half, side_directions, [&](double phi) {
       const Vec3<double> u = into_at(phi);
       const BodyAtWall::Reach at = body_.along(u);
       if (is_on_side(at.point + body_.centre, radial(phi)) && offset > u.dot(body_.centre))
@@ -169,18 +181,59 @@ class InsideQuery {
     return meridian_.ends[end].radius * radial(phi) + Vec3<double>(0, 0, meridian_.ends[end].height);
   }
 
+  /// A contact that overlaps is at a place of the rim in the body: there the gauge is below 1, and it is looked for first.
   void find_rim(std::size_t end) {
     const MeridianPoint& rim = meridian_.ends[end];
-    const double across = std::hypot(body_.centre.x(), body_.centre.y());
-    const double reach = body_.radius + body_.range;
-    if (rim.radius == 0 || std::hypot(across - rim.radius, body_.centre.z() - rim.height) >= reach) return;
+    const double below = body_.centre.z() - rim.height;
+    if (rim.radius == 0 || std::hypot(across_ - rim.radius, below) >= reach_) return;
+    const double left = rim.radius * rim.radius + across_ * across_ + below * below - reach_ * reach_;
+    const double most = 2 * rim.radius * across_, least_cosine = most > 0 ? left / most : -2;
+    if (least_cosine > 1) return;
+    const double half = least_cosine > -1 ? std::acos(least_cosine) : std::numbers::pi;
+    const double middle = std::atan2(body_.centre.y(), body_.centre.x());
+    if (body_.range > 0) return search_rim(end, middle, half);
+    const int steps = std::max(8, static_cast<int>(std::ceil(rim_directions * half / std::numbers::pi)));
+    const double step = 2 * half / steps;
+    for (int k = 0; k <= steps; ++k) look_for_rim(end, middle - half + step * k, step);
+  }
+
+  /// How far out of the body the rim is: 0 on its surface.
+  [[nodiscard]] double outside(std::size_t end, double phi) const {
+    return gauge<double>(body_.shape, Vec3<double>(body_.orientation.conjugate() * (rim_point(end, phi) - body_.centre))) - 1;
+  }
+
+  /// Where the gauge is least between two directions about this one.
+  void look_for_rim(std::size_t end, double phi, double step) {
+    constexpr int most_steps = 40;
+    constexpr double section = 0.3819660112501051;
+    const double here = outside(end, phi), before = outside(end, phi - step), after = outside(end, phi + step);
+    if (!(here <= before && here < after)) return;
+    double low = phi - step, high = phi + step, at = phi, least = here;
+    for (int k = 0; k < most_steps && least > 0; ++k) {
+      const bool is_low = at - low > high - at;
+      const double next = is_low ? at - section * (at - low) : at + section * (high - at);
+      const double value = outside(end, next);
+      if (value < least) {
+        (is_low ? high : low) = at;
+        at = next, least = value;
+      } else {
+        (is_low ? low : high) = next;
+      }
+    }
+    if (least > 0) return;
+    while (outside(end, low) < 0 && low > phi - std::numbers::pi) low -= step;
+    while (outside(end, high) < 0 && high < phi + std::numbers::pi) high += step;
+    search_rim(end, (low + high) / 2, (high - low) / 2);
+  }
+
+  void search_rim(std::size_t end, double middle, double half) {
     const auto at_phi = [&](double phi) -> Round {
       const Vec3<double> u = into_rim(end, phi, std::max(0.0, rim_angle(end, phi)));
       const BodyAtWall::Reach at = body_.along(u);
       const Vec3<double> w = rim_point(end, phi) - body_.centre;
       return {(at.point + body_.centre).dot(around(phi)), at.height - w.dot(u) + body_.range};
     };
-    search(at_phi, rim_directions, [&](double phi) {
+    search(at_phi, middle, half, rim_directions, [&](double phi) {
       const double angle = rim_angle(end, phi);
       if (angle < 0) return;
       const Vec3<double> u = into_rim(end, phi, angle);
@@ -193,6 +246,7 @@ class InsideQuery {
   const BodyAtWall& body_;
   Touches& out_;
   MeridianPoint into_;
+  double across_, reach_;  ///< of the centre from the axis; of the body from its centre
 };
 
 }  // namespace

@@ -19,11 +19,53 @@ constexpr double slack = 1e-9;
 /// Of how far a point is beyond a side, times its length.
 constexpr double rounding = 2e-14;
 
+/// The square of a triangle's distance from the origin (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
+double distance2_of(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+  const Vec3<double> ab = b - a, ac = c - a;
+  const double d1 = -ab.dot(a), d2 = -ac.dot(a), d3 = -ab.dot(b), d4 = -ac.dot(b), d5 = -ab.dot(c), d6 = -ac.dot(c);
+  if (d1 <= 0 && d2 <= 0) return a.squaredNorm();
+  if (d3 >= 0 && d4 <= d3) return b.squaredNorm();
+  if (d6 >= 0 && d5 <= d6) return c.squaredNorm();
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (a + d1 / (d1 - d3) * ab).squaredNorm();
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (a + d2 / (d2 - d6) * ac).squaredNorm();
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return (b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
+  return (a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac).squaredNorm();
+}
+
+/// Space in the body's axes over its semi-axes, where it lies in a ball about the origin.
+class ScaledSpace {
+ public:
+  explicit ScaledSpace(const BodyAtWall& body)
+      : to_(body.shape.semi_axes.cwiseInverse().asDiagonal() * body.orientation.toRotationMatrix().transpose()),
+        centre_(body.centre), radius_(radius_of(body.shape) * (1 + slack) + body.range / body.shape.semi_axes.minCoeff()) {}
+
+  [[nodiscard]] bool may_meet(const Triangle& t) const {
+    const auto at = [&](const Vec3<double>& x) -> Vec3<double> { return to_ * (x - centre_); };
+    return distance2_of(at(t[0]), at(t[1]), at(t[2])) <= radius_ * radius_;
+  }
+
+ private:
+  /// max of (x^2 + y^2 + z^2)^(1/2) where (|x|^n2 + |y|^n2)^(n1/n2) + |z|^n1 = 1 (Hoelder's inequality, twice).
+  static double radius_of(const Superellipsoid<double>& shape) {
+    const double n1 = std::max(2.0, shape.n1), n2 = std::max(2.0, shape.n2);
+    const double across = std::exp2(0.5 - 1 / n2);
+    if (n1 == 2) return across;
+    const double q = 1 / (0.5 - 1 / n1);
+    return std::pow(std::pow(across, q) + 1, 1 / q);
+  }
+
+  Mat3<double> to_;
+  Vec3<double> centre_;
+  double radius_;
+};
+
 struct MeshQuery {
   const Mesh& mesh;
   const BodyAtWall& body;
   Touches& out;
   double reach = body.radius + body.range;
+  ScaledSpace scaled{body};
 
   /// The body towards the facet that was looked at last: its triangles follow each other.
   struct Towards {
@@ -39,6 +81,7 @@ struct MeshQuery {
     const auto& [a, b, c] = mesh.triangles()[triangle];
     const Vec3<double> low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
     if ((body.centre - body.centre.cwiseMax(low).cwiseMin(high)).squaredNorm() >= reach * reach) return;
+    if (!scaled.may_meet(mesh.triangles()[triangle])) return;
     const Mesh::Parts& parts = mesh.parts(triangle);
     look_at_face(triangle, parts);
     for (const std::uint32_t edge : parts.edges)
@@ -80,10 +123,8 @@ struct MeshQuery {
     const Vec3<double> way = edge.to - edge.from, w = edge.from - body.centre;
     const double length2 = way.squaredNorm(), nearest = std::clamp(-w.dot(way) / length2, 0.0, 1.0);
     if ((w + nearest * way).squaredNorm() >= reach * reach) return;
-    const auto at_start = body.along(-edge.start), at_end = body.along(-edge.end);
-    if (mesh.inwards(edge.sides[0], body.centre + at_start.point) >= 0 ||
-        mesh.inwards(edge.sides[1], body.centre + at_end.point) >= 0)
-      return;
+    if (mesh.inwards(edge.sides[0], body.centre + body.along(-edge.start).point) >= 0) return;
+    if (mesh.inwards(edge.sides[1], body.centre + body.along(-edge.end).point) >= 0) return;
     const auto into_at = [&](double t) -> Vec3<double> { return std::sin(t) * edge.inward - std::cos(t) * edge.start; };
     const auto slope = [&](double t) {
       const Vec3<double> turned = std::cos(t) * edge.inward + std::sin(t) * edge.start;
