@@ -126,6 +126,7 @@ class InsideQuery {
 
   void find_side() {
     const double offset = into_.radius * meridian_.ends[0].radius + into_.height * meridian_.ends[0].height;
+    if (!is_beside()) return;
     const double left = offset - into_.height * body_.centre.z() - reach_;  // of the centre's way along e: it takes so much
     const double most = into_.radius * across_;
     if (!(left < most)) return;
@@ -141,6 +142,13 @@ class InsideQuery {
       if (is_on_side(at.point + body_.centre, radial(phi)) && offset > u.dot(body_.centre))
         out_.add_reach(body_, u, at, offset - u.dot(body_.centre));
     });
+  }
+
+  /// Whether the body is as high as some of the side: beyond it a cone's surface would go on to its apex, where all is deep.
+  [[nodiscard]] bool is_beside() const {
+    const double half = body_.half_extent().z(), z = body_.centre.z();
+    const bool is_above = meridian_.kinds[0] == End::closed || z + half >= meridian_.ends[0].height;
+    return is_above && (meridian_.kinds[1] == End::closed || z - half <= meridian_.ends[1].height);
   }
 
   [[nodiscard]] bool is_on_side(const Vec3<double>& point, const Vec3<double>& outwards) const {
