@@ -4,7 +4,6 @@
 #include "corpus/case/shape_json.hpp"
 
 namespace plumb {
-namespace {
 
 std::array<double, 4> read_orientation(const Field& orientation) {
   orientation.require_object({"quaternion_wxyz", "euler_zxz", "euler_zxz_deg"});
@@ -17,6 +16,8 @@ std::array<double, 4> read_orientation(const Field& orientation) {
   }
   orientation.fail("must hold one of quaternion_wxyz, euler_zxz, euler_zxz_deg");
 }
+
+namespace {
 
 /// `path`: of the shape, which may lie deeper than "shape". A sweep's radius is the outermost's.
 void require_legal(const Field& field, const InputError& error, const std::string& path) {

@@ -7,6 +7,9 @@
 
 namespace plumb {
 
+/// A quaternion (w, x, y, z), from one or from Euler angles, which are evaluated in 50 digits. Throws FieldError.
+[[nodiscard]] std::array<double, 4> read_orientation(const Field& orientation);
+
 /// Reads a legal body from an object's shape, position and orientation; its other members are the caller's. Where something
 /// else places it, it has no position. Euler angles are evaluated in 50 digits. Throws FieldError.
 [[nodiscard]] Body read_body(const Field& field, bool placed = false);

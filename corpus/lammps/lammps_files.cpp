@@ -12,6 +12,8 @@
 #include "solver/lammps/pair_arguments.hpp"
 #include "solver/scene/part.hpp"
 #include "solver/scene/simulation.hpp"
+#include "solver/scene/wall/mesh.hpp"
+#include "solver/shape/overloaded.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -113,14 +115,54 @@ std::string data_text(const Scene& scene, const World& world) {
   return text;
 }
 
+template <class Round>
+std::string side_text(const Round& wall) {
+  return fmt::format("{} {} {}", word_of(wall.side), word_of(wall.ends[0]), word_of(wall.ends[1]));
+}
+
+std::string mesh_text(const MeshWall& wall) {
+  std::string out = fmt::format("{} {}", shortest(wall.smooth_deg), wall.mesh->triangles().size());
+  for (const Triangle& triangle : wall.mesh->triangles())
+    for (const Vec3<double>& corner : triangle) out += " " + numbers_text(corner);
+  return out;
+}
+
+/// What stands after the shape's place.
+std::string shape_text(const WallShape& shape) {
+  return std::visit(
+      plumb::detail::Overloaded{
+          [](const PlaneWall&) { return std::string(); }, [](const MeshWall& wall) { return mesh_text(wall); },
+          [](const CylinderWall& wall) {
+            return fmt::format("{} {} {}", shortest(wall.radius), shortest(wall.half_length), side_text(wall));
+          },
+          [](const ConeWall& wall) {
+            return fmt::format("{} {} {} {}", shortest(wall.radii[0]), shortest(wall.radii[1]), shortest(wall.height),
+                               side_text(wall));
+          },
+          [](const BoxWall& wall) {
+            return fmt::format("{} {}", numbers_text(wall.half_extents), word_of(wall.side));
+          }},
+      shape);
+}
+
+/// Without its motion.
+std::string place_text(const Wall& wall) {
+  if (wall.is_plane()) return numbers_text(wall.point) + " " + numbers_text(wall.normal);
+  std::string out = fmt::format("{} {}", name_of(wall.shape), numbers_text(wall.point));
+  for (const double part : wall.quaternion) out += " " + shortest(part);
+  return out + " " + shape_text(wall.shape);
+}
+
 std::string wall_text(const Scene& scene, std::size_t wall) {
-  std::string out = fmt::format("fix wall{} all plumb/wall {} {}", wall, numbers_text(scene.walls[wall].point),
-                                numbers_text(scene.walls[wall].normal));
+  std::string out = fmt::format("fix wall{} all plumb/wall {}", wall, place_text(scene.walls[wall]));
   if (scene.effects.moving_walls)
     for (const WallMotion& motion : scene.effects.moving_walls->motions)
-      if (static_cast<std::size_t>(motion.wall) == wall)
+      if (static_cast<std::size_t>(motion.wall) == wall) {
         out += fmt::format(" velocity {} amplitude {} frequency {}", numbers_text(motion.velocity),
                            numbers_text(motion.amplitude), shortest(motion.frequency));
+        if (!motion.angular_velocity.isZero(0))
+          out += fmt::format(" angular_velocity {} pivot {}", numbers_text(motion.angular_velocity), numbers_text(motion.pivot));
+      }
   return out + "\n";
 }
 

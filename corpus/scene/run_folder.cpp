@@ -53,10 +53,17 @@ void remove_cases(const fs::path& folder) {
       if (entry.path().extension() == ".json" || entry.path().extension() == ".tmp") fs::remove(entry.path(), none);
 }
 
+/// With its triangles in the place of the files that they came from.
+std::string whole_text(Scene scene) {
+  for (Wall& wall : scene.walls)
+    if (auto* mesh = std::get_if<MeshWall>(&wall.shape)) mesh->file.clear();
+  return format_scene({std::move(scene), {}, {}});
+}
+
 }  // namespace
 
 std::uint64_t run_key(const Scene& scene, const Plan& plan) {
-  return hash_of_text(format_scene({scene, {}, {}}) + write_json(plan_json(scene, plan, {})));
+  return hash_of_text(whole_text(scene) + write_json(plan_json(scene, plan, {})));
 }
 
 RunFolder::RunFolder(fs::path path, std::uint64_t key, bool resume) : path_(std::move(path)), key_(key) {
@@ -98,7 +105,7 @@ void RunFolder::write_run(const Json& run) const {
 }
 
 void RunFolder::write_scene(const Scene& scene) const {
-  write_file(path_ / scene_file, format_scene({scene, {}, {}}) + "\n");
+  write_file(path_ / scene_file, whole_text(scene) + "\n");
 }
 
 }  // namespace plumb::scene

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <ranges>
 #include <utility>
 
 #include "corpus/case/body_json.hpp"
 #include "corpus/case/case.hpp"
 #include "corpus/json/fields.hpp"
+#include "corpus/scene/wall_json.hpp"
 #include "solver/scene/check_scene.hpp"
 
 namespace plumb::scene {
@@ -179,12 +181,9 @@ SceneBody read_scene_body(const Field& field, const std::vector<Material>& mater
   return out;
 }
 
-Wall read_wall(const Field& field, const std::vector<Material>& materials) {
-  field.require_object({"point", "normal", "temperature", "material"});
-  Wall out;
+Wall read_wall(const Field& field, const std::vector<Material>& materials, const std::string& folder) {
+  Wall out = read_wall_place(field, folder);
   out.material = read_its_material(field, materials);
-  out.point = field.member("point").vector();
-  out.normal = field.member("normal").vector();
   if (const auto temperature = field.find("temperature")) out.temperature = temperature->number();
   return out;
 }
@@ -240,7 +239,7 @@ Run read_run(const Field& field) {
   return out;
 }
 
-SceneFile read_tree(const Json& tree) {
+SceneFile read_tree(const Json& tree, const std::string& folder) {
   const Field root(tree);
   if (root.has("format")) root.member("format").require_text(scene_format);
   root.require_object({"format", "name", "materials", "bodies", "walls", "effects", "run", "provenance"});
@@ -252,7 +251,7 @@ SceneFile read_tree(const Json& tree) {
   for (const Field& body : root.member("bodies").elements())
     out.scene.bodies.push_back(read_scene_body(body, materials));
   if (const auto walls = root.find("walls"))
-    for (const Field& wall : walls->elements()) out.scene.walls.push_back(read_wall(wall, materials));
+    for (const Field& wall : walls->elements()) out.scene.walls.push_back(read_wall(wall, materials, folder));
   if (const auto effects = root.find("effects")) read_effects(*effects, out.scene.effects);
   if (const auto run = root.find("run")) out.scene.run = read_run(*run);
   if (const auto provenance = root.find("provenance")) out.provenance = provenance->value();
@@ -300,9 +299,7 @@ Json scene_body_json(const Scene& scene, const SceneBody& b) {
 }
 
 Json wall_json(const Scene& scene, const Wall& wall) {
-  Json out;
-  out["point"] = vector_json(wall.point);
-  out["normal"] = vector_json(wall.normal);
+  Json out = wall_place_json(wall);
   if (wall.temperature) out["temperature"] = *wall.temperature;
   add_material(out, scene, wall.material);
   return out;
@@ -357,7 +354,7 @@ std::span<const OutputWord> output_words() {
 
 SceneFile parse_scene(const std::string& text, const std::string& file) {
   try {
-    SceneFile out = read_tree(read_json(text));
+    SceneFile out = read_tree(read_json(text), std::filesystem::path(file).parent_path().string());
     check_scene(out.scene);
     return out;
   } catch (const FieldError& error) {

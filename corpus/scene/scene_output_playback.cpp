@@ -18,7 +18,10 @@ Json head_json(const Scene& scene, const Plan& plan) {
     bodies.push_back(
         {{"semi_axes", vector_json(shape.semi_axes)}, {"exponents", {shape.n1, shape.n2}}, {"fixed", b.is_fixed}});
   }
-  for (const Wall& wall : scene.walls) walls.push_back({{"normal", vector_json(wall.normal)}});
+  for (const Wall& wall : scene.walls) {
+    walls.push_back({{"normal", vector_json(wall.normal)}});
+    if (!wall.is_plane()) walls.back()["shape"] = name_of(wall.shape);
+  }
   for (const PlannedEffect& planned : plan.effects)
     effects.push_back({{"name", planned.effect->name}, {"on", planned.is_on}, {"why", planned.why}});
   return {{"format", "plumb/playback-1"},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -81,6 +82,7 @@ std::vector<std::array<std::uint32_t, 2>> touching_pairs(const Simulation& run) 
   std::vector<std::array<std::uint32_t, 2>> out;
   for (const std::uint32_t c : contacts.touching)
     if (contacts.overlap == nullptr || (*contacts.overlap)[c] > 0) out.push_back(contacts.pairs[c]);
+  out.erase(std::unique(out.begin(), out.end()), out.end());  // at several places of a wall
   return out;
 }
 

@@ -113,8 +113,10 @@ class PlaybackReader {
     out_["effects"] = effects_json(head.member("effects"));
     take_bodies(head.member("bodies"));
     out_["walls"] = Json::array();
-    for (const Field& wall : head.member("walls").elements())
-      out_["walls"].push_back(direction(wall.member("normal"), wall.member("normal").numbers<3>()));
+    for (const Field& wall : head.member("walls").elements()) {
+      const std::array<double, 3> normal = direction(wall.member("normal"), wall.member("normal").numbers<3>());
+      out_["walls"].push_back(wall.has("shape") ? std::array<double, 3>{} : normal);  // no plane: not drawn
+    }
     walls_ = out_["walls"].size();
     out_["times"] = Json::array();
     out_["contacts"] = {{"counts", Json::array()}, {"deepest", Json::array()}};

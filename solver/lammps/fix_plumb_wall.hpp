@@ -1,5 +1,14 @@
-// fix ID all plumb/wall px py pz nx ny nz [velocity vx vy vz] [amplitude ax ay az] [frequency f]: a scene's wall, the half space that the
-// normal points away from. Its contacts are pair_style plumb/cn's.
+// A scene's wall; its contacts are pair_style plumb/cn's.
+//
+//   fix ID all plumb/wall px py pz nx ny nz MOTION                        the half space that the normal points away from
+//   fix ID all plumb/wall cylinder PLACE radius half_length SIDE END END MOTION
+//   fix ID all plumb/wall cone PLACE r0 r1 height SIDE END END MOTION
+//   fix ID all plumb/wall box PLACE hx hy hz SIDE MOTION
+//   fix ID all plumb/wall mesh PLACE smooth_deg N x y z .. MOTION         9 N numbers
+//
+// PLACE   x y z, and the quaternion w x y z
+// SIDE    inside or outside; END, the lower and the upper: open, bare or closed
+// MOTION  [velocity v v v] [amplitude a a a] [frequency f] [angular_velocity w w w] [pivot p p p]
 #pragma once
 
 #include "solver/lammps/lammps_headers.hpp"

@@ -191,9 +191,17 @@ bool PairPlumbCn::is_owned(std::uint32_t body) const {
   return body < atom_of_body_.size() && atom_of_body_[body] < atom->nlocal;
 }
 
-double PairPlumbCn::key_of(std::uint32_t body) const {
+double PairPlumbCn::key_of(std::uint32_t body, std::size_t place) const {
+  constexpr double places = 64;  // of a wall: more than any has
   if (body < atom_of_body_.size()) return static_cast<double>(atom->tag[atom_of_body_[body]]);
-  return -1.0 - static_cast<double>(body - atom_of_body_.size());
+  return -1.0 - static_cast<double>(body - atom_of_body_.size()) - static_cast<double>(place) / places;
+}
+
+std::size_t PairPlumbCn::place_of(std::size_t contact) const {
+  const auto& pairs = part_->world().contacts.pairs;
+  std::size_t place = 0;
+  while (place < contact && pairs[contact - place - 1] == pairs[contact]) ++place;
+  return place;
 }
 
 std::vector<PairPlumbCn::AtomPair> PairPlumbCn::listed_pairs() const {
@@ -226,10 +234,11 @@ std::vector<std::array<std::uint32_t, 2>> PairPlumbCn::contact_pairs(const std::
     const auto a = static_cast<std::uint32_t>(body_of(i)), b = static_cast<std::uint32_t>(body_of(j));
     out.push_back({std::min(a, b), std::max(a, b)});
   }
-  const std::size_t walls = fixes_of<FixPlumbWall>(*modify).size();
+  const auto walls = fixes_of<FixPlumbWall>(*modify);
   for (int i = 0; i < atom->nlocal; ++i)
-    for (std::size_t wall = 0; wall < walls && !is_fixed(i); ++wall)
-      out.push_back({static_cast<std::uint32_t>(body_of(i)), static_cast<std::uint32_t>(atom_of_body_.size() + wall)});
+    for (std::size_t wall = 0; wall < walls.size() && !is_fixed(i); ++wall)
+      out.insert(out.end(), scene::places_of(walls[wall]->wall().shape),
+                 {static_cast<std::uint32_t>(body_of(i)), static_cast<std::uint32_t>(atom_of_body_.size() + wall)});
   std::ranges::sort(out);
   return out;
 }
@@ -238,6 +247,7 @@ std::vector<std::array<std::uint32_t, 2>> PairPlumbCn::contact_pairs(const std::
 void PairPlumbCn::refuse_two_images() const {
   std::vector<std::pair<std::uint32_t, double>> seen;
   for (const auto& [a, b] : part_->world().contacts.pairs) {
+    if (part_->world().bodies.is_wall(b)) continue;
     if (is_owned(a)) seen.emplace_back(a, key_of(b));
     if (is_owned(b)) seen.emplace_back(b, key_of(a));
   }
@@ -272,7 +282,7 @@ void PairPlumbCn::recall() {
   for (std::size_t c = 0; c < pairs.size(); ++c) {
     const auto [a, b] = pairs[c];
     const std::uint32_t mine = is_owned(a) ? a : b;
-    const double other = key_of(mine == a ? b : a);
+    const double other = key_of(mine == a ? b : a, place_of(c));
     const std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
     if (!memory.empty() && memory[0] != key_of(mine))
       error->one(FLERR,
@@ -301,7 +311,7 @@ void PairPlumbCn::store() {
       if (!is_owned(mine)) continue;
       std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
       if (memory.empty()) memory.push_back(key_of(mine));
-      memory.push_back(key_of(other));
+      memory.push_back(key_of(other, place_of(c)));
       memory.insert(memory.end(), row.begin(), row.end());
     }
   }

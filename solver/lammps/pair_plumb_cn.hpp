@@ -70,8 +70,10 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void share_energy();
   [[nodiscard]] bool is_fixed(int atom) const;
   [[nodiscard]] bool is_owned(std::uint32_t body) const;
-  /// The atom's ID, or for a wall -1, -2, ..
-  [[nodiscard]] double key_of(std::uint32_t body) const;
+  /// The atom's ID, or for a wall -1, -2, .., less a part of 1 for each place of it before.
+  [[nodiscard]] double key_of(std::uint32_t body, std::size_t place = 0) const;
+  /// Which of a pair's contacts it is.
+  [[nodiscard]] std::size_t place_of(std::size_t contact) const;
 
   scene::PairArguments arguments_;
   std::unique_ptr<scene::Part> part_;

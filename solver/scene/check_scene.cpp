@@ -83,6 +83,47 @@ void check_region(const Outputs& outputs) {
   require((region.low.array() < region.high.array()).all(), at, "low must be below high along each axis");
 }
 
+constexpr const char* a_length = "must be a positive number";
+
+bool is_length(double x) {
+  return std::isfinite(x) && x > 0;
+}
+
+/// What a wall of each kind is made of.
+struct ShapeCheck {
+  std::string at;
+
+  void operator()(const PlaneWall& /*plane*/) const {}
+  void operator()(const MeshWall& wall) const {
+    require(wall.mesh != nullptr, at + ".mesh", "has no triangles");
+    require(wall.smooth_deg >= 0 && wall.smooth_deg < 90, at + ".mesh.smooth_deg", "must be a number from 0 to below 90");
+  }
+  void operator()(const CylinderWall& wall) const {
+    require(is_length(wall.radius), at + ".cylinder.radius", a_length);
+    require(is_length(wall.half_length), at + ".cylinder.half_length", a_length);
+  }
+  void operator()(const ConeWall& wall) const {
+    for (const std::size_t k : {0, 1})
+      require(std::isfinite(wall.radii[k]) && wall.radii[k] >= 0, at + ".cone.radii[" + std::to_string(k) + "]",
+              "must be a number, 0 or more");
+    require(wall.radii[0] + wall.radii[1] > 0, at + ".cone.radii", "are both 0");
+    require(is_length(wall.height), at + ".cone.height", a_length);
+  }
+  void operator()(const BoxWall& wall) const {
+    for (int k = 0; k < 3; ++k)
+      require(is_length(wall.half_extents[k]), at + ".box.half_extents[" + std::to_string(k) + "]", a_length);
+  }
+};
+
+void check_wall(const Wall& wall, const std::string& at) {
+  std::visit(ShapeCheck{at}, wall.shape);
+  const auto is_zero = [](double x) { return x == 0; };
+  const bool is_finite = std::ranges::all_of(wall.quaternion, [](double x) { return std::isfinite(x); });
+  require(is_finite && !std::ranges::all_of(wall.quaternion, is_zero), at + ".orientation", "must be finite numbers, not all 0");
+  const bool is_normal = wall.normal.allFinite() && wall.normal.norm() > 0;
+  require(!wall.is_plane() || is_normal, at + ".normal", "must be finite numbers, not all 0");
+}
+
 void check_run(const Run& run) {
   require(std::isfinite(run.duration) && run.duration >= 0, "run.duration", "must be a number, 0 or more");
   require(run.accuracy > 0 && run.accuracy < 1, "run.accuracy", "must be a number between 0 and 1");
@@ -107,8 +148,7 @@ void check_scene(const Scene& scene) {
     const std::string at = "walls[" + std::to_string(i) + "]";
     require(scene.walls[i].point.allFinite(), at + ".point", "must be finite numbers");
     require(scene.walls[i].material < materials, at + ".material", no_material);
-    const Vec3<double>& normal = scene.walls[i].normal;
-    require(normal.allFinite() && normal.norm() > 0, at + ".normal", "must be finite numbers, not all 0");
+    check_wall(scene.walls[i], at);
   }
   check_effects(scene.effects, "effects");
   check_run(scene.run);

@@ -20,12 +20,24 @@ double wind_of(const Scene& scene) {
   return scene.effects.drag ? scene.effects.drag->fluid_velocity.norm() : 0;
 }
 
+/// Of what turns with a wall the farthest from its axis: of a plane, as far as the scene goes.
+double arm_of(const Scene& scene, const WallMotion& motion) {
+  if (motion.wall < 0 || static_cast<std::size_t>(motion.wall) >= scene.walls.size()) return 0;
+  const Wall& wall = scene.walls[static_cast<std::size_t>(motion.wall)];
+  if (!wall.is_plane()) return extent_of(wall.shape) + motion.pivot.norm();
+  double farthest = 0;
+  for (const SceneBody& b : scene.bodies) farthest = std::max(farthest, (b.body.position - wall.point - motion.pivot).norm());
+  return farthest;
+}
+
 double fastest_wall(const Scene& scene) {
   double fastest = 0;
   if (scene.effects.moving_walls)
-    for (const WallMotion& motion : scene.effects.moving_walls->motions)
-      fastest =
-          std::max(fastest, motion.velocity.norm() + 2 * std::numbers::pi * motion.frequency * motion.amplitude.norm());
+    for (const WallMotion& motion : scene.effects.moving_walls->motions) {
+      double speed = motion.velocity.norm() + 2 * std::numbers::pi * motion.frequency * motion.amplitude.norm();
+      if (!motion.angular_velocity.isZero(0)) speed += motion.angular_velocity.norm() * arm_of(scene, motion);
+      fastest = std::max(fastest, speed);
+    }
   return fastest;
 }
 
@@ -41,8 +53,11 @@ double wall_reach(const Scene& scene, std::size_t wall) {
   double sum = 0;
   if (scene.effects.moving_walls)
     for (const WallMotion& motion : scene.effects.moving_walls->motions)
-      if (static_cast<std::size_t>(motion.wall) == wall)
+      if (static_cast<std::size_t>(motion.wall) == wall) {
         sum += motion.velocity.norm() * scene.run.duration + motion.amplitude.norm();
+        if (!motion.angular_velocity.isZero(0))  // a shape stays in its ball
+          sum += scene.walls[wall].is_plane() ? std::numeric_limits<double>::infinity() : 2 * motion.pivot.norm();
+      }
   return sum;
 }
 
@@ -53,7 +68,8 @@ double range_of(const Scene& scene) {
 bool can_touch_wall(const Scene& scene, const SceneBody& b, double radius) {
   for (std::size_t k = 0; k < scene.walls.size(); ++k) {
     const Wall& wall = scene.walls[k];
-    const double height = wall.normal.normalized().dot(b.body.position - wall.point);
+    const Vec3<double> from = b.body.position - wall.point;
+    const double height = wall.is_plane() ? wall.normal.normalized().dot(from) : from.norm() - extent_of(wall.shape);
     if (height <= radius + wall_reach(scene, k) + range_of(scene)) return true;
   }
   return false;
@@ -184,7 +200,10 @@ double greatest_speed(const Scene& scene) {
       first = std::max(first, b.velocity.norm() + b.angular_velocity.norm() * bounding_radius(b.body.shape));
     box.extend(b.body.position);
   }
-  for (const Wall& wall : scene.walls) box.extend(wall.point);
+  for (const Wall& wall : scene.walls) {
+    const Vec3<double> about = Vec3<double>::Constant(wall.is_plane() ? 0 : extent_of(wall.shape));
+    box.extend(Eigen::AlignedBox3d(wall.point - about, wall.point + about));
+  }
   const double g = gravity_of(scene);
   const double height = box.isEmpty() ? 0 : box.diagonal().norm();
   const double own = std::min(first + g * scene.run.duration, std::sqrt(first * first + 2 * g * height));

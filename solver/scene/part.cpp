@@ -74,8 +74,7 @@ void Part::renew(std::span<const SceneBody> bodies, std::vector<std::array<std::
   world_.columns.renew(ColumnKind::pair, pairs.size());
   world_.contacts.pairs = std::move(pairs);
   for (auto* list : {&world_.contacts.touching, &world_.contacts.pressing, &world_.contacts.parted}) list->clear();
-  for (std::size_t i = 0; i < probe_.walls.size(); ++i)
-    world_.state.position->vector(bodies.size() + i) = probe_.walls[i].point;
+  for (std::size_t i = 0; i < probe_.walls.size(); ++i) set_wall(world_, i, probe_.walls[i]);
   for (const auto& start : world_.starts) start(probe_);
 }
 

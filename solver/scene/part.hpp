@@ -36,7 +36,7 @@ class Part {
   Part& operator=(const Part&) = delete;
 
   /// Other bodies, of which place() has to tell where they are, and the pairs that may touch: sorted, body 1 < body 2, walls counted on
-  /// after the bodies. No contact has a history.
+  /// after the bodies, each pair as often as body 2 has places. No contact has a history.
   void renew(std::span<const SceneBody> bodies, std::vector<std::array<std::uint32_t, 2>> pairs);
 
   /// Quaternion (w, x, y, z), unit; momentum in world axes.

@@ -12,6 +12,7 @@
 #include "solver/contact.hpp"
 #include "solver/scene/effects.hpp"
 #include "solver/scene/material/material.hpp"
+#include "solver/scene/wall/wall_shape.hpp"
 
 namespace plumb::scene {
 
@@ -26,12 +27,15 @@ struct SceneBody {
   std::size_t material = 0;           ///< index in the scene's materials, where it has any
 };
 
-/// The half space that `normal` points away from is solid.
+/// A plane: the half space that `normal` points away from is solid. Others have a shape about their point.
 struct Wall {
   Vec3<double> point = Vec3<double>::Zero();
-  Vec3<double> normal = Vec3<double>::UnitZ();  ///< any length but 0
+  Vec3<double> normal = Vec3<double>::UnitZ();  ///< any length but 0; of a plane alone
   std::optional<double> temperature;
   std::size_t material = 0;
+  WallShape shape = PlaneWall{};
+  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< (w, x, y, z), any length but 0: of all but a plane
+  [[nodiscard]] bool is_plane() const { return std::holds_alternative<PlaneWall>(shape); }
 };
 
 /// A box along the axes.

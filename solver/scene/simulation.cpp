@@ -72,13 +72,16 @@ void take_over(Columns& columns, const Pairs& before, const Pairs& now) {
   }
 }
 
-/// A list of contacts as it is made: of bodies that are there, the second of higher index, sorted, no pair twice.
+/// A list of contacts as it is made: of bodies that are there, the second of higher index, sorted, each as often as it has places.
 bool are_pairs(const Pairs& pairs, const Bodies& bodies) {
-  const auto is_pair = [&](const auto& pair) {
-    return pair[0] < pair[1] && pair[0] < bodies.count && pair[1] < bodies.all();
-  };
-  return std::ranges::all_of(pairs, is_pair) &&
-         std::ranges::adjacent_find(pairs, std::ranges::greater_equal{}) == pairs.end();
+  for (std::size_t k = 0; k < pairs.size();) {
+    const auto [i, j] = pairs[k];
+    if (!(i < j && i < bodies.count && j < bodies.all()) || (k > 0 && pairs[k - 1] > pairs[k])) return false;
+    const std::size_t places = bodies.places(j), first = k;
+    while (k < pairs.size() && pairs[k] == pairs[first]) ++k;
+    if (k - first != places) return false;
+  }
+  return true;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ fs::path written(const std::string& name, const std::string& bytes) {
 const fs::path seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
 
 TEST(Targets, ReplayTheirSeeds) {
-  for (const char* target : {"patch", "path", "scene", "files"}) {
+  for (const char* target : {"patch", "path", "scene", "files", "mesh"}) {
     ASSERT_FALSE(fs::is_empty(seeds / target));
     EXPECT_EQ(replay(target, seeds / target), 0) << target;
   }
@@ -34,7 +34,7 @@ TEST(Targets, ReplayTheirSeeds) {
 
 TEST(Targets, ReplayNoBytes) {
   const fs::path nothing = written("nothing", "");
-  for (const char* target : {"patch", "path", "scene", "files"}) EXPECT_EQ(replay(target, nothing), 0) << target;
+  for (const char* target : {"patch", "path", "scene", "files", "mesh"}) EXPECT_EQ(replay(target, nothing), 0) << target;
 }
 
 // original_cn breaks a law on this motion: the target stops, and leaves a file that plumb path reads; auto breaks none.

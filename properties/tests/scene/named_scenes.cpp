@@ -29,8 +29,8 @@ std::unique_ptr<Simulation> watched_to_end(const Scene& scene, double& greatest_
   return run;
 }
 
-TEST(NamedScenes, AreElevenAndLegal) {
-  EXPECT_EQ(named_scenes().size(), 11U);
+TEST(NamedScenes, AreFourteenAndLegal) {
+  EXPECT_EQ(named_scenes().size(), 14U);
   for (const NamedScene& named : named_scenes()) {
     const Scene scene = make(named.name);
     EXPECT_EQ(scene.name, named.name);
@@ -46,7 +46,7 @@ TEST(NamedScenes, AreElevenAndLegal) {
 }
 
 TEST(NamedScenes, StartApart) {
-  for (const char* name : {"impact", "pile", "hopper", "dice", "tower", "wall", "rod", "billiards"})
+  for (const char* name : {"impact", "pile", "hopper", "dice", "tower", "wall", "rod", "billiards", "drum", "silo", "mixer"})
     EXPECT_TRUE(started(make(name))->world().contacts.touching.empty()) << name;
   EXPECT_EQ(started(make("chain"))->world().contacts.touching.size(), 9U);
 }

@@ -64,6 +64,19 @@ inline std::string sample_with_materials() {
   return text;
 }
 
+/// With a wall of every shape after the plane.
+inline std::string sample_with_walls() {
+  return sample_scene_with(
+      R"("normal": [0, 0, 1]}])",
+      R"("normal": [0, 0, 1]},)"
+      R"( {"mesh": {"triangles": [[[0, 0, -5], [1, 0, -5], [0, 1, -5]]], "smooth_deg": 10}, "position": [0, 0, 1],)"
+      R"( "orientation": {"quaternion_wxyz": [2, 0, 0, 1]}, "temperature": 3},)"
+      R"( {"cylinder": {"radius": 9, "half_length": 8, "side": "inside", "ends": ["closed", "bare"]}},)"
+      R"( {"cone": {"radii": [8, 9], "height": 20, "ends": "open"}, "position": [0, 0, -1]},)"
+      R"( {"cone": {"radii": [1, 0], "height": 2, "side": "outside"}, "position": [7, 0, 0]},)"
+      R"( {"box": {"half_extents": [9, 9, 9]}}, {"box": {"half_extents": [1, 1, 1], "side": "outside"}, "position": [-7, 0, 0]}])");
+}
+
 /// The same with the first occurrence replaced.
 inline std::string sample_with_materials_with(const std::string& old_text, const std::string& new_text) {
   std::string text = sample_with_materials();

@@ -172,7 +172,9 @@ TEST(SceneSchema, TakesAndRefusesWhatTheReaderDoes) {
       R"({"gravity": {"acceleration": [0, 0, -1]}, "damping": {"restitution": 0.5}, "cohesion": {"pull_off": 1, "range": 2},
           "moving_walls": {"motions": [{"wall": 0, "velocity": [0, 0, 0], "frequency": 1}]}})";
   const Json sample = read_json(sample_scene()), other = read_json(sample_scene_of(effects));
-  for (const Json& tree : {sample, other}) {
+  Json walls = read_json(sample_with_walls());
+  walls["bodies"].erase(1), walls["bodies"].erase(1);
+  for (const Json& tree : {sample, other, walls}) {
     Mutations mutations(tree, whole);
     mutations.visit_all();
     EXPECT_GT(mutations.count, 500);

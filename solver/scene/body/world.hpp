@@ -11,7 +11,8 @@
 
 namespace plumb::scene {
 
-/// What does not change, one entry a body and, after the bodies, one a wall (shape and orientation of which nobody reads).
+/// What does not change, one entry a body and, after the bodies, one a wall (of which nobody reads the body's shape). A wall that turns
+/// has its normal of now.
 struct Bodies {
   std::size_t count = 0;  ///< without walls
   std::size_t walls = 0;
@@ -24,9 +25,13 @@ struct Bodies {
   std::vector<Vec3<double>> inertia, inverse_inertia;  ///< principal, body axes; inverse 0 where nothing turns it
   std::vector<double> sphere_radius;                   ///< of equal volume
   std::vector<std::uint32_t> movable, turning;
-  std::vector<Vec3<double>> wall_normal;  ///< unit, out of the wall
+  std::vector<Vec3<double>> wall_normal;  ///< unit, out of the wall: of planes
+  std::vector<Vec3<double>> wall_spin;    ///< rad / time about its point, world axes; 0 of what does not turn
+  std::vector<WallShape> wall_shape;
   [[nodiscard]] std::size_t all() const { return count + walls; }
   [[nodiscard]] bool is_wall(std::uint32_t i) const { return i >= count; }
+  /// Entries of the contact list that a pair with this body or wall has.
+  [[nodiscard]] std::size_t places(std::uint32_t i) const { return is_wall(i) ? places_of(wall_shape[i - count]) : 1; }
 };
 
 /// What moves. Columns of what no effect and no output asks for are nullptr.
@@ -124,6 +129,8 @@ struct World {
   }
 
   [[nodiscard]] Levers levers(std::size_t contact) const;
+  /// Of body 2, or of a wall where it is touched.
+  [[nodiscard]] Vec3<double> second_velocity(std::size_t contact) const;
   /// The velocity of body 2's point of contact as body 1's sees it, where bodies turn.
   [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact, const Levers& levers) const;
   /// Its component along the normal; negative: they approach. Of spheres, turning does nothing to it, exactly.
@@ -153,15 +160,22 @@ inline Levers World::levers(std::size_t contact) const {
           bodies.is_wall(j) ? Vec3<double>::Zero() : Vec3<double>(point - state.position->vector(j))};
 }
 
+inline Vec3<double> World::second_velocity(std::size_t contact) const {
+  const std::uint32_t j = contacts.pairs[contact][1];
+  const Vec3<double> velocity = state.velocity->vector(j);
+  if (!bodies.is_wall(j) || bodies.wall_spin[j - bodies.count].isZero(0)) return velocity;
+  return velocity + bodies.wall_spin[j - bodies.count].cross(contacts.point->vector(contact) - state.position->vector(j));
+}
+
 inline Vec3<double> World::relative_velocity(std::size_t contact, const Levers& levers) const {
   const auto [i, j] = contacts.pairs[contact];
   const Vec3<double> spin1 = state.angular_velocity->vector(i), spin2 = state.angular_velocity->vector(j);
-  return state.velocity->vector(j) - state.velocity->vector(i) + spin2.cross(levers.r2) - spin1.cross(levers.r1);
+  return second_velocity(contact) - state.velocity->vector(i) + spin2.cross(levers.r2) - spin1.cross(levers.r1);
 }
 
 inline double World::normal_velocity(std::size_t contact) const {
   const auto [i, j] = contacts.pairs[contact];
-  const double shift = (state.velocity->vector(j) - state.velocity->vector(i)).dot(contacts.normal->vector(contact));
+  const double shift = (second_velocity(contact) - state.velocity->vector(i)).dot(contacts.normal->vector(contact));
   if (!has_turning()) return shift;
   return shift + (state.angular_velocity->vector(j).dot(contacts.arm2->vector(contact)) -
                   state.angular_velocity->vector(i).dot(contacts.arm1->vector(contact)));

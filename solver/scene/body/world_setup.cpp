@@ -122,6 +122,17 @@ void add_wall(Bodies& bodies, const Wall& wall) {
   bodies.inverse_inertia.emplace_back(Vec3<double>::Zero());
   bodies.sphere_radius.push_back(0);
   bodies.wall_normal.emplace_back(wall.normal.normalized());
+  bodies.wall_spin.emplace_back(Vec3<double>::Zero());
+  bodies.wall_shape.push_back(wall.shape);
+}
+
+void set_wall(World& world, std::size_t index, const Wall& wall) {
+  const std::size_t i = world.bodies.count + index;
+  world.state.position->vector(i) = wall.point;
+  if (wall.is_plane()) return;
+  const auto& q = wall.quaternion;
+  const Eigen::Quaterniond unit = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+  std::ranges::copy(std::array{unit.w(), unit.x(), unit.y(), unit.z()}, world.state.orientation->entry(i).begin());
 }
 
 void add_columns(World& world, const Plan& plan) {
@@ -143,8 +154,7 @@ void set_up(World& world, const Scene& scene, const Plan& plan) {
   add_columns(world, plan);
   world.columns.renew(Kind::body, world.bodies.all());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) set_body(world, i, scene.bodies[i]);
-  for (std::size_t i = 0; i < scene.walls.size(); ++i)
-    world.state.position->vector(world.bodies.count + i) = scene.walls[i].point;
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) set_wall(world, i, scene.walls[i]);
   for (const auto& start : world.starts) start(scene);
 }
 

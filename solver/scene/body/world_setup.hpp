@@ -9,6 +9,8 @@ namespace plumb::scene {
 /// At the end of what there is: all bodies, then all walls.
 void add_body(Bodies& bodies, const SceneBody& b, bool turns);
 void add_wall(Bodies& bodies, const Wall& wall);
+/// Where the scene has it.
+void set_wall(World& world, std::size_t index, const Wall& wall);
 
 /// The columns and passes of what the plan has on; no entry yet.
 void add_columns(World& world, const Plan& plan);

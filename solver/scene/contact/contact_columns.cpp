@@ -145,8 +145,9 @@ bool keep_wall_contact(World& world, std::size_t c, Contact<double> answer) {
   bool is_complete = true;
   if (world.contacts.volume != nullptr) {
     is_complete = keep_patch(world, c, answer, [&] {
-      return patch_at_wall(solver_body(world, i), answer.normal, world.state.position->vector(j),
-                           world.contacts.patch_tolerance);
+      const bool is_plane = std::holds_alternative<PlaneWall>(world.bodies.wall_shape[j - world.bodies.count]);
+      const Vec3<double> on_wall = is_plane ? Vec3<double>(world.state.position->vector(j)) : answer.point2;
+      return patch_at_wall(solver_body(world, i), answer.normal, on_wall, world.contacts.patch_tolerance);
     });
     straighten(world, i, j, answer);
   }

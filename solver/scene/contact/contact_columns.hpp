@@ -12,7 +12,7 @@ void keep_charts(Contacts& contacts, std::size_t contact, const Contact<double>&
 /// wanted and there is none: its columns are those of before.
 [[nodiscard]] bool keep_contact(World& world, std::size_t contact, Contact<double> answer);
 
-/// The same of a body and a wall, and the body's curvature at the point.
+/// The same of a body and a wall, and the body's curvature at the point. point2 is on the wall: not read of a plane.
 [[nodiscard]] bool keep_wall_contact(World& world, std::size_t contact, Contact<double> answer);
 
 }  // namespace plumb::scene

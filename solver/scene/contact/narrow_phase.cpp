@@ -8,6 +8,7 @@
 #include "solver/scene/contact/contact_columns.hpp"
 #include "solver/scene/contact/pair_chunk.hpp"
 #include "solver/scene/threads.hpp"
+#include "solver/scene/wall/meet_wall.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::scene {
@@ -15,8 +16,8 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// The deepest point of a body in a wall: the support point, in closed form. Whether they touch.
-bool meet_wall(World& world, std::size_t c, Totals& round) {
+/// The deepest point of a body in a plane: the support point, in closed form. Whether they touch.
+bool meet_plane(World& world, std::size_t c, Totals& round) {
   const Contacts& contacts = world.contacts;
   const auto [i, j] = contacts.pairs[c];
   const Vec3<double> into = -world.bodies.wall_normal[j - world.bodies.count];
@@ -75,15 +76,25 @@ class Block {
   /// A pair that touched is solved from its last answer. One that did not is first asked, by its first direction or from its last answer.
   void sort(std::size_t c) {
     const auto [i, j] = world_.contacts.pairs[c];
-    touches_[c] = 0;
     if (world_.bodies.is_wall(j))
-      touches_[c] = meet_wall(world_, c, round_) ? 1 : 0;
+      sort_wall(c, j - world_.bodies.count);
     else if (!may_touch(world_, i, j))
       return;
     else if (!want_.is_yes_or_no() && (touched(c) || world_.contacts.range > 0))
       to_solve_.add(c);
     else
       (std::isnan(world_.contacts.chart->entry(c)[0]) ? by_direction_ : by_charts_).add(c);
+  }
+
+  /// All places of a pair at its first: those of others, in the next block too, are left to it.
+  void sort_wall(std::size_t c, std::size_t wall) {
+    if (std::holds_alternative<PlaneWall>(world_.bodies.wall_shape[wall])) {
+      touches_[c] = meet_plane(world_, c, round_) ? 1 : 0;
+      return;
+    }
+    const auto& pairs = world_.contacts.pairs;
+    if (c > 0 && pairs[c - 1] == pairs[c]) return;
+    if (!meet_wall(world_, c, touches_, near_)) ++round_.failed;
   }
 
   template <class Work>
@@ -156,6 +167,7 @@ class Block {
   std::array<int, capacity> evaluations_{};
   PairChunk chunk_;
   Totals round_;
+  std::vector<Index> near_;  ///< triangles of a mesh
 };
 
 /// Which pairs touch, which of them overlap, and which did and no longer do.

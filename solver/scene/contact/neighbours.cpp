@@ -70,17 +70,27 @@ void add_bodies(const World& world, const Column& boxes, const Tree& tree, std::
   std::sort(pairs.begin() + first, pairs.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
 }
 
+/// Whether a wall may reach into a box: of a plane by its normal, of others by the ball about their point, whose turning is nothing.
+bool reaches(const Bodies& bodies, std::size_t wall, const Vec3<double>& from, const Vec3<double>& half, double range) {
+  const Vec3<double> normal = bodies.wall_normal[wall];
+  if (std::holds_alternative<PlaneWall>(bodies.wall_shape[wall]))
+    return normal.dot(from) <= normal.cwiseAbs().dot(half) + range;
+  return (from.cwiseAbs() - half).cwiseMax(0).norm() <= extent_of(bodies.wall_shape[wall]) + range;
+}
+
+void add_places(const Bodies& bodies, std::uint32_t i, std::uint32_t j, Pairs& pairs) {
+  pairs.insert(pairs.end(), bodies.places(j), {i, j});
+}
+
 /// Walls that reach into body i's box.
 void add_walls(const World& world, const Column& boxes, double margin, std::uint32_t i, Pairs& pairs) {
   const Bodies& bodies = world.bodies;
   for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
-    if (!can_meet(bodies, i, static_cast<std::uint32_t>(bodies.count + wall))) break;
-    const Vec3<double> normal = bodies.wall_normal[wall];
-    const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
-    const double middle = normal.dot((low + high) / 2 - low_of(boxes, bodies.count + wall));
-    const double reach = normal.cwiseAbs().dot((high - low) / 2);
-    if (middle <= reach + world.contacts.range / 2 + margin)
-      pairs.push_back({i, static_cast<std::uint32_t>(bodies.count + wall)});
+    const auto j = static_cast<std::uint32_t>(bodies.count + wall);
+    if (!can_meet(bodies, i, j)) break;
+    const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i), half = (high - low) / 2;
+    const Vec3<double> from = (low + high) / 2 - low_of(boxes, j);
+    if (reaches(bodies, wall, from, half, world.contacts.range / 2 + margin)) add_places(bodies, i, j, pairs);
   }
 }
 
@@ -107,7 +117,9 @@ bool walls_stand(const World& world, const Column& boxes) {
   const double margin = wall_margin(world);
   for (std::size_t wall = 0; wall < bodies.walls; ++wall) {
     const Vec3<double> moved = world.state.position->vector(bodies.count + wall) - low_of(boxes, bodies.count + wall);
-    if (!(bodies.wall_normal[wall].dot(moved) <= margin)) return false;
+    const bool is_plane = std::holds_alternative<PlaneWall>(bodies.wall_shape[wall]);
+    if (!((is_plane ? bodies.wall_normal[wall].dot(moved) : moved.norm()) <= margin)) return false;
+    if (is_plane && !bodies.wall_spin[wall].isZero(0)) return false;
   }
   return true;
 }
@@ -170,7 +182,7 @@ Pairs all_pairs(const Bodies& bodies) {
   Pairs pairs;
   for (std::uint32_t i = 0; i < bodies.count; ++i)
     for (std::uint32_t j = i + 1; j < bodies.all(); ++j)
-      if (is_still || can_meet(bodies, i, j)) pairs.push_back({i, j});
+      if (is_still || can_meet(bodies, i, j)) add_places(bodies, i, j, pairs);
   return pairs;
 }
 

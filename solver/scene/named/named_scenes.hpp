@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "solver/scene/scene.hpp"
+#include "solver/scene/wall/mesh.hpp"
 
 namespace plumb::scene::named {
 
@@ -19,6 +20,11 @@ namespace plumb::scene::named {
 [[nodiscard]] Scene dice(int bodies);
 [[nodiscard]] Scene tower(int bodies);
 [[nodiscard]] Scene wall(int bodies);
+[[nodiscard]] Scene drum(int bodies);
+[[nodiscard]] Scene silo(int bodies);
+[[nodiscard]] Scene mixer(int bodies);
+/// The mixer's, as corpus/scenes/blade.stl has it.
+[[nodiscard]] std::vector<Triangle> blade();
 
 inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 

@@ -26,6 +26,7 @@ function meetWalls(playback: Playback, frames: Frames, low: Vec, high: Vec): voi
     frames.wallPoints({ frame, part: 0 }, points);
     playback.walls.forEach((normal, wall) => {
       const axis = normal.findIndex((part) => Math.abs(part) > 0.9999);
+      if (axis < 0) return;
       const place = points[3 * wall + axis];
       if (place === undefined || place < (low[axis] as number) - near || place > (high[axis] as number) + near) return;
       low[axis] = Math.min(low[axis] as number, place);

@@ -1,4 +1,4 @@
-/** Walls as translucent planes, cut to the scene's extent. */
+/** Walls as translucent planes, cut to the scene's extent. One without a normal is no plane, and not drawn. */
 import {
   BufferGeometry,
   DoubleSide,
@@ -56,7 +56,7 @@ export class Walls {
     private readonly extent: Extent,
     colour: string,
   ) {
-    this.panes = normals.map((normal) => pane(normal, extent, colour));
+    this.panes = normals.map((normal) => (dot(normal, normal) > 0 ? pane(normal, extent, colour) : new Group()));
     for (const one of this.panes) this.group.add(one);
   }
 
