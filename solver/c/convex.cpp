@@ -1,12 +1,12 @@
 // The C API's convex shapes: plumb_solve_convex and what goes into it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <new>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "solver/c/contexts.hpp"
@@ -16,6 +16,7 @@
 #include "solver/method/convex.hpp"
 #include "solver/plumb.h"
 #include "solver/shape/hull.hpp"
+#include "solver/shape/shape_fields.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 struct plumb_hull {
@@ -25,38 +26,34 @@ struct plumb_hull {
 namespace plumb {
 namespace {
 
-template <std::size_t kind, class S>
-constexpr bool is_shape = std::is_same_v<std::variant_alternative_t<kind, Shape>, S>;
-static_assert(is_shape<PLUMB_SHAPE_SUPERELLIPSOID, Superellipsoid<double>>);
-static_assert(is_shape<PLUMB_SHAPE_CAPSULE, Capsule>);
-static_assert(is_shape<PLUMB_SHAPE_CYLINDER, Cylinder>);
-static_assert(is_shape<PLUMB_SHAPE_CONE, Cone>);
-static_assert(is_shape<PLUMB_SHAPE_FRUSTUM, Frustum>);
-static_assert(is_shape<PLUMB_SHAPE_BOX, Box>);
-static_assert(is_shape<PLUMB_SHAPE_POLYHEDRON, Polyhedron>);
-static_assert(is_shape<PLUMB_SHAPE_POLY_SUPERELLIPSOID, PolySuperellipsoid>);
-static_assert(is_shape<PLUMB_SHAPE_HALF_SPACE, HalfSpace>);
-static_assert(std::variant_size_v<Shape> == PLUMB_SHAPE_HALF_SPACE + 1);
-
 /// The caller's hull for the length of a call: without a count of its owners, at which threads would wait for each other.
 Polyhedron polyhedron_of(const plumb_hull& hull) {
   return {std::shared_ptr<const Hull>(std::shared_ptr<const Hull>(), hull.polyhedron.hull.get())};
 }
 
+/// Parameters are the fields' numbers, in the order of both.
+template <class S>
+Shape read_shape(const plumb_shape& from) {
+  S out{};
+  std::size_t next = 0;
+  each_field(out, [&](auto place, const auto&, const auto& numbers) {
+    for (std::size_t i = 0; i < number_count<S, place>; ++i) *numbers[i] = from.parameters[next++];
+  });
+  return out;
+}
+template <>
+Shape read_shape<Polyhedron>(const plumb_shape& from) {
+  return from.hull == nullptr ? Polyhedron() : polyhedron_of(*from.hull);
+}
+
+constexpr int kinds = std::variant_size_v<Shape>;
+
 /// Of a kind that there is.
 Shape shape_of(const plumb_shape& from) {
-  const double* const p = from.parameters;
-  switch (from.kind) {
-    case PLUMB_SHAPE_SUPERELLIPSOID: return Superellipsoid<double>{Vec3<double>::Map(p), p[3], p[4]};
-    case PLUMB_SHAPE_CAPSULE: return Capsule{p[0], p[1]};
-    case PLUMB_SHAPE_CYLINDER: return Cylinder{p[0], p[1]};
-    case PLUMB_SHAPE_CONE: return Cone{p[0], p[1]};
-    case PLUMB_SHAPE_FRUSTUM: return Frustum{{p[0], p[1]}, p[2]};
-    case PLUMB_SHAPE_BOX: return Box{Vec3<double>::Map(p)};
-    case PLUMB_SHAPE_POLYHEDRON: return from.hull == nullptr ? Polyhedron() : polyhedron_of(*from.hull);
-    case PLUMB_SHAPE_POLY_SUPERELLIPSOID: return PolySuperellipsoid{{p[0], p[1], p[2], p[3], p[4], p[5]}, p[6], p[7]};
-    default: return HalfSpace{};
-  }
+  static constexpr auto readers = []<std::size_t... kind>(std::index_sequence<kind...>) {
+    return std::array{&read_shape<std::variant_alternative_t<kind, Shape>>...};
+  }(std::make_index_sequence<kinds>());
+  return readers[static_cast<std::size_t>(from.kind)](from);
 }
 
 ConvexBody body_of(const plumb_convex_body& from) {
@@ -74,8 +71,7 @@ ConvexPair pair_of(const plumb_convex_pair& from) {
 
 /// What only C can get wrong: a kind that is none, a hull that is not there.
 InputError error_in(const plumb_shape& shape, int body) {
-  if (shape.kind < PLUMB_SHAPE_SUPERELLIPSOID || shape.kind > PLUMB_SHAPE_HALF_SPACE)
-    return {"shape.kind", "no shape has this number", body};
+  if (shape.kind < 0 || shape.kind >= kinds) return {"shape.kind", "no shape has this number", body};
   if (shape.kind == PLUMB_SHAPE_POLYHEDRON && shape.hull == nullptr) return {"shape.hull", "must not be null", body};
   return {};
 }

@@ -14,40 +14,6 @@ namespace plumb {
 namespace detail {
 namespace {
 
-/// The core of a shape in the pair's unit, 2^exponent of the caller's.
-struct CoreOf {
-  PowerOfTwo<double> unit;
-  bool is_moderate;
-
-  explicit CoreOf(int exponent) : unit(-exponent), is_moderate(std::abs(exponent) < 400) {}
-
-  RoundedCore operator()(const Superellipsoid<double>& s) const {
-    const Vec3<double> a = unit(s.semi_axes);
-    if (s.n1 == 2 && s.n2 == 2 && a[0] == a[1] && a[1] == a[2]) return {SegmentCore{0}, a[0]};
-    return {SmoothCore{{a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2}, 0};
-  }
-  RoundedCore operator()(const Capsule& s) const { return {SegmentCore{unit(s.half_length)}, unit(s.radius)}; }
-  RoundedCore operator()(const Cylinder& s) const {
-    const double r = unit(s.radius), l = unit(s.half_length);
-    return {FrustumCore{{-l, l}, {r, r}}, 0};
-  }
-  RoundedCore operator()(const Cone& s) const { return (*this)(Frustum{{s.radius, 0}, s.height}); }
-  RoundedCore operator()(const Frustum& s) const {
-    const double r = unit(s.radii[0]), t = unit(s.radii[1]), h = unit(s.height);
-    const double larger = std::max(s.radii[0], s.radii[1]), p = s.radii[0] / larger, q = s.radii[1] / larger;
-    const double below = h / 4 * ((p * p + 2 * p * q + 3 * q * q) / (p * p + p * q + q * q));
-    return {FrustumCore{{-below, h - below}, {r, t}}, 0};
-  }
-  RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
-  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit, is_moderate}, 0}; }
-  RoundedCore operator()(const PolySuperellipsoid& s) const {
-    SmoothCore core{{}, s.n1, s.n2};
-    std::transform(s.semi_axes.begin(), s.semi_axes.end(), core.semi_axes.begin(), unit);
-    return {core, 0};
-  }
-  RoundedCore operator()(const HalfSpace&) const { return {SegmentCore{0}, 0}; }
-};
-
 /// The frame of a pair: origin at body 1, lengths over 2^exponent.
 struct ConvexFrame {
   int exponent;

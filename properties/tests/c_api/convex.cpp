@@ -1,9 +1,13 @@
 // plumb_solve_convex gives what solve_convex gives, to the bit, and refuses what it must.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cfenv>
 #include <cmath>
+#include <fstream>
+#include <map>
 
 #include "properties/generators/families.hpp"
 #include "properties/tests/c_api/convex_pairs.hpp"
@@ -66,6 +70,12 @@ TEST(CConvex, TheCallersRoundingChangesNothing) {
   });
 }
 
+template <class... S>
+std::map<std::string, int> numbers_by_word(const std::variant<S...>* /*list*/) {
+  int next = 0;
+  return {{std::string(RowOf<S>::word), next++}...};
+}
+
 plumb_convex_pair boxes() {
   return {{{{PLUMB_SHAPE_BOX, nullptr, {1, 1, 1}}, 0, {0, 0, 0}, {1, 0, 0, 0}},
            {{PLUMB_SHAPE_BOX, nullptr, {1, 1, 1}}, 0.25, {0, 0, 2}, {1, 0, 0, 0}}}};
@@ -124,7 +134,7 @@ TEST(CConvex, AnIllegalPairIsAnAnswerAndSaysWhy) {
   refused([](Body& b) { b.swept_radius = -1; }, "bodies[1].shape.sphere_swept.radius: must be finite and not below 0");
   refused([](Body& b) { b.position[2] = INFINITY; }, "bodies[1].position: must be finite");
   refused([](Body& b) { b.quaternion_wxyz[0] = 0; }, "bodies[1].orientation.quaternion_wxyz: must not be zero");
-  for (const int kind : {-1, PLUMB_SHAPE_HALF_SPACE + 1, 1 << 30})
+  for (const int kind : {-1, int{std::variant_size_v<Shape>}, 1 << 30})
     refused([&](Body& b) { b.shape.kind = kind; }, "bodies[1].shape.kind: no shape has this number");
   refused([](Body& b) { b.shape.kind = PLUMB_SHAPE_POLYHEDRON; }, "bodies[1].shape.hull: must not be null");
   plumb_convex_pair walls = boxes();
@@ -136,6 +146,20 @@ TEST(CConvex, AnIllegalPairIsAnAnswerAndSaysWhy) {
   const plumb_convex_pair legal = boxes();
   EXPECT_EQ(plumb_describe_convex_input(&legal, text, sizeof text), PLUMB_OK);
   EXPECT_STREQ(text, "");
+}
+
+/// `PLUMB_SHAPE_NAME = number` in the header, the name as cases have it.
+TEST(CConvex, EveryShapeHasItsNumber) {
+  std::ifstream in(PLUMB_SOURCE_DIR "/solver/plumb.h");
+  constexpr std::string_view prefix = "PLUMB_SHAPE_";
+  std::map<std::string, int> numbers;
+  for (std::string word, sign, number; in >> word;) {
+    if (!word.starts_with(prefix) || !(in >> sign >> number) || sign != "=") continue;
+    word.erase(0, prefix.size());
+    std::ranges::transform(word, word.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    numbers[word] = std::stoi(number);
+  }
+  EXPECT_EQ(numbers, (numbers_by_word(static_cast<const Shape*>(nullptr))));
 }
 
 TEST(CConvex, AHullIsOfFinitePoints) {

@@ -7,6 +7,7 @@
 #include "solver/pose.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/shape/hull.hpp"
+#include "solver/shape/shape_fields.hpp"
 
 namespace plumb::reference::bodies_tests {
 
@@ -34,6 +35,25 @@ inline constexpr std::size_t shape_count = std::variant_size_v<Shape>;
   return make_polyhedron(points);
 }
 
+/// A legal one: lengths and exponents as those of other shapes.
+template <class S>
+[[nodiscard]] Shape draw_fields(Stream& stream) {
+  for (;;) {
+    S out{};
+    each_field(out, [&](auto, const auto& field, const auto& numbers) {
+      for (double* number : numbers) {
+        const bool is_zero = field.legal == Legal::not_below_zero && stream.chance(0.2);
+        *number = is_zero ? 0 : (field.is_length() ? draw_length(stream) : draw_convex_exponent(stream));
+      }
+    });
+    if (find_input_error(ConvexPair{{out}, {}}).reason.empty()) return out;
+  }
+}
+template <class... S>
+[[nodiscard]] Shape draw_by_fields(std::size_t kind, Stream& stream, const std::variant<S...>* /*list*/) {
+  return std::array{&draw_fields<S>...}[kind](stream);
+}
+
 [[nodiscard]] inline Shape draw_shape(std::size_t kind, Stream& stream) {
   const auto length = [&] { return draw_length(stream); };
   const auto three = [&] {
@@ -55,7 +75,8 @@ inline constexpr std::size_t shape_count = std::variant_size_v<Shape>;
       return PolySuperellipsoid{{length(), length(), length(), length(), length(), length()},
                                 draw_convex_exponent(stream),
                                 draw_convex_exponent(stream)};
-    default: return HalfSpace{};
+    case 8: return HalfSpace{};
+    default: return draw_by_fields(kind, stream, static_cast<const Shape*>(nullptr));
   }
 }
 

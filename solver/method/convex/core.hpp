@@ -3,9 +3,13 @@
 // A support point x(u) is a point of the core farthest along u; h(u) = x(u).u. The directions divide into pieces on which x is smooth: the
 // corners of a polytope, the two rims of a frustum, one piece for what is smooth all over. Between pieces faces and edges lie: there
 // several x are farthest, and every mixture of them is.
+//
+// A core says whether it is a polytope, and whether it is of revolution about its z axis.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <variant>
 
 #include "solver/power_of_two.hpp"
@@ -28,8 +32,10 @@ struct PieceSupport {
 
 /// Corners (0, 0, -l) and (0, 0, l); a point where l = 0.
 struct SegmentCore {
+  static constexpr bool is_polytope = true;
   double half_length;
 
+  [[nodiscard]] bool is_of_revolution() const { return true; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const int end = u[2] > 0 ? 1 : 0;
     return {corner(end), end};
@@ -42,8 +48,10 @@ struct SegmentCore {
 
 /// Corner k has the positive half-extent along axis i where bit i of k is set.
 struct BoxCore {
+  static constexpr bool is_polytope = true;
   Vec3<double> half_extents;
 
+  [[nodiscard]] bool is_of_revolution() const { return false; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const int k = (u[0] > 0 ? 1 : 0) + (u[1] > 0 ? 2 : 0) + (u[2] > 0 ? 4 : 0);
     return {corner(k), k};
@@ -59,11 +67,13 @@ struct BoxCore {
 
 /// The corners of a hull, in another unit.
 struct HullCore {
+  static constexpr bool is_polytope = true;
   const Hull* hull;
   PowerOfTwo<double> unit;
   bool
       is_moderate;  ///< heights in the hull's own unit are far from the ends of double: they tell the farthest corner as well
 
+  [[nodiscard]] bool is_of_revolution() const { return false; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const int best = is_moderate ? farthest([&](const Vec3<double>& x) { return x.dot(u); })
                                  : farthest([&](const Vec3<double>& x) { return unit(x).dot(u); });
@@ -87,8 +97,10 @@ struct HullCore {
 
 /// The hull of two circles about the z axis, the lower of which is piece 0; either radius may be 0. A cylinder, a cone, a frustum.
 struct FrustumCore {
+  static constexpr bool is_polytope = false;
   std::array<double, 2> heights, radii;
 
+  [[nodiscard]] bool is_of_revolution() const { return true; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const double across = std::hypot(u[0], u[1]);
     const auto height = [&](std::size_t end) { return radii[end] * across + heights[end] * u[2]; };
@@ -106,9 +118,14 @@ struct FrustumCore {
 
 /// A superellipsoid; of other half-axes in each octant where poly.
 struct SmoothCore {
+  static constexpr bool is_polytope = false;
   std::array<double, 6> semi_axes;
   double n1, n2;
 
+  [[nodiscard]] bool is_of_revolution() const {
+    const auto& a = semi_axes;
+    return n2 == 2 && a[0] == a[1] && a[0] == a[2] && a[0] == a[3];
+  }
   [[nodiscard]] Superellipsoid<double> octant(const Vec3<double>& u) const {
     const auto axis = [&](std::size_t i) { return semi_axes[2 * i + (u[static_cast<int>(i)] < 0 ? 1 : 0)]; };
     return {{axis(0), axis(1), axis(2)}, n1, n2};
@@ -130,6 +147,39 @@ using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, SmoothCor
 struct RoundedCore {
   Core core;
   double radius;
+};
+
+/// The core of a shape in the pair's unit, 2^exponent of the caller's.
+struct CoreOf {
+  PowerOfTwo<double> unit;
+  bool is_moderate;
+
+  explicit CoreOf(int exponent) : unit(-exponent), is_moderate(std::abs(exponent) < 400) {}
+
+  RoundedCore operator()(const Superellipsoid<double>& s) const {
+    const Vec3<double> a = unit(s.semi_axes);
+    if (s.n1 == 2 && s.n2 == 2 && a[0] == a[1] && a[1] == a[2]) return {SegmentCore{0}, a[0]};
+    return {SmoothCore{{a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2}, 0};
+  }
+  RoundedCore operator()(const Capsule& s) const { return {SegmentCore{unit(s.half_length)}, unit(s.radius)}; }
+  RoundedCore operator()(const Cylinder& s) const {
+    const double r = unit(s.radius), l = unit(s.half_length);
+    return {FrustumCore{{-l, l}, {r, r}}, 0};
+  }
+  RoundedCore operator()(const Cone& s) const { return (*this)(s.frustum()); }
+  RoundedCore operator()(const Frustum& s) const {
+    const double r = unit(s.radii[0]), t = unit(s.radii[1]), h = unit(s.height),
+                 below = Frustum{{r, t}, h}.depth_of_bottom();
+    return {FrustumCore{{-below, h - below}, {r, t}}, 0};
+  }
+  RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
+  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit, is_moderate}, 0}; }
+  RoundedCore operator()(const PolySuperellipsoid& s) const {
+    SmoothCore core{{}, s.n1, s.n2};
+    std::transform(s.semi_axes.begin(), s.semi_axes.end(), core.semi_axes.begin(), unit);
+    return {core, 0};
+  }
+  RoundedCore operator()(const HalfSpace&) const { return {SegmentCore{0}, 0}; }
 };
 
 }  // namespace plumb::detail
