@@ -141,7 +141,9 @@ enum plumb_shape_kind {
   PLUMB_SHAPE_BOX = 5,                 /* half-extents along x, y, z > 0 */
   PLUMB_SHAPE_POLYHEDRON = 6,          /* none, but a hull */
   PLUMB_SHAPE_POLY_SUPERELLIPSOID = 7, /* semi-axes to +x, -x, +y, -y, +z, -z > 0; exponents n1, n2 > 1 */
-  PLUMB_SHAPE_HALF_SPACE = 8           /* none: z <= 0 */
+  PLUMB_SHAPE_HALF_SPACE = 8,          /* none: z <= 0 */
+  PLUMB_SHAPE_TABLET =
+      9 /* half-length >= 0 of the straight side along z, radius > 0, height > 0 of each cap, <= radius */
 };
 
 /* The convex hull of points, which may be a polygon, a segment or a point. Any number of bodies and threads may share one. */

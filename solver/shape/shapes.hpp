@@ -193,6 +193,30 @@ struct RowOf<PolySuperellipsoid> {
   }
 };
 
+/// A cylinder whose ends are caps of a sphere.
+struct Tablet {
+  double half_length, radius, cap_height;
+
+  /// Of the sphere.
+  [[nodiscard]] double cap_radius() const { return radius * (radius / (2 * cap_height)) + cap_height / 2; }
+};
+template <>
+struct RowOf<Tablet> {
+  static constexpr std::string_view word = "tablet",
+                                    text = "A biconvex tablet: a cylinder along z whose ends are caps of a sphere. A "
+                                           "lens where half_length is 0, a capsule where cap_height is the radius.";
+  static constexpr std::tuple fields{
+      length("half_length", Legal::not_below_zero, "of the straight side", &Tablet::half_length),
+      length("radius", Legal::above_zero, "", &Tablet::radius),
+      length("cap_height", Legal::above_zero, "at most the radius", &Tablet::cap_height)};
+  static FieldsError error_of(const Tablet& s) {
+    return {2, s.cap_height <= s.radius ? "" : "must not be above the radius"};
+  }
+  static double reach(const Tablet& s) {
+    return std::max(std::hypot(s.half_length, s.radius), s.half_length + s.cap_height);
+  }
+};
+
 struct HalfSpace {};
 template <>
 struct RowOf<HalfSpace> {
@@ -205,6 +229,6 @@ struct RowOf<HalfSpace> {
 
 /// The closed list. An alternative's place in it is its number in C.
 using Shape = std::variant<Superellipsoid<double>, Capsule, Cylinder, Cone, Frustum, Box, Polyhedron,
-                           PolySuperellipsoid, HalfSpace>;
+                           PolySuperellipsoid, HalfSpace, Tablet>;
 
 }  // namespace plumb

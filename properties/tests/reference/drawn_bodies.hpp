@@ -136,6 +136,11 @@ struct SupportOf {
     return std::max<S>(S(s.radii[0]) * across() - depth * u[2],
                        S(s.radii[1]) * across() + (S(s.height) - depth) * u[2]);
   }
+  S operator()(const Tablet& s) const {
+    const S r(s.radius), e(s.cap_height), ball = (r * r + e * e) / (2 * e), centre = S(s.half_length) + e - ball;
+    const bool is_on_cap = length() > 0 && centre + ball * size(u[2]) / length() >= S(s.half_length);
+    return is_on_cap ? S(centre * size(u[2]) + ball * length()) : S(S(s.half_length) * size(u[2]) + r * across());
+  }
   S operator()(const Box& s) const {
     return S(s.half_extents[0]) * size(u[0]) + S(s.half_extents[1]) * size(u[1]) + S(s.half_extents[2]) * size(u[2]);
   }
@@ -189,6 +194,12 @@ struct OutsideOf {
     const S above = x[2] + centroid<S>(s), share = above / S(s.height);
     const S radius = S(s.radii[0]) * (1 - share) + S(s.radii[1]) * share;
     return std::max<S>(std::max<S>(-above, above - S(s.height)), square_across() - radius * radius);
+  }
+  S operator()(const Tablet& s) const {
+    using std::abs;
+    const S r(s.radius), e(s.cap_height), ball = (r * r + e * e) / (2 * e), above = abs(x[2]) - S(s.half_length);
+    if (above <= 0) return square_across() - r * r;
+    return square_across() + (above - e + ball) * (above - e + ball) - ball * ball;
   }
   S operator()(const Box& s) const {
     using std::abs;

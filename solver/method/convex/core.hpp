@@ -116,6 +116,29 @@ struct FrustumCore {
   }
 };
 
+/// Of the lower and of the upper half of a tablet, each with its end of the straight side.
+struct TabletCore {
+  static constexpr bool is_polytope = false;
+  Tablet tablet;
+  double cap_radius;
+
+  [[nodiscard]] bool is_of_revolution() const { return true; }
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    const int end = u[2] > 0 ? 1 : 0;
+    return {support(end, u).point, end};
+  }
+  [[nodiscard]] PieceSupport support(int piece, const Vec3<double>& u) const {
+    const auto& [l, r, e] = tablet;
+    const double side = piece == 1 ? 1 : -1, up = side * u[2], across = std::hypot(u[0], u[1]);
+    if (!(across * (cap_radius - e) <= up * r)) return FrustumCore{{-l, l}, {r, r}}.support(piece, u);
+    // 1 - cos of the angle from the axis is across^2 / (1 + up): the centre of a flat cap is far away.
+    const Vec3<double> n = u.normalized();
+    const double below = cap_radius * across * across / (u.squaredNorm() + u.norm() * up);
+    return {{cap_radius * n[0], cap_radius * n[1], side * (l + e - below)},
+            cap_radius / u.norm() * (Mat3<double>::Identity() - n * n.transpose())};
+  }
+};
+
 /// A superellipsoid; of other half-axes in each octant where poly.
 struct SmoothCore {
   static constexpr bool is_polytope = false;
@@ -141,7 +164,7 @@ struct SmoothCore {
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const { return gauge_hessian<double>(octant(x), x); }
 };
 
-using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, SmoothCore>;
+using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, TabletCore, SmoothCore>;
 
 /// A core and the radius about it.
 struct RoundedCore {
@@ -171,6 +194,10 @@ struct CoreOf {
     const double r = unit(s.radii[0]), t = unit(s.radii[1]), h = unit(s.height),
                  below = Frustum{{r, t}, h}.depth_of_bottom();
     return {FrustumCore{{-below, h - below}, {r, t}}, 0};
+  }
+  RoundedCore operator()(const Tablet& s) const {
+    const Tablet tablet{unit(s.half_length), unit(s.radius), unit(s.cap_height)};
+    return {TabletCore{tablet, tablet.cap_radius()}, 0};
   }
   RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
   RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit, is_moderate}, 0}; }

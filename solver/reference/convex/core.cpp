@@ -40,6 +40,12 @@ Core frustum(const Frustum& s, int exponent) {
                    scaled(s.radii[1], exponent)};
 }
 
+/// The ball over the rim of radius r with the height e has the radius r^2/(2 e) + e/2.
+Core tablet(const Tablet& s, int exponent) {
+  const I l = scaled(s.half_length, exponent), r = scaled(s.radius, exponent), e = scaled(s.cap_height, exponent);
+  return TabletCore{l, r, e, r * (I(s.radius) / (I(2.0) * I(s.cap_height))) + I(0.5) * e};
+}
+
 Core corners(const plumb::Hull& hull, int exponent) {
   CornersCore out;
   for (const Vec3<double>& corner : hull.corners) {
@@ -88,6 +94,19 @@ I support_in(const DiscsCore& core, const IVec3<I>& u) {
   const I across = root<I>(square<I>(u[0]) + square<I>(u[1]));
   return greatest(core.bottom * u[2] + core.bottom_radius * across, core.top * u[2] + core.top_radius * across);
 }
+/// With a = |(u_x, u_y)| and z = |u_z| the ball reaches (l + e) z + R a^2 / (|u| + z), the rim l z + r a. The ball's is the tablet's where its
+/// point lies on the cap: a (R - e) <= z r. The rim's is nowhere above the tablet's, and the ball's nowhere below it.
+I support_in(const TabletCore& core, const IVec3<I>& u) {
+  const I square_across = square<I>(u[0]) + square<I>(u[1]), across = root<I>(square_across), z = magnitude<I>(u[2]);
+  const I slant = root<I>(square_across + square<I>(u[2])) + z;
+  const I share = is_positive(slant) ? I(square_across / slant) : across;
+  const I rim = core.half_length * z + core.radius * across,
+          ball = (core.half_length + core.cap_height) * z + core.ball * share;
+  const I towards_rim = across * (core.ball - core.cap_height), towards_pole = z * core.radius;
+  if (high(towards_rim) <= low(towards_pole)) return ball;
+  if (low(towards_rim) >= high(towards_pole)) return rim;
+  return {low(rim), std::max(high(rim), high(ball))};
+}
 I support_in(const BoxCore& core, const IVec3<I>& u) {
   I out(0.0);
   for (int i = 0; i < 3; ++i) out += core.half_extents[i] * magnitude<I>(u[i]);
@@ -116,6 +135,15 @@ bool is_proved(const DiscsCore& core, const Vec3<double>& x) {
   const I radius = (core.bottom_radius * below + core.top_radius * above) / height;
   if (!(low(radius) >= 0)) return false;
   return high(I(square<I>(I(x[0])) + square<I>(I(x[1])))) <= low(square<I>(low_end<I>(radius)));
+}
+/// Above the rim by t the cap has the radius of the square (e - t) (r^2/e + t).
+bool is_proved(const TabletCore& core, const Vec3<double>& x) {
+  const I square_across = square<I>(I(x[0])) + square<I>(I(x[1]));
+  if (std::abs(x[2]) <= low(core.half_length)) return high(square_across) <= low(square<I>(low_end<I>(core.radius)));
+  const I above = I(std::abs(x[2])) - core.half_length, below = core.cap_height - above;
+  if (!(low(below) >= 0 && is_positive(core.cap_height))) return false;
+  const I most = below * (core.radius * (core.radius / core.cap_height) + above);
+  return high(square_across) <= std::min(low(most), low(square<I>(low_end<I>(core.radius))));
 }
 bool is_proved(const BoxCore& core, const Vec3<double>& x) {
   for (int i = 0; i < 3; ++i)
@@ -173,6 +201,15 @@ CorePoint farthest_in(const DiscsCore& core, const Vec3<double>& u) {
   if (!(across > 0)) return {{0, 0, z}};
   return {{radius * (u[0] / across), radius * (u[1] / across), z}};
 }
+CorePoint farthest_in(const TabletCore& core, const Vec3<double>& u) {
+  const double l = rough(core.half_length), r = rough(core.radius), e = rough(core.cap_height), ball = rough(core.ball);
+  const double across = std::hypot(u[0], u[1]), z = std::abs(u[2]), length = u.norm();
+  if (across * (ball - e) <= z * r && length > 0)
+    return {{ball * (u[0] / length), ball * (u[1] / length),
+             std::copysign(l + e - ball * (across / length) * (across / (length + z)), u[2])}};
+  if (!(across > 0)) return {{0, 0, std::copysign(l, u[2])}};
+  return {{r * (u[0] / across), r * (u[1] / across), std::copysign(l, u[2])}};
+}
 CorePoint farthest_in(const BoxCore& core, const Vec3<double>& u) {
   CorePoint out;
   for (int i = 0; i < 3; ++i) out.at[i] = std::copysign(low(core.half_extents[i]), u[i]);
@@ -203,6 +240,16 @@ CorePoint near_in(const DiscsCore& core, const Vec3<double>& x) {
   const double across = std::hypot(x[0], x[1]);
   if (!(across > radius)) return {{x[0], x[1], z}};
   return {{radius * (x[0] / across), radius * (x[1] / across), z}};
+}
+/// The side is cut off as a cone's is; what is near a pole is left to drawn_in.
+CorePoint near_in(const TabletCore& core, const Vec3<double>& x) {
+  constexpr double less = 1 - 0x1p-50;  // of rounding
+  const double r = low(core.radius), e = low(core.cap_height), above = std::abs(x[2]) - low(core.half_length);
+  if (!(above <= e / 2)) return {x};
+  const double radius = less * (above <= 0 ? r : std::sqrt((e - above) * (r * (r / e) + above)));
+  const double across = std::hypot(x[0], x[1]);
+  if (!(across > radius)) return {x};
+  return {{radius * (x[0] / across), radius * (x[1] / across), x[2]}};
 }
 CorePoint near_in(const BoxCore& core, const Vec3<double>& x) {
   CorePoint out;
@@ -235,6 +282,7 @@ Core core_of(const Shape& shape, int exponent) {
                  },
                  [&](const Cone& s) { return frustum({{s.radius, 0}, s.height}, exponent); },
                  [&](const Frustum& s) { return frustum(s, exponent); },
+                 [&](const Tablet& s) { return tablet(s, exponent); },
                  [&](const Box& s) { return box(s.half_extents[0], s.half_extents[1], s.half_extents[2]); },
                  [&](const Polyhedron& s) { return corners(*s.hull, exponent); },
                  [&](const PolySuperellipsoid& s) { return octants(s.semi_axes, s.n1, s.n2, exponent); },

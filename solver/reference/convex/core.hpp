@@ -1,5 +1,5 @@
 // The core of a convex body: the body without the radius by which it is swept, in its own axes and an enclosed unit of length. A
-// capsule's core is its segment, a sphere's a point. Four kinds cover all shapes but the half-space.
+// capsule's core is its segment, a sphere's a point. Five kinds cover all shapes but the half-space.
 //
 // Trusted: support_of and proved_point, and what makes a core. Not trusted: farthest and near, which only guess.
 #pragma once
@@ -28,6 +28,12 @@ struct DiscsCore {
   I bottom, top, bottom_radius, top_radius;
 };
 
+/// Points within both balls that a tablet's caps are of, and within its radius of the axis. The origin lies inside.
+struct TabletCore {
+  I half_length, radius, cap_height;
+  I ball;  ///< the radius of the balls
+};
+
 /// Half-extents that may be 0: a segment or a point as well.
 struct BoxCore {
   IVec3<I> half_extents;
@@ -39,7 +45,7 @@ struct CornersCore {
   std::vector<Vec3<double>> rough;
 };
 
-using Core = std::variant<OctantsCore, DiscsCore, BoxCore, CornersCore>;
+using Core = std::variant<OctantsCore, DiscsCore, TabletCore, BoxCore, CornersCore>;
 
 /// A point in body axes that is thought to belong to a core; of CornersCore one of its corners.
 struct CorePoint {
