@@ -63,28 +63,35 @@ Json fields_json(const Polyhedron& polyhedron) {
 
 constexpr std::string_view sweep = "sphere_swept";
 
-/// Of every alternative of Shape, in its order.
+/// Of every alternative of Shape, in its order; `read` is null where a shape cannot be written down.
 struct ShapeRow {
   std::string_view word;
   Shape (*read)(const Field& fields);
 };
 
-template <std::size_t... I>
-auto rows_of(std::index_sequence<I...> /*alternatives*/) {
-  return std::array{ShapeRow{RowOf<std::variant_alternative_t<I, Shape>>::word, [](const Field& fields) -> Shape {
-                               return read_fields<std::variant_alternative_t<I, Shape>>(fields);
-                             }}...};
+template <class S>
+ShapeRow row_of() {
+  if constexpr (is_value<S>)
+    return {RowOf<S>::word, [](const Field& fields) -> Shape { return read_fields<S>(fields); }};
+  else
+    return {RowOf<S>::word, nullptr};
+}
+
+template <class... S>
+auto rows_of(const std::variant<S...>* /*list*/) {
+  return std::array{row_of<S>()...};
 }
 
 const auto& shape_rows() {
-  static const auto rows = rows_of(std::make_index_sequence<std::variant_size_v<Shape>>());
+  static const auto rows = rows_of(static_cast<const Shape*>(nullptr));
   return rows;
 }
 
 /// The sweep's first.
 std::vector<std::string_view> shape_words() {
   std::vector<std::string_view> out{sweep};
-  for (const ShapeRow& row : shape_rows()) out.push_back(row.word);
+  for (const ShapeRow& row : shape_rows())
+    if (row.read != nullptr) out.push_back(row.word);
   return out;
 }
 

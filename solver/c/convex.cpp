@@ -1,6 +1,5 @@
 // The C API's convex shapes: plumb_solve_convex and what goes into it.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,79 +9,18 @@
 #include <vector>
 
 #include "solver/c/contexts.hpp"
+#include "solver/c/convex_door.hpp"
 #include "solver/c/door.hpp"
 #include "solver/c/options.hpp"
 #include "solver/c/texts.hpp"
 #include "solver/method/convex.hpp"
-#include "solver/plumb.h"
-#include "solver/shape/hull.hpp"
-#include "solver/shape/shape_fields.hpp"
 #include "solver/standard_arithmetic.hpp"
-
-struct plumb_hull {
-  plumb::Polyhedron polyhedron;
-};
 
 namespace plumb {
 namespace {
 
-/// The caller's hull for the length of a call: without a count of its owners, at which threads would wait for each other.
-Polyhedron polyhedron_of(const plumb_hull& hull) {
-  return {std::shared_ptr<const Hull>(std::shared_ptr<const Hull>(), hull.polyhedron.hull.get())};
-}
-
-/// Parameters are the fields' numbers, in the order of both.
-template <class S>
-Shape read_shape(const plumb_shape& from) {
-  S out{};
-  std::size_t next = 0;
-  each_field(out, [&](auto place, const auto&, const auto& numbers) {
-    for (std::size_t i = 0; i < number_count<S, place>; ++i) *numbers[i] = from.parameters[next++];
-  });
-  return out;
-}
-template <>
-Shape read_shape<Polyhedron>(const plumb_shape& from) {
-  return from.hull == nullptr ? Polyhedron() : polyhedron_of(*from.hull);
-}
-
-constexpr int kinds = std::variant_size_v<Shape>;
-
-/// Of a kind that there is.
-Shape shape_of(const plumb_shape& from) {
-  static constexpr auto readers = []<std::size_t... kind>(std::index_sequence<kind...>) {
-    return std::array{&read_shape<std::variant_alternative_t<kind, Shape>>...};
-  }(std::make_index_sequence<kinds>());
-  return readers[static_cast<std::size_t>(from.kind)](from);
-}
-
-ConvexBody body_of(const plumb_convex_body& from) {
-  ConvexBody out;
-  out.shape = shape_of(from.shape);
-  out.swept_radius = from.swept_radius;
-  out.position = Vec3<double>::Map(from.position);
-  std::copy_n(from.quaternion_wxyz, 4, out.quaternion.begin());
-  return out;
-}
-
-ConvexPair pair_of(const plumb_convex_pair& from) {
-  return {body_of(from.bodies[0]), body_of(from.bodies[1])};
-}
-
-/// What only C can get wrong: a kind that is none, a hull that is not there.
-InputError error_in(const plumb_shape& shape, int body) {
-  if (shape.kind < 0 || shape.kind >= kinds) return {"shape.kind", "no shape has this number", body};
-  if (shape.kind == PLUMB_SHAPE_POLYHEDRON && shape.hull == nullptr) return {"shape.hull", "must not be null", body};
-  return {};
-}
-
-InputError error_in_shapes(const plumb_convex_pair& pair) {
-  const InputError first = error_in(pair.bodies[0].shape, 0);
-  return first.reason.empty() ? error_in(pair.bodies[1].shape, 1) : first;
-}
-
 Contact<double> solve(const plumb_convex_pair& pair, const Want& want, const Contact<double>* last) {
-  if (error_in_shapes(pair).reason.empty()) return solve_convex(pair_of(pair), want, last);
+  if (door::error_in_shapes(pair).reason.empty()) return solve_convex(door::pair_of(pair), want, last);
   Contact<double> refused;
   refused.status = Status::invalid_input;
   return refused;
@@ -134,8 +72,9 @@ void plumb_hull_destroy(plumb_hull* hull) {
 
 int plumb_describe_convex_input(const plumb_convex_pair* pair, char* text, size_t size) {
   if (pair == nullptr || text == nullptr || size == 0) return PLUMB_ERROR_ARGUMENT;
-  InputError error = error_in_shapes(*pair);
-  if (error.reason.empty()) error = find_input_error(pair_of(*pair));
+  InputError error = door::error_in_shapes(*pair);
+  if (error.reason.empty()) error = find_input_error(door::pair_of(*pair));
+  if (error.reason.empty()) error = find_foreign_error(door::pair_of(*pair));
   write_text(error, {text, size});
   return PLUMB_OK;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""shape_types.py FOLDER: writes FOLDER/_shapes.pyi, the types of the classes that the module FOLDER/_native has for shapes."""
+"""shape_types.py FOLDER: writes FOLDER/_shapes.pyi, the types of the classes that the package FOLDER has for shapes."""
 
 import re
 import sys
@@ -22,8 +22,8 @@ def class_lines(name, kind):
 
 def main():
     folder = Path(sys.argv[1])
-    sys.path.insert(0, str(folder))
-    import _native
+    sys.path.insert(0, str(folder.parent))
+    from plumb import _native
 
     lines = [HEAD]
     for name in _native.shapes:

@@ -164,16 +164,25 @@ void add_shape(py::module_& module, std::index_sequence<place...> fields) {
       head_of<S>(name, fields) + "\n\n    >>> import plumb\n    >>> plumb." + example + "\n    " + example + "\n";
 }
 
+template <class S>
+void add_value(py::module_& module, py::list& names) {
+  if constexpr (is_value<S>) {
+    add_shape<S>(module, std::make_index_sequence<field_count<S>>());
+    names.append(class_name(RowOf<S>::word));
+  }
+}
+
 template <class... S>
 void add_each(py::module_& module, const std::variant<S...>* /*list*/) {
-  (add_shape<S>(module, std::make_index_sequence<field_count<S>>()), ...);
-  module.attr("shapes") = py::make_tuple(class_name(RowOf<S>::word)...);
+  py::list names;
+  (add_value<S>(module, names), ...);
+  module.attr("shapes") = py::tuple(names);
 }
 
 /// Whether the object is a shape of this class, which is then written.
 template <class S>
 [[nodiscard]] bool is_read(py::handle from, Shape& to) {
-  if (!py::isinstance<S>(from)) return false;
+  if (!is_value<S> || !py::isinstance<S>(from)) return false;
   to = from.cast<const S&>();
   return true;
 }

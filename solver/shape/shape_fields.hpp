@@ -53,6 +53,10 @@ template <class... Member, class S>
                       field.members);
 }
 
+/// Whether a shape is its numbers, so that it can be written down.
+template <class S>
+inline constexpr bool is_value = !requires { RowOf<S>::is_by_functions; };
+
 /// How many numbers a field of a shape has.
 template <class S, std::size_t field>
 inline constexpr std::size_t number_count =

@@ -227,8 +227,37 @@ struct RowOf<HalfSpace> {
   static double reach(const HalfSpace& /*s*/) { return 0; }
 };
 
+/// A convex body of the caller's own, by functions of unit directions n and points x in body axes. The origin belongs to it. Each gives the
+/// same for the same n, on any thread, and throws nothing. What no convex body could give is refused (method/convex/foreign.hpp).
+struct ForeignShape {
+  /// Writes the point farthest along n, known to 1024 epsilon of bounding_radius.
+  void (*support)(const void* data, const double* n, double* x) = nullptr;
+  /// Null, or: writes the derivative of that point by n, three rows of three: the Hessian of n.x(n). NaN where it has none.
+  void (*hessian)(const void* data, const double* n, double* h) = nullptr;
+  /// Null, or: writes the ends of a box that is proved to hold a point that is farthest along this very n, of about unit length.
+  void (*enclose)(const void* data, const double* n, double* lower, double* upper) = nullptr;
+  const void* data = nullptr;   ///< handed to each
+  double bounding_radius = 0;   ///< no point is farther from the origin
+  double inscribed_radius = 0;  ///< every point as near to the origin belongs to the body
+};
+/// No value that could be written down: cases and Python do without it.
+template <>
+struct RowOf<ForeignShape> {
+  static constexpr bool is_by_functions = true;
+  static constexpr std::string_view word = "foreign", text = "A convex body by functions.";
+  static constexpr std::tuple fields{
+      ShapeField<>{"support", Legal::not_below_zero, "", false, {}},
+      length("bounding_radius", Legal::above_zero, "", &ForeignShape::bounding_radius),
+      length("inscribed_radius", Legal::not_below_zero, "at most the other", &ForeignShape::inscribed_radius)};
+  static FieldsError error_of(const ForeignShape& s) {
+    if (s.support == nullptr) return {0, "must not be null"};
+    return {2, s.inscribed_radius <= s.bounding_radius ? "" : "must not be above bounding_radius"};
+  }
+  static double reach(const ForeignShape& s) { return s.bounding_radius; }
+};
+
 /// The closed list. An alternative's place in it is its number in C.
 using Shape = std::variant<Superellipsoid<double>, Capsule, Cylinder, Cone, Frustum, Box, Polyhedron,
-                           PolySuperellipsoid, HalfSpace, Tablet>;
+                           PolySuperellipsoid, HalfSpace, Tablet, ForeignShape>;
 
 }  // namespace plumb

@@ -162,6 +162,75 @@ TEST(CConvex, EveryShapeHasItsNumber) {
   EXPECT_EQ(numbers, (numbers_by_word(static_cast<const Shape*>(nullptr))));
 }
 
+void ball(const void* radius, const double* n, double* x) {
+  for (int i = 0; i < 3; ++i) x[i] = *static_cast<const double*>(radius) * n[i];
+}
+void nothing(const void* /*data*/, const double* /*n*/, double* x) {
+  x[0] = NAN;
+}
+void enclosed_ball(const void* radius, const double* n, double* lower, double* upper) {
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int i = 0; i < 3; ++i) {
+    const double at = *static_cast<const double*>(radius) * n[i] / length, off = 1e-15 * std::abs(at) + 1e-300;
+    lower[i] = at - off, upper[i] = at + off;
+  }
+}
+
+plumb_convex_pair with_foreign(const plumb_foreign* foreign) {
+  plumb_convex_pair out = boxes();
+  out.bodies[1].shape.kind = PLUMB_SHAPE_FOREIGN;
+  out.bodies[1].shape.foreign = foreign;
+  out.bodies[1].position[2] = 1.5;
+  return out;
+}
+
+TEST(CConvex, AForeignShapeIsSolvedAndJudged) {
+  const double radius = 0.5;
+  plumb_foreign foreign{sizeof foreign, &radius, ball, nullptr, enclosed_ball, 0.5, 0.5};
+  const plumb_convex_pair pair = with_foreign(&foreign);
+  const plumb_contact contact = solve_in_c(pair);
+  EXPECT_EQ(contact.status, PLUMB_CONVERGED);
+  EXPECT_NEAR(contact.overlap, 0.25, 1e-14);  // swept by 0.25
+  plumb_certificate proved{};
+  proved.size = sizeof proved;
+  ASSERT_EQ(plumb_certify_convex(&pair, contact.normal, &proved), PLUMB_OK);
+  EXPECT_EQ(proved.verdict, PLUMB_OVERLAPPING);
+  EXPECT_EQ(proved.global, PLUMB_PROVED);
+  EXPECT_EQ(proved.unique, PLUMB_OPEN);
+  EXPECT_TRUE(proved.overlap_lower <= 0.25 && 0.25 <= proved.overlap_upper);
+  EXPECT_LT(proved.overlap_upper - proved.overlap_lower, 1e-12);
+  EXPECT_TRUE(std::string(proved.open).ends_with("not the normal, not the points")) << proved.open;
+  foreign.enclose = nullptr;
+  ASSERT_EQ(plumb_certify_convex(&pair, nullptr, &proved), PLUMB_OK);
+  EXPECT_EQ(proved.verdict, PLUMB_UNDECIDED);
+  EXPECT_EQ(proved.global, PLUMB_OPEN);
+  EXPECT_EQ(proved.overlap_upper, INFINITY);
+  EXPECT_STREQ(proved.open, "nothing is proved: the foreign shape of body 2 has no enclosures");
+}
+
+TEST(CConvex, AForeignShapeThatIsNoneIsNamed) {
+  const double radius = 0.5;
+  plumb_foreign foreign{sizeof foreign, &radius, ball, nullptr, nullptr, 0.25, 0};
+  const plumb_convex_pair pair = with_foreign(&foreign);
+  const auto says = [&](int status, const char* expected) {
+    EXPECT_EQ(solve_in_c(pair).status, status) << expected;
+    char text[128];
+    EXPECT_EQ(plumb_describe_convex_input(&pair, text, sizeof text), PLUMB_OK);
+    EXPECT_STREQ(text, expected);
+  };
+  says(PLUMB_INVALID_INPUT, "bodies[1].shape.foreign.support: writes a point beyond bounding_radius");
+  foreign.bounding_radius = 1;
+  foreign.support = nothing;
+  says(PLUMB_NOT_FINITE, "bodies[1].shape.foreign.support: writes what is no finite number");
+  foreign.size = offsetof(plumb_foreign, support);
+  says(PLUMB_INVALID_INPUT, "bodies[1].shape.foreign.bounding_radius: must be finite and above 0");
+  expect_refused(with_foreign(nullptr), "bodies[1].shape.foreign: must not be null");
+  plumb_certificate proved{};
+  proved.size = sizeof proved;
+  EXPECT_EQ(plumb_certify_convex(&pair, nullptr, &proved), PLUMB_ERROR_ARGUMENT);
+  EXPECT_EQ(plumb_certify_convex(nullptr, nullptr, &proved), PLUMB_ERROR_ARGUMENT);
+}
+
 TEST(CConvex, AHullIsOfFinitePoints) {
   const double points[] = {0, 0, 0, 1, 0, 0, 0, INFINITY, 0};
   int error = PLUMB_OK;

@@ -11,7 +11,11 @@
 
 namespace plumb::reference::bodies_tests {
 
-inline constexpr std::size_t shape_count = std::variant_size_v<Shape>;
+/// Those that are numbers; a foreign one, which is functions, is the last of all.
+inline constexpr std::size_t shape_count = std::variant_size_v<Shape> - 1;
+static_assert(std::is_same_v<std::variant_alternative_t<shape_count, Shape>, ForeignShape>);
+inline constexpr std::size_t half_space = 8;
+static_assert(std::is_same_v<std::variant_alternative_t<half_space, Shape>, HalfSpace>);
 
 [[nodiscard]] inline double draw_length(Stream& stream) {
   return stream.log_uniform(0.1, 1);
@@ -75,7 +79,7 @@ template <class... S>
       return PolySuperellipsoid{{length(), length(), length(), length(), length(), length()},
                                 draw_convex_exponent(stream),
                                 draw_convex_exponent(stream)};
-    case 8: return HalfSpace{};
+    case half_space: return HalfSpace{};
     default: return draw_by_fields(kind, stream, static_cast<const Shape*>(nullptr));
   }
 }
@@ -158,6 +162,7 @@ struct SupportOf {
     return dual_norm<S>(dual_norm<S>(q[0], q[1], s.n2), q[2], s.n1);
   }
   S operator()(const HalfSpace&) const { return S(0); }
+  S operator()(const ForeignShape&) const { return S(0); }
 };
 
 /// max n.x over a body, world axes, seen from its position.

@@ -12,23 +12,12 @@
 #include <cstdlib>
 #include <variant>
 
+#include "solver/method/convex/foreign.hpp"
 #include "solver/power_of_two.hpp"
 #include "solver/shape/hull.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::detail {
-
-/// A support point, and the piece that it is of.
-struct CorePoint {
-  Vec3<double> point;
-  int piece;
-};
-
-/// x on a piece, and its derivative by u: Hess h, symmetric, for a unit u.
-struct PieceSupport {
-  Vec3<double> point;
-  Mat3<double> hessian;
-};
 
 /// Corners (0, 0, -l) and (0, 0, l); a point where l = 0.
 struct SegmentCore {
@@ -164,7 +153,7 @@ struct SmoothCore {
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const { return gauge_hessian<double>(octant(x), x); }
 };
 
-using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, TabletCore, SmoothCore>;
+using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, TabletCore, SmoothCore, ForeignCore>;
 
 /// A core and the radius about it.
 struct RoundedCore {
@@ -176,8 +165,10 @@ struct RoundedCore {
 struct CoreOf {
   PowerOfTwo<double> unit;
   bool is_moderate;
+  ForeignWatch* watch;
 
-  explicit CoreOf(int exponent) : unit(-exponent), is_moderate(std::abs(exponent) < 400) {}
+  CoreOf(int exponent, ForeignWatch& of_foreign)
+      : unit(-exponent), is_moderate(std::abs(exponent) < 400), watch(&of_foreign) {}
 
   RoundedCore operator()(const Superellipsoid<double>& s) const {
     const Vec3<double> a = unit(s.semi_axes);
@@ -207,6 +198,7 @@ struct CoreOf {
     return {core, 0};
   }
   RoundedCore operator()(const HalfSpace&) const { return {SegmentCore{0}, 0}; }
+  RoundedCore operator()(const ForeignShape& s) const { return {ForeignCore{&s, unit, watch}, 0}; }
 };
 
 }  // namespace plumb::detail

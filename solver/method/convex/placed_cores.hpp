@@ -34,6 +34,8 @@ struct PlacedCore {
   [[nodiscard]] bool is_polytope() const {
     return std::visit([]<class C>(const C&) { return C::is_polytope; }, core);
   }
+  /// Its pieces are not told: Newton takes all of them for one.
+  [[nodiscard]] bool is_foreign() const { return std::holds_alternative<ForeignCore>(core); }
   [[nodiscard]] bool is_smooth() const { return std::holds_alternative<SmoothCore>(core); }
   /// Of a smooth core, with its derivatives by a point of the frame.
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const {
