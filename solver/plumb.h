@@ -35,6 +35,13 @@ extern "C" {
 #define PLUMB_API
 #endif
 
+/* Of a union without a name, which C has since 2011. */
+#if defined(__GNUC__)
+#define PLUMB_ANONYMOUS __extension__
+#else
+#define PLUMB_ANONYMOUS
+#endif
+
 /* What a function returns. */
 enum plumb_error {
   PLUMB_OK = 0,
@@ -141,8 +148,27 @@ enum plumb_shape_kind {
   PLUMB_SHAPE_BOX = 5,                 /* half-extents along x, y, z > 0 */
   PLUMB_SHAPE_POLYHEDRON = 6,          /* none, but a hull */
   PLUMB_SHAPE_POLY_SUPERELLIPSOID = 7, /* semi-axes to +x, -x, +y, -y, +z, -z > 0; exponents n1, n2 > 1 */
-  PLUMB_SHAPE_HALF_SPACE = 8           /* none: z <= 0 */
+  PLUMB_SHAPE_HALF_SPACE = 8,          /* none: z <= 0 */
+  PLUMB_SHAPE_TABLET = 9,              /* half-length >= 0 along z, radius > 0, cap height > 0, at most the radius */
+  PLUMB_SHAPE_FOREIGN = 10             /* none, but functions */
 };
+
+/* A convex body of the caller's own, by functions of unit directions n and points x in body axes; the origin belongs to it. A function gives
+ * the same for the same n, on any thread, and neither throws nor jumps away. What no convex body could give is PLUMB_INVALID_INPUT, what is no
+ * finite number PLUMB_NOT_FINITE: plumb_describe_convex_input says what was seen. */
+typedef struct plumb_foreign {
+  size_t size;      /* sizeof(plumb_foreign) */
+  const void* data; /* handed to each function */
+  /* Writes the point farthest along n, known to 2e-13 of bounding_radius. */
+  void (*support)(const void* data, const double n[3], double x[3]);
+  /* NULL, or: writes the derivative of that point by n, by rows; NaN where there is none. Solves take fewer steps. */
+  void (*hessian)(const void* data, const double n[3], double h[9]);
+  /* NULL, or: writes the ends of a box that is proved to hold a point that is farthest along this very n, which is of about unit length.
+   * plumb_certify_convex believes it. */
+  void (*enclose)(const void* data, const double n[3], double lower[3], double upper[3]);
+  double bounding_radius;  /* > 0: no point is farther from the origin */
+  double inscribed_radius; /* >= 0: every point as near to the origin belongs to the body */
+} plumb_foreign;
 
 /* The convex hull of points, which may be a polygon, a segment or a point. Any number of bodies and threads may share one. */
 typedef struct plumb_hull plumb_hull;
@@ -155,9 +181,12 @@ PLUMB_API void plumb_hull_destroy(plumb_hull* hull);
 
 /* A convex shape: {.kind = PLUMB_SHAPE_BOX, .parameters = {0.5, 0.25, 0.125}}. */
 typedef struct plumb_shape {
-  int kind;               /* enum plumb_shape_kind */
-  const plumb_hull* hull; /* a polyhedron's; not read of others */
-  double parameters[12];  /* those of the kind; the rest is not read */
+  int kind; /* enum plumb_shape_kind */
+  PLUMB_ANONYMOUS union {
+    const plumb_hull* hull;       /* a polyhedron's */
+    const plumb_foreign* foreign; /* a foreign shape's, for as long as the call lasts */
+  }; /* not read of others */
+  double parameters[12]; /* those of the kind; the rest is not read */
 } plumb_shape;
 
 /* A shape, swept by a sphere, and where it is. */
@@ -229,10 +258,16 @@ typedef struct plumb_certificate {
   double points_radius; /* and each true point within this of its own; length */
   double condition_overlap, condition_normal,
       condition_points; /* by how much a relative change of the input can grow */
+  const char* open;     /* plumb_certify_convex: what is not proved, in words; NULL of plumb_certify */
 } plumb_certificate;
 
 /* Certifies the contact of lowest overlap. Milliseconds: a judge, not a solver. */
 PLUMB_API int plumb_certify(const plumb_pair* pair, plumb_certificate* certificate);
+
+/* Certifies the lowest overlap of any shapes: bounds and verdict, and what is open. `normal`: that of an answer, or any guess, which makes
+ * the bounds closer; NULL: none. Normal and points are not proved. */
+PLUMB_API int plumb_certify_convex(const plumb_convex_pair* pair, const double normal[3],
+                                   plumb_certificate* certificate);
 
 #ifdef __cplusplus
 }

@@ -7,138 +7,91 @@
 #include <utility>
 
 #include "solver/shape/hull.hpp"
+#include "solver/shape/shape_fields.hpp"
 
 namespace plumb {
 namespace {
 
-enum class Is { required, optional };
-
 template <class S>
-void each_exponent(S& s, auto&& visit) {
-  std::array n{s.n1, s.n2};
-  visit("exponents", n, Is::optional);
-  s.n1 = n[0];
-  s.n2 = n[1];
+void read_numbers(const Field& from, S& to) {
+  each_field(to, [&](auto place, const auto& field, const auto& numbers) {
+    constexpr std::size_t count = number_count<S, place>;
+    if (field.has_default && !from.has(field.name)) return;
+    const Field value = from.member(field.name);
+    for (std::size_t i = 0; i < count; ++i)
+      *numbers[i] = count == 1 ? value.number() : value.element(i, count, "numbers").number();
+  });
 }
 
-// The fields of each shape, for who reads and who writes them: a new shape is one more of these.
-void each_field(Superellipsoid<double>& s, auto&& visit) {
-  visit("semi_axes", s.semi_axes);
-  each_exponent(s, visit);
-}
-void each_field(Capsule& s, auto&& visit) {
-  visit("half_length", s.half_length);
-  visit("radius", s.radius);
-}
-void each_field(Cylinder& s, auto&& visit) {
-  visit("half_length", s.half_length);
-  visit("radius", s.radius);
-}
-void each_field(Cone& s, auto&& visit) {
-  visit("radius", s.radius);
-  visit("height", s.height);
-}
-void each_field(Frustum& s, auto&& visit) {
-  visit("radii", s.radii);
-  visit("height", s.height);
-}
-void each_field(Box& s, auto&& visit) {
-  visit("half_extents", s.half_extents);
-}
-void each_field(Polyhedron& s, auto&& visit) {
-  visit("points", s);
-}
-void each_field(PolySuperellipsoid& s, auto&& visit) {
-  visit("semi_axes", s.semi_axes);
-  each_exponent(s, visit);
-}
-void each_field(HalfSpace& /*s*/, auto&& /*visit*/) {}
-
-void read_value(const Field& from, double& to) {
-  to = from.number();
-}
-
-void read_value(const Field& from, Vec3<double>& to) {
-  to = from.vector();
-}
-
-template <std::size_t N>
-void read_value(const Field& from, std::array<double, N>& to) {
-  to = from.numbers<N>();
-}
-
-void read_value(const Field& from, Polyhedron& to) {
+void read_numbers(const Field& from, Polyhedron& to) {
+  const Field field = from.member("points");
   std::vector<Vec3<double>> points;
-  for (const Field& point : from.elements()) points.push_back(point.vector());
+  for (const Field& point : field.elements()) points.push_back(point.vector());
   try {
     to = make_polyhedron(points);
   } catch (const std::invalid_argument& error) {
-    from.fail(error.what());
+    field.fail(error.what());
   }
-}
-
-Json value_json(double x) {
-  return x;
-}
-
-Json value_json(const Vec3<double>& v) {
-  return vector_json(v);
-}
-
-template <std::size_t N>
-Json value_json(const std::array<double, N>& x) {
-  return x;
-}
-
-Json value_json(const Polyhedron& polyhedron) {
-  Json points = Json::array();
-  for (const Vec3<double>& corner : polyhedron.hull->corners) points.push_back(vector_json(corner));
-  return points;
 }
 
 template <class S>
 S read_fields(const Field& from) {
   S out{};
-  std::vector<std::string_view> known;
-  each_field(out, [&](std::string_view key, auto&, Is = Is::required) { known.push_back(key); });
-  from.require_object(known);
-  each_field(out, [&](std::string_view key, auto& to, Is is = Is::required) {
-    if (is == Is::required || from.has(key)) read_value(from.member(key), to);
-  });
+  from.require_object(field_names<S>);
+  read_numbers(from, out);
   return out;
 }
 
 template <class S>
-Json fields_json(S shape) {
+Json fields_json(const S& shape) {
   Json out = Json::object();
-  each_field(shape, [&](const char* key, const auto& value, Is = Is::required) { out[key] = value_json(value); });
+  each_field(shape, [&](auto place, const auto& field, const auto& numbers) {
+    Json& value = out[std::string(field.name)];
+    if constexpr (number_count<S, place> == 1)
+      value = *numbers[0];
+    else
+      for (const double* number : numbers) value.push_back(*number);
+  });
   return out;
+}
+
+Json fields_json(const Polyhedron& polyhedron) {
+  Json points = Json::array();
+  for (const Vec3<double>& corner : polyhedron.hull->corners) points.push_back(vector_json(corner));
+  return {{"points", points}};
 }
 
 constexpr std::string_view sweep = "sphere_swept";
 
-/// Of every alternative of Shape, in its order.
+/// Of every alternative of Shape, in its order; `read` is null where a shape cannot be written down.
 struct ShapeRow {
   std::string_view word;
   Shape (*read)(const Field& fields);
 };
 
-template <std::size_t... I>
-auto rows_of(std::index_sequence<I...> /*alternatives*/) {
-  return std::array{ShapeRow{name(Shape(std::in_place_index<I>)), [](const Field& fields) -> Shape {
-                               return read_fields<std::variant_alternative_t<I, Shape>>(fields);
-                             }}...};
+template <class S>
+ShapeRow row_of() {
+  if constexpr (is_value<S>)
+    return {RowOf<S>::word, [](const Field& fields) -> Shape { return read_fields<S>(fields); }};
+  else
+    return {RowOf<S>::word, nullptr};
+}
+
+template <class... S>
+auto rows_of(const std::variant<S...>* /*list*/) {
+  return std::array{row_of<S>()...};
 }
 
 const auto& shape_rows() {
-  static const auto rows = rows_of(std::make_index_sequence<std::variant_size_v<Shape>>());
+  static const auto rows = rows_of(static_cast<const Shape*>(nullptr));
   return rows;
 }
 
 /// The sweep's first.
 std::vector<std::string_view> shape_words() {
   std::vector<std::string_view> out{sweep};
-  for (const ShapeRow& row : shape_rows()) out.push_back(row.word);
+  for (const ShapeRow& row : shape_rows())
+    if (row.read != nullptr) out.push_back(row.word);
   return out;
 }
 

@@ -27,7 +27,7 @@ void require_a_shape(const Field& shape);
 /// Whether it is one of read_shape's that read_superellipsoid refuses.
 [[nodiscard]] bool is_other_shape(const Field& shape);
 
-/// A swept one as one sphere_swept. A polyhedron's points are the corners of its hull.
+/// A foreign one is written with its radii alone, and is not read. A swept one as one sphere_swept. A polyhedron's points are the corners of its hull.
 [[nodiscard]] Json shape_json(const Shape& shape, double swept_radius);
 
 }  // namespace plumb

@@ -232,8 +232,7 @@ void put_convex(Json& out, const ConvexPair& pair, int digits) {
   const reference::ConvexBounds found = reference::bound_overlap(pair, guess.normal, kConvexCells);
   put_overlap(out, {found.lower, found.upper}, digits);
   out["unique"] = name(Claim::open);
-  out["reason"] = "of shapes other than superellipsoids the overlap and the verdict alone are proved: not the normal, "
-                  "not the points";
+  out["reason"] = what_is_open(pair, found);
 }
 
 void put_stationary(Json& out, const StationarySet& found, int digits) {

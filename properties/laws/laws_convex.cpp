@@ -141,7 +141,7 @@ Judgement judge_convex(const ConvexPair& pair, const Contact<double>& answer, co
   if (answer.status == Status::converged && law::is_whole(answer))
     e.errors = reference::errors_of(pair, answer, e.bounds);
   Judgement out{{first_broken(e, accuracy)}};
-  out.judged = true;
+  out.judged = std::isfinite(e.bounds.lower) || std::isfinite(e.bounds.upper);
   out.right_from = right_from(e);
   out.overlap_error = std::max({0.0, answer.overlap - e.bounds.upper, e.bounds.lower - answer.overlap}) / size_of(pair);
   return out;

@@ -247,7 +247,7 @@ def main():
     folder = Path(plumb.__file__).parent
     for module in folder.glob("*.py"):
         ALIASES.update(ALIAS.findall(module.read_text()))
-    package = Package(plumb, (folder / "_native.pyi").read_text())
+    package = Package(plumb, "".join((folder / name).read_text() for name in ("_native.pyi", "_shapes.pyi")))
     print(page(package))
     lacking = list(missing(package))
     print(*lacking, sep="\n", end="\n" if lacking else "", file=sys.stderr)

@@ -1,11 +1,14 @@
-// plumb_certify, in a library of its own: it needs MPFI, MPFR and GMP.
+// plumb_certify and plumb_certify_convex, in a library of their own: it needs MPFI, MPFR and GMP.
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <new>
 
+#include "solver/c/convex_door.hpp"
 #include "solver/c/door.hpp"
+#include "solver/c/texts.hpp"
 #include "solver/plumb.h"
+#include "solver/reference/convex_bounds.hpp"
 #include "solver/reference/reference.hpp"
 #include "solver/standard_arithmetic.hpp"
 
@@ -67,17 +70,33 @@ plumb_certificate certificate_of(const Reference& found, std::size_t size) {
   return out;
 }
 
-}  // namespace
-}  // namespace plumb
+Verdict verdict_of_bounds(const reference::ConvexBounds& bounds) {
+  if (bounds.lower > 0) return Verdict::overlapping;
+  return bounds.upper < 0 ? Verdict::separated : Verdict::undecided;
+}
 
-extern "C" int plumb_certify(const plumb_pair* pair, plumb_certificate* certificate) {
-  const plumb::StandardArithmetic mode;
-  if (pair == nullptr || certificate == nullptr || certificate->size < sizeof(std::size_t)) return PLUMB_ERROR_ARGUMENT;
-  const plumb::Pair bodies = plumb::door::pair_of(*pair);
-  if (!plumb::is_valid(bodies)) return PLUMB_ERROR_ARGUMENT;
+plumb_certificate certificate_of(const ConvexPair& pair, const Vec3<double>& normal, std::size_t size) {
+  constexpr int cells = 4000;  // a few milliseconds
+  const reference::ConvexBounds found = reference::bound_overlap(pair, normal, cells);
+  plumb_certificate out{};
+  out.size = size;
+  out.verdict = static_cast<int>(verdict_of_bounds(found));
+  out.global = static_cast<int>(std::isfinite(found.lower) ? Claim::proved : Claim::open);
+  out.unique = static_cast<int>(Claim::open);
+  out.overlap_lower = found.lower;
+  out.overlap_upper = found.upper;
+  write_not_found(out);
+  out.condition_overlap = out.condition_normal = out.condition_points = std::numeric_limits<double>::quiet_NaN();
+  out.open = c_text(reference::what_is_open(pair, found));
+  return out;
+}
+
+/// Writes it, as much as the caller has room for, or says why not.
+template <class Certify>
+int write_certificate(const Certify& certify, plumb_certificate& to) {
   try {
-    const plumb_certificate found = plumb::certificate_of(plumb::find_reference(bodies), certificate->size);
-    std::memcpy(certificate, &found, std::min(certificate->size, sizeof found));
+    const plumb_certificate found = certify();
+    std::memcpy(&to, &found, std::min(to.size, sizeof found));
     return PLUMB_OK;
   } catch (const std::bad_alloc&) {
     return PLUMB_ERROR_MEMORY;
@@ -85,3 +104,30 @@ extern "C" int plumb_certify(const plumb_pair* pair, plumb_certificate* certific
     return PLUMB_ERROR_INTERNAL;
   }
 }
+
+}  // namespace
+}  // namespace plumb
+
+using namespace plumb;
+
+extern "C" {
+
+int plumb_certify(const plumb_pair* pair, plumb_certificate* certificate) {
+  const StandardArithmetic mode;
+  if (pair == nullptr || certificate == nullptr || certificate->size < sizeof(std::size_t)) return PLUMB_ERROR_ARGUMENT;
+  const Pair bodies = door::pair_of(*pair);
+  if (!is_valid(bodies)) return PLUMB_ERROR_ARGUMENT;
+  return write_certificate([&] { return certificate_of(find_reference(bodies), certificate->size); }, *certificate);
+}
+
+int plumb_certify_convex(const plumb_convex_pair* pair, const double* normal, plumb_certificate* certificate) {
+  const StandardArithmetic mode;
+  if (pair == nullptr || certificate == nullptr || certificate->size < sizeof(std::size_t)) return PLUMB_ERROR_ARGUMENT;
+  if (!door::error_in_shapes(*pair).reason.empty()) return PLUMB_ERROR_ARGUMENT;
+  const ConvexPair bodies = door::pair_of(*pair);
+  if (!find_input_error(bodies).reason.empty()) return PLUMB_ERROR_ARGUMENT;
+  const Vec3<double> guess = normal == nullptr ? not_valid<double>() : Vec3<double>(Vec3<double>::Map(normal));
+  return write_certificate([&] { return certificate_of(bodies, guess, certificate->size); }, *certificate);
+}
+
+}  // extern "C"

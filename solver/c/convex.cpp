@@ -6,87 +6,21 @@
 #include <new>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "solver/c/contexts.hpp"
+#include "solver/c/convex_door.hpp"
 #include "solver/c/door.hpp"
 #include "solver/c/options.hpp"
 #include "solver/c/texts.hpp"
 #include "solver/method/convex.hpp"
-#include "solver/plumb.h"
-#include "solver/shape/hull.hpp"
 #include "solver/standard_arithmetic.hpp"
-
-struct plumb_hull {
-  plumb::Polyhedron polyhedron;
-};
 
 namespace plumb {
 namespace {
 
-template <std::size_t kind, class S>
-constexpr bool is_shape = std::is_same_v<std::variant_alternative_t<kind, Shape>, S>;
-static_assert(is_shape<PLUMB_SHAPE_SUPERELLIPSOID, Superellipsoid<double>>);
-static_assert(is_shape<PLUMB_SHAPE_CAPSULE, Capsule>);
-static_assert(is_shape<PLUMB_SHAPE_CYLINDER, Cylinder>);
-static_assert(is_shape<PLUMB_SHAPE_CONE, Cone>);
-static_assert(is_shape<PLUMB_SHAPE_FRUSTUM, Frustum>);
-static_assert(is_shape<PLUMB_SHAPE_BOX, Box>);
-static_assert(is_shape<PLUMB_SHAPE_POLYHEDRON, Polyhedron>);
-static_assert(is_shape<PLUMB_SHAPE_POLY_SUPERELLIPSOID, PolySuperellipsoid>);
-static_assert(is_shape<PLUMB_SHAPE_HALF_SPACE, HalfSpace>);
-static_assert(std::variant_size_v<Shape> == PLUMB_SHAPE_HALF_SPACE + 1);
-
-/// The caller's hull for the length of a call: without a count of its owners, at which threads would wait for each other.
-Polyhedron polyhedron_of(const plumb_hull& hull) {
-  return {std::shared_ptr<const Hull>(std::shared_ptr<const Hull>(), hull.polyhedron.hull.get())};
-}
-
-/// Of a kind that there is.
-Shape shape_of(const plumb_shape& from) {
-  const double* const p = from.parameters;
-  switch (from.kind) {
-    case PLUMB_SHAPE_SUPERELLIPSOID: return Superellipsoid<double>{Vec3<double>::Map(p), p[3], p[4]};
-    case PLUMB_SHAPE_CAPSULE: return Capsule{p[0], p[1]};
-    case PLUMB_SHAPE_CYLINDER: return Cylinder{p[0], p[1]};
-    case PLUMB_SHAPE_CONE: return Cone{p[0], p[1]};
-    case PLUMB_SHAPE_FRUSTUM: return Frustum{{p[0], p[1]}, p[2]};
-    case PLUMB_SHAPE_BOX: return Box{Vec3<double>::Map(p)};
-    case PLUMB_SHAPE_POLYHEDRON: return from.hull == nullptr ? Polyhedron() : polyhedron_of(*from.hull);
-    case PLUMB_SHAPE_POLY_SUPERELLIPSOID: return PolySuperellipsoid{{p[0], p[1], p[2], p[3], p[4], p[5]}, p[6], p[7]};
-    default: return HalfSpace{};
-  }
-}
-
-ConvexBody body_of(const plumb_convex_body& from) {
-  ConvexBody out;
-  out.shape = shape_of(from.shape);
-  out.swept_radius = from.swept_radius;
-  out.position = Vec3<double>::Map(from.position);
-  std::copy_n(from.quaternion_wxyz, 4, out.quaternion.begin());
-  return out;
-}
-
-ConvexPair pair_of(const plumb_convex_pair& from) {
-  return {body_of(from.bodies[0]), body_of(from.bodies[1])};
-}
-
-/// What only C can get wrong: a kind that is none, a hull that is not there.
-InputError error_in(const plumb_shape& shape, int body) {
-  if (shape.kind < PLUMB_SHAPE_SUPERELLIPSOID || shape.kind > PLUMB_SHAPE_HALF_SPACE)
-    return {"shape.kind", "no shape has this number", body};
-  if (shape.kind == PLUMB_SHAPE_POLYHEDRON && shape.hull == nullptr) return {"shape.hull", "must not be null", body};
-  return {};
-}
-
-InputError error_in_shapes(const plumb_convex_pair& pair) {
-  const InputError first = error_in(pair.bodies[0].shape, 0);
-  return first.reason.empty() ? error_in(pair.bodies[1].shape, 1) : first;
-}
-
 Contact<double> solve(const plumb_convex_pair& pair, const Want& want, const Contact<double>* last) {
-  if (error_in_shapes(pair).reason.empty()) return solve_convex(pair_of(pair), want, last);
+  if (door::error_in_shapes(pair).reason.empty()) return solve_convex(door::pair_of(pair), want, last);
   Contact<double> refused;
   refused.status = Status::invalid_input;
   return refused;
@@ -138,8 +72,9 @@ void plumb_hull_destroy(plumb_hull* hull) {
 
 int plumb_describe_convex_input(const plumb_convex_pair* pair, char* text, size_t size) {
   if (pair == nullptr || text == nullptr || size == 0) return PLUMB_ERROR_ARGUMENT;
-  InputError error = error_in_shapes(*pair);
-  if (error.reason.empty()) error = find_input_error(pair_of(*pair));
+  InputError error = door::error_in_shapes(*pair);
+  if (error.reason.empty()) error = find_input_error(door::pair_of(*pair));
+  if (error.reason.empty()) error = find_foreign_error(door::pair_of(*pair));
   write_text(error, {text, size});
   return PLUMB_OK;
 }

@@ -14,40 +14,6 @@ namespace plumb {
 namespace detail {
 namespace {
 
-/// The core of a shape in the pair's unit, 2^exponent of the caller's.
-struct CoreOf {
-  PowerOfTwo<double> unit;
-  bool is_moderate;
-
-  explicit CoreOf(int exponent) : unit(-exponent), is_moderate(std::abs(exponent) < 400) {}
-
-  RoundedCore operator()(const Superellipsoid<double>& s) const {
-    const Vec3<double> a = unit(s.semi_axes);
-    if (s.n1 == 2 && s.n2 == 2 && a[0] == a[1] && a[1] == a[2]) return {SegmentCore{0}, a[0]};
-    return {SmoothCore{{a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2}, 0};
-  }
-  RoundedCore operator()(const Capsule& s) const { return {SegmentCore{unit(s.half_length)}, unit(s.radius)}; }
-  RoundedCore operator()(const Cylinder& s) const {
-    const double r = unit(s.radius), l = unit(s.half_length);
-    return {FrustumCore{{-l, l}, {r, r}}, 0};
-  }
-  RoundedCore operator()(const Cone& s) const { return (*this)(Frustum{{s.radius, 0}, s.height}); }
-  RoundedCore operator()(const Frustum& s) const {
-    const double r = unit(s.radii[0]), t = unit(s.radii[1]), h = unit(s.height);
-    const double larger = std::max(s.radii[0], s.radii[1]), p = s.radii[0] / larger, q = s.radii[1] / larger;
-    const double below = h / 4 * ((p * p + 2 * p * q + 3 * q * q) / (p * p + p * q + q * q));
-    return {FrustumCore{{-below, h - below}, {r, t}}, 0};
-  }
-  RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
-  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit, is_moderate}, 0}; }
-  RoundedCore operator()(const PolySuperellipsoid& s) const {
-    SmoothCore core{{}, s.n1, s.n2};
-    std::transform(s.semi_axes.begin(), s.semi_axes.end(), core.semi_axes.begin(), unit);
-    return {core, 0};
-  }
-  RoundedCore operator()(const HalfSpace&) const { return {SegmentCore{0}, 0}; }
-};
-
 /// The frame of a pair: origin at body 1, lengths over 2^exponent.
 struct ConvexFrame {
   int exponent;
@@ -71,9 +37,12 @@ struct ConvexFrame {
   }
 };
 
-[[nodiscard]] PlacedCores placed(const ConvexPair& pair, const ConvexFrame& frame) {
-  const CoreOf core_of(frame.exponent);
-  const RoundedCore first = std::visit(core_of, pair.body1.shape), second = std::visit(core_of, pair.body2.shape);
+using Watches = std::array<ForeignWatch, 2>;
+
+[[nodiscard]] PlacedCores placed(const ConvexPair& pair, const ConvexFrame& frame, Watches& watches) {
+  const CoreOf core_of(frame.exponent, watches[0]), core_of_second(frame.exponent, watches[1]);
+  const RoundedCore first = std::visit(core_of, pair.body1.shape),
+                    second = std::visit(core_of_second, pair.body2.shape);
   const Vec3<double> centre = frame.to_centre(pair);
   const double size = PowerOfTwo<double>(-frame.exponent)(size_of(pair));
   return {{first.core, rotation<double>(pair.body1.quaternion), Vec3<double>::Zero()},
@@ -236,16 +205,57 @@ void write(const WorldContact& found, Verdict verdict, const Want& want, Contact
   return out;
 }
 
+[[nodiscard]] bool has_foreign(const ConvexPair& bodies) {
+  return std::holds_alternative<ForeignShape>(bodies.body1.shape) ||
+         std::holds_alternative<ForeignShape>(bodies.body2.shape);
+}
+
+[[nodiscard]] bool are_equal(const CommonNormal& a, const CommonNormal& b) {
+  return a.overlap == b.overlap && a.normal == b.normal && a.point1 == b.point1 && a.point2 == b.point2;
+}
+
+/// Once more, every point being held to the plane of the answer's own.
+void run_again(const ConvexPair& bodies, const PlacedCores& pair, const Lowest& found, Watches& watches) {
+  const Vec3<double>& n = found.contact.normal;
+  for (const auto& [body, shape, watch, sign] : {std::tuple(&pair.body1, &bodies.body1.shape, watches.data(), 1.0),
+                                                 {&pair.body2, &bodies.body2.shape, &watches[1], -1.0}}) {
+    const auto* foreign = std::get_if<ForeignShape>(shape);
+    if (foreign == nullptr) continue;
+    const Vec3<double> u = (sign * (body->rotation.transpose() * n)).normalized();
+    Vec3<double> x = not_valid<double>();
+    foreign->support(foreign->data, u.data(), x.data());
+    watch->see(*foreign, u, x);
+    watch->hold_to(u, x);
+  }
+  if (are_equal(lowest_of(bodies, pair).contact, found.contact)) return;
+  if (pair.body1.is_foreign()) watches[0].blame(ForeignFault::not_the_same);
+  if (pair.body2.is_foreign()) watches[1].blame(ForeignFault::not_the_same);
+}
+
+/// The lowest common normal, and what is wrong with foreign shapes.
+[[nodiscard]] Lowest watched_lowest_of(const ConvexPair& bodies, const PlacedCores& pair, Watches& watches) {
+  const Lowest found = lowest_of(bodies, pair);
+  if (watches[0].has_forgotten() || watches[1].has_forgotten()) run_again(bodies, pair, found, watches);
+  return found;
+}
+
+[[nodiscard]] Status status_of(const Lowest& found, const Watches& watches) {
+  for (const ForeignWatch& watch : watches)
+    if (watch.fault() != ForeignFault::none)
+      return watch.fault() == ForeignFault::not_finite ? Status::not_finite : Status::invalid_input;
+  return found.is_proved ? Status::converged : Status::stalled;
+}
+
 /// Of a legal pair, whatever its status.
-[[nodiscard]] Contact<double> solve_by_cores(const ConvexPair& bodies, const Want& want) {
+[[nodiscard]] Contact<double> solve_by_cores(const ConvexPair& bodies, const Want& want, Watches& watches) {
   constexpr double undecided = 64;  // epsilon of the size: what a common normal is exact to
   const ConvexFrame frame(bodies);
-  const PlacedCores pair = placed(bodies, frame);
-  const Lowest found = lowest_of(bodies, pair);
+  const PlacedCores pair = placed(bodies, frame, watches);
+  const Lowest found = watched_lowest_of(bodies, pair, watches);
   const CommonNormal& at = found.contact;
   Contact<double> out;
   out.method = "auto";
-  out.status = found.is_proved ? Status::converged : Status::stalled;
+  out.status = status_of(found, watches);
   out.evaluations = found.cells;
   const double overlap = at.overlap + pair.radius1 + pair.radius2;
   write({frame.to_world(overlap), at.normal, frame.to_world(Vec3<double>(at.point1 + pair.radius1 * at.normal)),
@@ -253,6 +263,17 @@ void write(const WorldContact& found, Verdict verdict, const Want& want, Contact
         verdict_of<double>(overlap, pair.size, undecided), want, out);
   finish<double>(out, want);
   return out;
+}
+
+[[nodiscard]] std::string_view in_words(ForeignFault fault) {
+  switch (fault) {
+    case ForeignFault::none: return "";
+    case ForeignFault::not_finite: return "writes what is no finite number";
+    case ForeignFault::beyond_bound: return "writes a point beyond bounding_radius";
+    case ForeignFault::below_inscribed: return "writes a point that is less far along n than inscribed_radius";
+    case ForeignFault::not_convex: return "writes points of no convex body: one lies beyond the plane of another";
+    default: return "does not write the same for the same n";
+  }
 }
 
 }  // namespace
@@ -263,10 +284,22 @@ Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Con
   if (!find_input_error(pair).reason.empty()) return detail::without_answer(Status::invalid_input, {});
   Want known = want;
   known.curvature = known.derivatives = known.patch = false;
+  detail::Watches watches;
   const auto cores = detail::superellipsoids_of(pair);
   const Contact<double> out =
-      cores ? detail::solve_swept(pair, *cores, known, last) : detail::solve_by_cores(pair, known);
+      cores ? detail::solve_swept(pair, *cores, known, last) : detail::solve_by_cores(pair, known, watches);
   return out.status == Status::converged ? out : detail::without_answer(out.status, out);
+}
+
+InputError find_foreign_error(const ConvexPair& pair) {
+  const StandardArithmetic mode;
+  if (!detail::has_foreign(pair) || !find_input_error(pair).reason.empty()) return {};
+  detail::Watches watches;
+  (void)detail::solve_by_cores(pair, {}, watches);
+  for (int body = 0; body < 2; ++body)
+    if (const auto fault = watches[static_cast<std::size_t>(body)].fault(); fault != detail::ForeignFault::none)
+      return {"shape.foreign.support", detail::in_words(fault), body};
+  return {};
 }
 
 }  // namespace plumb

@@ -23,4 +23,8 @@ namespace plumb {
 /// superellipsoids are `auto`'s; they alone start from `last`, the contact a step before, which may be null.
 [[nodiscard]] Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Contact<double>* last);
 
+/// What solve_convex saw of a foreign shape (shape/shapes.hpp) that no convex body gives: then the status is Status::not_finite or
+/// invalid_input. It solves the pair once more. Of a pair that is illegal otherwise: nothing.
+[[nodiscard]] InputError find_foreign_error(const ConvexPair& pair);
+
 }  // namespace plumb

@@ -90,7 +90,7 @@ constexpr auto convex_body_text = R"(ConvexBody(shape, position, quaternion=(1, 
 
 A convex shape where it stands, with its edges rounded if wanted; immutable.
 
-shape         a Superellipsoid, Capsule, Cylinder, Cone, Frustum, Box, Polyhedron, PolySuperellipsoid or HalfSpace
+shape         what stands there: a Box, a Capsule or another of the package's shapes
 position      (3,) of the shape's origin, world frame; a length
 quaternion    (4,) w, x, y, z of any non-zero length: its direction takes body axes to the world's
 swept_radius  all points within this of the shape belong to the body, >= 0; a length

@@ -16,7 +16,7 @@ template <class V>
 struct Part {
   const char* name;
   py::object (*get)(const V&);
-  const char* text;
+  std::string text;
 };
 
 /// Arrays as tuples, which can be compared and hashed.
@@ -50,7 +50,7 @@ template <class V>
 /// The properties, and what every value can: repr, ==, hash, copies, pickles.
 template <class V>
 void add_parts(py::class_<V>& values, const std::vector<Part<V>>& parts) {
-  for (const auto& [name, get, text] : parts) values.def_property_readonly(name, get, text);
+  for (const auto& [name, get, text] : parts) values.def_property_readonly(name, get, text.c_str());
   values.def("__repr__", [parts](const py::object& self) { return text_of<V>(self, parts); });
   values.def("__eq__", [parts](const V& self, const py::object& other) {
     return py::isinstance<V>(other) && state_of(self, parts).equal(state_of(other.cast<const V&>(), parts));

@@ -98,15 +98,30 @@ class Bounding {
   LowDirection lowest_{not_valid<double>(), infinity};
 };
 
+ConvexBounds bounds_of(const ConvexPair& pair, const Vec3<double>& normal, int cells) {
+  if (is_half_space(pair.body1)) return bound_beside(pair.body1, pair.body2);
+  if (is_half_space(pair.body2)) return bound_beside(pair.body2, pair.body1);
+  const PlacedCores placed(pair);
+  return Bounding(placed, normal).run(cells);
+}
+
 }  // namespace
 }  // namespace cores
 
 ConvexBounds bound_overlap(const ConvexPair& pair, const Vec3<double>& normal, int cells) {
   const StandardArithmetic mode;
-  if (cores::is_half_space(pair.body1)) return cores::bound_beside(pair.body1, pair.body2);
-  if (cores::is_half_space(pair.body2)) return cores::bound_beside(pair.body2, pair.body1);
-  const cores::PlacedCores placed(pair);
-  return cores::Bounding(placed, normal).run(cells);
+  if (!cores::is_enclosed(pair.body1) || !cores::is_enclosed(pair.body2)) return {-cores::infinity, cores::infinity, 0};
+  const ConvexBounds out = cores::bounds_of(pair, normal, cells);
+  return out.lower <= out.upper ? out : ConvexBounds{-cores::infinity, cores::infinity, out.cells};
+}
+
+std::string_view what_is_open(const ConvexPair& pair, const ConvexBounds& bounds) {
+  if (!cores::is_enclosed(pair.body1)) return "nothing is proved: the foreign shape of body 1 has no enclosures";
+  if (!cores::is_enclosed(pair.body2)) return "nothing is proved: the foreign shape of body 2 has no enclosures";
+  if (!std::isfinite(bounds.lower) && !std::isfinite(bounds.upper))
+    return "nothing is proved: the bounds contradict each other, or lie beyond the range of numbers";
+  return "of shapes other than superellipsoids the overlap and the verdict alone are proved: not the normal, not the "
+         "points";
 }
 
 }  // namespace plumb::reference

@@ -17,12 +17,17 @@ struct ConvexBounds {
 /// is apart; a half-space has but its own direction. Where doubles end, bounds are infinite.
 [[nodiscard]] ConvexBounds bound_overlap(const ConvexPair& pair, const Vec3<double>& normal, int cells);
 
+/// What these bounds do not say, in a sentence that lives as long as the program. Of a foreign shape without enclosures nothing is proved, and of
+/// enclosures that contradict each other neither: then the bounds are infinite.
+[[nodiscard]] std::string_view what_is_open(const ConvexPair& pair, const ConvexBounds& bounds);
+
 /// What is wrong with an answer, proved in interval arithmetic; lengths in the case's unit, each rounded outwards; infinite where the
 /// answer is no number.
 ///
 /// A point's distance from a surface is the absolute value of the lowest overlap of the body and the point. It is bounded where the
 /// point lies outside by its distance from a point that is proved to belong to the body, and where it lies inside by its depth
-/// below one plane that supports the body; a bound of both is given, the larger.
+/// below one plane that supports the body; a bound of both is given, the larger. Where a foreign shape has no enclosures, no error of its
+/// point or plane is proved: 0.
 struct ConvexErrors {
   double overlap;  ///< |overlap - the nearest number within the bounds|
   double point1;   ///< distance of point1 from body 1's surface

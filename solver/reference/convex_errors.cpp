@@ -33,6 +33,7 @@ double outside_at_most(const ConvexBody& body, const Vec3<double>& x, const Vec3
 /// The lowest overlap of a body and a point is the point's depth below the surface, or minus its distance.
 double distance_from_surface(const ConvexBody& body, const Vec3<double>& x, const Vec3<double>& normal) {
   if (!x.allFinite()) return infinity;
+  if (!is_enclosed(body)) return 0;
   const ConvexBounds depth = bound_overlap({body, point_at(x)}, normal, 0);
   const double inside = not_below_zero(depth.upper), outside = not_below_zero(-depth.lower);
   if (std::holds_alternative<HalfSpace>(body.shape) || !(outside > 0)) return std::max(inside, outside);
@@ -55,6 +56,7 @@ I tilt(const ConvexBody& half_space, const Vec3<double>& n) {
 /// By how much a body reaches beyond the plane through x with normal n; a half-space, within `size` of x.
 double reach_beyond(const ConvexBody& body, const Vec3<double>& x, const Vec3<double>& n, double size) {
   if (!x.allFinite() || !n.allFinite()) return infinity;
+  if (!is_enclosed(body)) return 0;
   if (std::holds_alternative<HalfSpace>(body.shape)) {
     const double depth = not_below_zero(bound_overlap({body, point_at(x)}, n, 0).upper);
     return in_world(I(depth) + I(size) * tilt(body, n), 0);
@@ -80,9 +82,14 @@ ConvexErrors errors_of(const ConvexPair& pair, const Contact<double>& contact, c
   const StandardArithmetic mode;
   const Vec3<double>& n = contact.normal;
   const double size = size_of(pair);
-  const double overlap =
-      std::max(cores::not_below_zero(high(DoubleInterval(bounds.lower) - DoubleInterval(contact.overlap))),
-               cores::not_below_zero(high(DoubleInterval(contact.overlap) - DoubleInterval(bounds.upper))));
+  const auto beyond =
+      [](double upper,
+         double lower) {  // by which a number should not be above another; of a bound that is none by nothing
+        return upper == -cores::infinity || lower == cores::infinity
+                   ? 0.0
+                   : cores::not_below_zero(high(DoubleInterval(upper) - DoubleInterval(lower)));
+      };
+  const double overlap = std::max(beyond(bounds.lower, contact.overlap), beyond(contact.overlap, bounds.upper));
   return {overlap,
           cores::distance_from_surface(pair.body1, contact.point1, n),
           cores::distance_from_surface(pair.body2, contact.point2, -n),

@@ -4,89 +4,50 @@
 #include <cmath>
 
 #include "solver/shape/hull.hpp"
-#include "solver/shape/overloaded.hpp"
+#include "solver/shape/shape_fields.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
 namespace {
 
-constexpr std::string_view must_be_positive = "must be finite and above 0",
-                           must_not_be_negative = "must be finite and not below 0",
-                           must_be_above_one = "must be finite and above 1", must_be_finite = "must be finite";
+constexpr std::string_view must_not_be_negative = "must be finite and not below 0", must_be_finite = "must be finite";
 
-/// A number and what it is called.
-struct Limited {
-  double value;
-  std::string_view field;
-};
-
-InputError first_not_above(double limit, std::string_view reason, std::initializer_list<Limited> numbers) {
-  for (const auto& [value, field] : numbers)
-    if (!std::isfinite(value) || !(value > limit)) return {field, reason, 0};
-  return {};
+bool is_legal(double x, Legal legal) {
+  if (!std::isfinite(x)) return false;
+  return legal == Legal::not_below_zero ? x >= 0 : x > (legal == Legal::above_zero ? 0 : 1);
 }
 
-InputError first_below_zero(std::initializer_list<Limited> numbers) {
-  for (const auto& [value, field] : numbers)
-    if (!std::isfinite(value) || value < 0) return {field, must_not_be_negative, 0};
-  return {};
+std::string_view reason_of(Legal legal) {
+  switch (legal) {
+    case Legal::above_zero: return "must be finite and above 0";
+    case Legal::not_below_zero: return must_not_be_negative;
+    default: return "must be finite and above 1";
+  }
 }
 
 InputError first_of(const InputError& first, const InputError& second) {
   return first.reason.empty() ? second : first;
 }
 
-InputError error_in(const Superellipsoid<double>& s) {
-  return first_of(
-      first_not_above(0, must_be_positive,
-                      {{s.semi_axes[0], "shape.superellipsoid.semi_axes[0]"},
-                       {s.semi_axes[1], "shape.superellipsoid.semi_axes[1]"},
-                       {s.semi_axes[2], "shape.superellipsoid.semi_axes[2]"}}),
-      first_not_above(1, must_be_above_one,
-                      {{s.n1, "shape.superellipsoid.exponents[0]"}, {s.n2, "shape.superellipsoid.exponents[1]"}}));
+template <class S>
+InputError error_in_numbers(const S& shape) {
+  InputError out;
+  each_field(shape, [&](auto place, const auto& field, const auto& numbers) {
+    for (std::size_t i = 0; i < number_count<S, place>; ++i)
+      if (!is_legal(*numbers[i], field.legal)) out = first_of(out, {path_of<S, place>(i), reason_of(field.legal), 0});
+  });
+  return out;
 }
-InputError error_in(const Capsule& s) {
-  return first_of(first_below_zero({{s.half_length, "shape.capsule.half_length"}}),
-                  first_not_above(0, must_be_positive, {{s.radius, "shape.capsule.radius"}}));
-}
-InputError error_in(const Cylinder& s) {
-  return first_not_above(0, must_be_positive,
-                         {{s.half_length, "shape.cylinder.half_length"}, {s.radius, "shape.cylinder.radius"}});
-}
-InputError error_in(const Cone& s) {
-  return first_not_above(0, must_be_positive, {{s.radius, "shape.cone.radius"}, {s.height, "shape.cone.height"}});
-}
-InputError error_in(const Frustum& s) {
-  const InputError out =
-      first_of(first_below_zero({{s.radii[0], "shape.frustum.radii[0]"}, {s.radii[1], "shape.frustum.radii[1]"}}),
-               first_not_above(0, must_be_positive, {{s.height, "shape.frustum.height"}}));
-  if (!out.reason.empty() || s.radii[0] > 0 || s.radii[1] > 0) return out;
-  return {"shape.frustum.radii", "must not both be 0", 0};
-}
-InputError error_in(const Box& s) {
-  return first_not_above(0, must_be_positive,
-                         {{s.half_extents[0], "shape.box.half_extents[0]"},
-                          {s.half_extents[1], "shape.box.half_extents[1]"},
-                          {s.half_extents[2], "shape.box.half_extents[2]"}});
-}
-InputError error_in(const Polyhedron& s) {
-  if (s.hull && !s.hull->corners.empty()) return {};
-  return {"shape.polyhedron.points", "must be a point at least", 0};
-}
-InputError error_in(const PolySuperellipsoid& s) {
-  return first_of(first_not_above(0, must_be_positive,
-                                  {{s.semi_axes[0], "shape.poly_superellipsoid.semi_axes[0]"},
-                                   {s.semi_axes[1], "shape.poly_superellipsoid.semi_axes[1]"},
-                                   {s.semi_axes[2], "shape.poly_superellipsoid.semi_axes[2]"},
-                                   {s.semi_axes[3], "shape.poly_superellipsoid.semi_axes[3]"},
-                                   {s.semi_axes[4], "shape.poly_superellipsoid.semi_axes[4]"},
-                                   {s.semi_axes[5], "shape.poly_superellipsoid.semi_axes[5]"}}),
-                  first_not_above(1, must_be_above_one,
-                                  {{s.n1, "shape.poly_superellipsoid.exponents[0]"},
-                                   {s.n2, "shape.poly_superellipsoid.exponents[1]"}}));
-}
-InputError error_in(const HalfSpace&) {
-  return {};
+
+template <class S>
+InputError error_in(const S& shape) {
+  InputError out = error_in_numbers(shape);
+  if constexpr (requires { RowOf<S>::error_of(shape); })
+    if (out.reason.empty()) {
+      const auto [field, reason] = RowOf<S>::error_of(shape);
+      if (!reason.empty()) return {detail::PathsOf<S>::fields[field].view(), reason, 0};
+    }
+  return out;
 }
 
 InputError error_in_pose(const ConvexBody& body) {
@@ -99,63 +60,27 @@ InputError error_in_pose(const ConvexBody& body) {
   return is_zero ? InputError{"orientation.quaternion_wxyz", "must not be zero", 0} : InputError{};
 }
 
-/// Of every alternative of Shape: its name follows "shape.".
-constexpr std::array<std::string_view, std::variant_size_v<Shape>> field_of_shape{
-    "shape.superellipsoid", "shape.capsule", "shape.cylinder",   "shape.cone",
-    "shape.frustum",        "shape.box",     "shape.polyhedron", "shape.poly_superellipsoid",
-    "shape.half_space"};
+/// "shape.box"
+std::string_view path_of(const Shape& shape) {
+  return std::visit([]<class S>(const S&) { return detail::PathsOf<S>::shape.view(); }, shape);
+}
 
 /// Each length may be finite and still the farthest point be out of reach. Of a body that is legal otherwise.
 InputError error_in_reach(const ConvexBody& body) {
   if (std::isfinite(bounding_radius(body))) return {};
   const bool is_by_sweep = std::isfinite(bounding_radius({body.shape, 0}));
-  return {is_by_sweep ? "shape.sphere_swept.radius" : field_of_shape[body.shape.index()],
+  return {is_by_sweep ? "shape.sphere_swept.radius" : path_of(body.shape),
           "the bounding radius, to the farthest point, must be finite", 0};
 }
 
 InputError error_in(const ConvexBody& body, int index) {
   InputError out = std::visit([](const auto& shape) { return error_in(shape); }, body.shape);
-  out = first_of(out, first_below_zero({{body.swept_radius, "shape.sphere_swept.radius"}}));
+  if (!is_legal(body.swept_radius, Legal::not_below_zero))
+    out = first_of(out, {"shape.sphere_swept.radius", must_not_be_negative, 0});
   out = first_of(out, error_in_pose(body));
   if (out.reason.empty()) out = error_in_reach(body);
   out.body = index;
   return out;
-}
-
-/// The greatest distance in a norm's ball |(x/a, y/b)|_n = 1: by Hoelder's inequality |(a^2, b^2)|_(n/(n-2)) is its square for n > 2.
-double reach(double a, double b, double n) {
-  const double longer = std::max(a, b), share = std::min(a, b) / longer;
-  if (!(n > 2)) return longer;
-  const double dual = n / (n - 2);
-  return longer * std::pow(1 + std::pow(share, 2 * dual), 0.5 / dual);
-}
-
-double reach(const Vec3<double>& semi_axes, double n1, double n2) {
-  return reach(reach(semi_axes[0], semi_axes[1], n2), semi_axes[2], n1);
-}
-
-/// Of the bottom from the centroid.
-double depth_of_bottom(const Frustum& s) {
-  const double larger = std::max(s.radii[0], s.radii[1]);
-  const double bottom = s.radii[0] / larger, top = s.radii[1] / larger;
-  return s.height / 4 *
-         ((bottom * bottom + 2 * bottom * top + 3 * top * top) / (bottom * bottom + bottom * top + top * top));
-}
-
-double reach(const Frustum& s) {
-  const double depth = depth_of_bottom(s);
-  return std::max(std::hypot(s.radii[0], depth), std::hypot(s.radii[1], s.height - depth));
-}
-
-double reach(const Polyhedron& s) {
-  double out = 0;
-  for (const Vec3<double>& corner : s.hull->corners) out = std::max(out, corner.stableNorm());
-  return out;
-}
-
-double reach(const PolySuperellipsoid& s) {
-  const auto longer = [&](std::size_t k) { return std::max(s.semi_axes[2 * k], s.semi_axes[2 * k + 1]); };
-  return reach(Vec3<double>(longer(0), longer(1), longer(2)), s.n1, s.n2);
 }
 
 ConvexBody convex(const Body& body) {
@@ -164,12 +89,22 @@ ConvexBody convex(const Body& body) {
 
 }  // namespace
 
+FieldsError RowOf<Polyhedron>::error_of(const Polyhedron& s) {
+  return {0, s.hull && !s.hull->corners.empty() ? "" : "must be a point at least"};
+}
+
+double RowOf<Polyhedron>::reach(const Polyhedron& s) {
+  double out = 0;
+  for (const Vec3<double>& corner : s.hull->corners) out = std::max(out, corner.stableNorm());
+  return out;
+}
+
 ConvexPair convex(const Pair& pair) {
   return {convex(pair.body1), convex(pair.body2)};
 }
 
 std::string_view name(const Shape& shape) {
-  return field_of_shape[shape.index()].substr(std::string_view("shape.").size());
+  return std::visit([]<class S>(const S&) { return RowOf<S>::word; }, shape);
 }
 
 InputError find_input_error(const ConvexPair& pair) {
@@ -184,17 +119,7 @@ InputError find_input_error(const ConvexPair& pair) {
 }
 
 double bounding_radius(const ConvexBody& body) {
-  return body.swept_radius +
-         std::visit(detail::Overloaded{[](const Superellipsoid<double>& s) { return reach(s.semi_axes, s.n1, s.n2); },
-                                       [](const Capsule& s) { return s.half_length + s.radius; },
-                                       [](const Cylinder& s) { return std::hypot(s.half_length, s.radius); },
-                                       [](const Cone& s) { return reach(Frustum{{s.radius, 0}, s.height}); },
-                                       [](const Frustum& s) { return reach(s); },
-                                       [](const Box& s) { return s.half_extents.stableNorm(); },
-                                       [](const Polyhedron& s) { return reach(s); },
-                                       [](const PolySuperellipsoid& s) { return reach(s); },
-                                       [](const HalfSpace&) { return 0.0; }},
-                    body.shape);
+  return body.swept_radius + std::visit([]<class S>(const S& s) { return RowOf<S>::reach(s); }, body.shape);
 }
 
 double size_of(const ConvexPair& pair) {

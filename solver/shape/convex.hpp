@@ -5,60 +5,9 @@
 // Body axes, origin at the body's position, lengths in the caller's unit.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string_view>
-#include <variant>
-
-#include "solver/contact.hpp"
+#include "solver/shape/shapes.hpp"
 
 namespace plumb {
-
-/// All points within `radius` of the segment |z| <= half_length. half_length >= 0.
-struct Capsule {
-  double half_length, radius;
-};
-
-/// x^2 + y^2 <= radius^2, |z| <= half_length: sharp edges, two flat ends.
-struct Cylinder {
-  double half_length, radius;
-};
-
-/// A flat end of `radius` below, the apex above; the centroid, a quarter of the height above the end, is the origin.
-struct Cone {
-  double radius, height;
-};
-
-/// A cone cut parallel to its end: radii of the bottom and of the top end, one of which may be 0. The centroid is the origin.
-struct Frustum {
-  std::array<double, 2> radii;
-  double height;
-};
-
-/// |x| <= half_extents[0] and so on: sharp edges.
-struct Box {
-  Vec3<double> half_extents;
-};
-
-struct Hull;
-
-/// The convex hull of points, which may be a polygon, a segment or a point. Copies share it; make_polyhedron computes it.
-struct Polyhedron {
-  std::shared_ptr<const Hull> hull;
-};
-
-/// Eight octants of superellipsoids that meet smoothly: in each the half-axis of x, y and z on its side. n1, n2 as the superellipsoid's.
-struct PolySuperellipsoid {
-  std::array<double, 6> semi_axes;  ///< x > 0, x < 0, y > 0, y < 0, z > 0, z < 0
-  double n1{2}, n2{2};
-};
-
-/// z <= 0.
-struct HalfSpace {};
-
-/// The closed list. An alternative's place in it is its number in C.
-using Shape = std::variant<Superellipsoid<double>, Capsule, Cylinder, Cone, Frustum, Box, Polyhedron,
-                           PolySuperellipsoid, HalfSpace>;
 
 /// A shape, swept by a sphere, and where it is.
 struct ConvexBody {

@@ -34,8 +34,12 @@ static_assert(sizeof(plumb_contact_arrays) == 136 && offsetof(plumb_contact_arra
               offsetof(plumb_contact_arrays, overlap) == 16 && offsetof(plumb_contact_arrays, normal) == 24 &&
               offsetof(plumb_contact_arrays, points) == 48 && offsetof(plumb_contact_arrays, contact_point) == 96 &&
               offsetof(plumb_contact_arrays, iterations) == 120 && offsetof(plumb_contact_arrays, evaluations) == 128);
-static_assert(sizeof(plumb_shape) == 112 && offsetof(plumb_shape, hull) == 8 &&
+static_assert(sizeof(plumb_shape) == 112 && offsetof(plumb_shape, hull) == 8 && offsetof(plumb_shape, foreign) == 8 &&
               offsetof(plumb_shape, parameters) == 16);
+static_assert(sizeof(plumb_foreign) >= 56 && offsetof(plumb_foreign, data) == 8 &&
+              offsetof(plumb_foreign, support) == 16 && offsetof(plumb_foreign, hessian) == 24 &&
+              offsetof(plumb_foreign, enclose) == 32 && offsetof(plumb_foreign, bounding_radius) == 40 &&
+              offsetof(plumb_foreign, inscribed_radius) == 48);
 static_assert(sizeof(plumb_convex_body) == 176 && offsetof(plumb_convex_body, swept_radius) == 112 &&
               offsetof(plumb_convex_body, position) == 120 && offsetof(plumb_convex_body, quaternion_wxyz) == 144);
 static_assert(sizeof(plumb_convex_pair) == 352);
@@ -60,7 +64,7 @@ static_assert(sizeof(plumb_certificate) >= 152 && offsetof(plumb_certificate, ve
               offsetof(plumb_certificate, points) == 72 && offsetof(plumb_certificate, points_radius) == 120 &&
               offsetof(plumb_certificate, condition_overlap) == 128 &&
               offsetof(plumb_certificate, condition_normal) == 136 &&
-              offsetof(plumb_certificate, condition_points) == 144);
+              offsetof(plumb_certificate, condition_points) == 144 && offsetof(plumb_certificate, open) == 152);
 #endif
 
 template <class Function, class Type>
@@ -75,7 +79,8 @@ static_assert(is<decltype(plumb_solve),
                  int(size_t, const plumb_body_arrays*, const plumb_options*, const plumb_contact_arrays*)> &&
               is<decltype(plumb_solve_batch_warm), int(size_t, const plumb_body_arrays*, const plumb_options*,
                                                        plumb_context*, const plumb_contact_arrays*)> &&
-              is<decltype(plumb_certify), int(const plumb_pair*, plumb_certificate*)>);
+              is<decltype(plumb_certify), int(const plumb_pair*, plumb_certificate*)> &&
+              is<decltype(plumb_certify_convex), int(const plumb_convex_pair*, const double*, plumb_certificate*)>);
 static_assert(is<decltype(plumb_hull_create), plumb_hull*(const double*, size_t, int*)> &&
               is<decltype(plumb_hull_destroy), void(plumb_hull*)> &&
               is<decltype(plumb_describe_convex_input), int(const plumb_convex_pair*, char*, size_t)> &&
@@ -97,7 +102,8 @@ static_assert(PLUMB_CONVERGED == 0 && PLUMB_ITERATION_LIMIT == 1 && PLUMB_STALLE
 static_assert(PLUMB_SUPERELLIPSOIDS == 0 && PLUMB_ELLIPSOIDS == 1 && PLUMB_SPHERES == 2);
 static_assert(PLUMB_SHAPE_SUPERELLIPSOID == 0 && PLUMB_SHAPE_CAPSULE == 1 && PLUMB_SHAPE_CYLINDER == 2 &&
               PLUMB_SHAPE_CONE == 3 && PLUMB_SHAPE_FRUSTUM == 4 && PLUMB_SHAPE_BOX == 5 &&
-              PLUMB_SHAPE_POLYHEDRON == 6 && PLUMB_SHAPE_POLY_SUPERELLIPSOID == 7 && PLUMB_SHAPE_HALF_SPACE == 8);
+              PLUMB_SHAPE_POLYHEDRON == 6 && PLUMB_SHAPE_POLY_SUPERELLIPSOID == 7 && PLUMB_SHAPE_HALF_SPACE == 8 &&
+              PLUMB_SHAPE_TABLET == 9 && PLUMB_SHAPE_FOREIGN == 10);
 static_assert(PLUMB_APART_DISTANCE == 0 && PLUMB_APART_VERDICT == 1 && PLUMB_APART_NONE == 2);
 static_assert(PLUMB_POINTS_TWO == 0 && PLUMB_POINTS_MIDWAY == 1 && PLUMB_POINTS_NONE == 2);
 static_assert(PLUMB_COMMON_NORMAL == 0 && PLUMB_DEEPEST_POINTS == 1 && PLUMB_MIDWAY == 2);
@@ -119,7 +125,7 @@ TEST(CAbi, TheLibrariesShowTheFunctionsOfTheHeaderAndNothingElse) {
                                    "plumb_solve_batch", "plumb_solve_batch_warm", "plumb_solve_convex",
                                    "plumb_solver_solve", "plumb_solver_solve_warm", "plumb_solver_version",
                                    "plumb_status_name", "plumb_verdict_name", "plumb_version"}));
-  EXPECT_EQ(shown_by(PLUMB_CERTIFY_LIBRARY), (std::set<std::string>{"plumb_certify"}));
+  EXPECT_EQ(shown_by(PLUMB_CERTIFY_LIBRARY), (std::set<std::string>{"plumb_certify", "plumb_certify_convex"}));
 }
 
 TEST(CAbi, TheSonameIsThatOfVersionZero) {

@@ -1,9 +1,13 @@
 // plumb_solve_convex gives what solve_convex gives, to the bit, and refuses what it must.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cfenv>
 #include <cmath>
+#include <fstream>
+#include <map>
 
 #include "properties/generators/families.hpp"
 #include "properties/tests/c_api/convex_pairs.hpp"
@@ -66,6 +70,12 @@ TEST(CConvex, TheCallersRoundingChangesNothing) {
   });
 }
 
+template <class... S>
+std::map<std::string, int> numbers_by_word(const std::variant<S...>* /*list*/) {
+  int next = 0;
+  return {{std::string(RowOf<S>::word), next++}...};
+}
+
 plumb_convex_pair boxes() {
   return {{{{PLUMB_SHAPE_BOX, nullptr, {1, 1, 1}}, 0, {0, 0, 0}, {1, 0, 0, 0}},
            {{PLUMB_SHAPE_BOX, nullptr, {1, 1, 1}}, 0.25, {0, 0, 2}, {1, 0, 0, 0}}}};
@@ -124,7 +134,7 @@ TEST(CConvex, AnIllegalPairIsAnAnswerAndSaysWhy) {
   refused([](Body& b) { b.swept_radius = -1; }, "bodies[1].shape.sphere_swept.radius: must be finite and not below 0");
   refused([](Body& b) { b.position[2] = INFINITY; }, "bodies[1].position: must be finite");
   refused([](Body& b) { b.quaternion_wxyz[0] = 0; }, "bodies[1].orientation.quaternion_wxyz: must not be zero");
-  for (const int kind : {-1, PLUMB_SHAPE_HALF_SPACE + 1, 1 << 30})
+  for (const int kind : {-1, int{std::variant_size_v<Shape>}, 1 << 30})
     refused([&](Body& b) { b.shape.kind = kind; }, "bodies[1].shape.kind: no shape has this number");
   refused([](Body& b) { b.shape.kind = PLUMB_SHAPE_POLYHEDRON; }, "bodies[1].shape.hull: must not be null");
   plumb_convex_pair walls = boxes();
@@ -136,6 +146,89 @@ TEST(CConvex, AnIllegalPairIsAnAnswerAndSaysWhy) {
   const plumb_convex_pair legal = boxes();
   EXPECT_EQ(plumb_describe_convex_input(&legal, text, sizeof text), PLUMB_OK);
   EXPECT_STREQ(text, "");
+}
+
+/// `PLUMB_SHAPE_NAME = number` in the header, the name as cases have it.
+TEST(CConvex, EveryShapeHasItsNumber) {
+  std::ifstream in(PLUMB_SOURCE_DIR "/solver/plumb.h");
+  constexpr std::string_view prefix = "PLUMB_SHAPE_";
+  std::map<std::string, int> numbers;
+  for (std::string word, sign, number; in >> word;) {
+    if (!word.starts_with(prefix) || !(in >> sign >> number) || sign != "=") continue;
+    word.erase(0, prefix.size());
+    std::ranges::transform(word, word.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    numbers[word] = std::stoi(number);
+  }
+  EXPECT_EQ(numbers, (numbers_by_word(static_cast<const Shape*>(nullptr))));
+}
+
+void ball(const void* radius, const double* n, double* x) {
+  for (int i = 0; i < 3; ++i) x[i] = *static_cast<const double*>(radius) * n[i];
+}
+void nothing(const void* /*data*/, const double* /*n*/, double* x) {
+  x[0] = NAN;
+}
+void enclosed_ball(const void* radius, const double* n, double* lower, double* upper) {
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  for (int i = 0; i < 3; ++i) {
+    const double at = *static_cast<const double*>(radius) * n[i] / length, off = 1e-15 * std::abs(at) + 1e-300;
+    lower[i] = at - off, upper[i] = at + off;
+  }
+}
+
+plumb_convex_pair with_foreign(const plumb_foreign* foreign) {
+  plumb_convex_pair out = boxes();
+  out.bodies[1].shape.kind = PLUMB_SHAPE_FOREIGN;
+  out.bodies[1].shape.foreign = foreign;
+  out.bodies[1].position[2] = 1.5;
+  return out;
+}
+
+TEST(CConvex, AForeignShapeIsSolvedAndJudged) {
+  const double radius = 0.5;
+  plumb_foreign foreign{sizeof foreign, &radius, ball, nullptr, enclosed_ball, 0.5, 0.5};
+  const plumb_convex_pair pair = with_foreign(&foreign);
+  const plumb_contact contact = solve_in_c(pair);
+  EXPECT_EQ(contact.status, PLUMB_CONVERGED);
+  EXPECT_NEAR(contact.overlap, 0.25, 1e-14);  // swept by 0.25
+  plumb_certificate proved{};
+  proved.size = sizeof proved;
+  ASSERT_EQ(plumb_certify_convex(&pair, contact.normal, &proved), PLUMB_OK);
+  EXPECT_EQ(proved.verdict, PLUMB_OVERLAPPING);
+  EXPECT_EQ(proved.global, PLUMB_PROVED);
+  EXPECT_EQ(proved.unique, PLUMB_OPEN);
+  EXPECT_TRUE(proved.overlap_lower <= 0.25 && 0.25 <= proved.overlap_upper);
+  EXPECT_LT(proved.overlap_upper - proved.overlap_lower, 1e-12);
+  EXPECT_TRUE(std::string(proved.open).ends_with("not the normal, not the points")) << proved.open;
+  foreign.enclose = nullptr;
+  ASSERT_EQ(plumb_certify_convex(&pair, nullptr, &proved), PLUMB_OK);
+  EXPECT_EQ(proved.verdict, PLUMB_UNDECIDED);
+  EXPECT_EQ(proved.global, PLUMB_OPEN);
+  EXPECT_EQ(proved.overlap_upper, INFINITY);
+  EXPECT_STREQ(proved.open, "nothing is proved: the foreign shape of body 2 has no enclosures");
+}
+
+TEST(CConvex, AForeignShapeThatIsNoneIsNamed) {
+  const double radius = 0.5;
+  plumb_foreign foreign{sizeof foreign, &radius, ball, nullptr, nullptr, 0.25, 0};
+  const plumb_convex_pair pair = with_foreign(&foreign);
+  const auto says = [&](int status, const char* expected) {
+    EXPECT_EQ(solve_in_c(pair).status, status) << expected;
+    char text[128];
+    EXPECT_EQ(plumb_describe_convex_input(&pair, text, sizeof text), PLUMB_OK);
+    EXPECT_STREQ(text, expected);
+  };
+  says(PLUMB_INVALID_INPUT, "bodies[1].shape.foreign.support: writes a point beyond bounding_radius");
+  foreign.bounding_radius = 1;
+  foreign.support = nothing;
+  says(PLUMB_NOT_FINITE, "bodies[1].shape.foreign.support: writes what is no finite number");
+  foreign.size = offsetof(plumb_foreign, support);
+  says(PLUMB_INVALID_INPUT, "bodies[1].shape.foreign.bounding_radius: must be finite and above 0");
+  expect_refused(with_foreign(nullptr), "bodies[1].shape.foreign: must not be null");
+  plumb_certificate proved{};
+  proved.size = sizeof proved;
+  EXPECT_EQ(plumb_certify_convex(&pair, nullptr, &proved), PLUMB_ERROR_ARGUMENT);
+  EXPECT_EQ(plumb_certify_convex(nullptr, nullptr, &proved), PLUMB_ERROR_ARGUMENT);
 }
 
 TEST(CConvex, AHullIsOfFinitePoints) {

@@ -12,6 +12,7 @@
 #include "properties/tests/reference/drawn_bodies.hpp"
 #include "solver/plumb.h"
 #include "solver/shape/overloaded.hpp"
+#include "solver/shape/shape_fields.hpp"
 
 namespace plumb {
 
@@ -22,6 +23,16 @@ namespace plumb {
   return OwnedHull(plumb_hull_create(corners.front().data(), corners.size(), nullptr));
 }
 
+template <class S>
+[[nodiscard]] std::vector<double> numbers_of_fields(const S& shape) {
+  std::vector<double> out;
+  each_field(shape, [&](auto, const auto&, const auto& numbers) {
+    for (const double* number : numbers) out.push_back(*number);
+  });
+  return out;
+}
+
+/// Of the first shapes as plumb.h tells them, which nothing may change; of those that came later as their fields do.
 [[nodiscard]] inline std::vector<double> parameters_of(const Shape& shape) {
   const auto list = [](const auto& numbers, std::initializer_list<double> more) {
     std::vector<double> out(numbers.begin(), numbers.end());
@@ -37,7 +48,8 @@ namespace plumb {
                                        [&](const Box& s) { return list(s.half_extents, {}); },
                                        [](const Polyhedron&) { return Numbers(); },
                                        [&](const PolySuperellipsoid& s) { return list(s.semi_axes, {s.n1, s.n2}); },
-                                       [](const HalfSpace&) { return Numbers(); }},
+                                       [](const HalfSpace&) { return Numbers(); },
+                                       [](const auto& later) { return numbers_of_fields(later); }},
                     shape);
 }
 

@@ -20,8 +20,8 @@ import plumb
 FOLDER = pathlib.Path(plumb.__file__).absolute().parent
 
 # pybind11 gives its classes a metaclass of its own, and those that only the module makes an __init__ that refuses.
-ALLOWED = r"""plumb._native.(Body|Contact|ConvexBody|Patch|PoseDerivative)
-plumb._native.(Box|Capsule|Cone|Cylinder|Frustum|HalfSpace|Polyhedron|PolySuperellipsoid|Superellipsoid)
+ALLOWED = rf"""plumb._native.(Body|Contact|ConvexBody|Patch|PoseDerivative)
+plumb._native.({"|".join(plumb._native.shapes)})
 plumb._native.(Contact|Patch|PoseDerivative).__init__
 """
 

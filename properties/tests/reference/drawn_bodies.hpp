@@ -7,10 +7,15 @@
 #include "solver/pose.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/shape/hull.hpp"
+#include "solver/shape/shape_fields.hpp"
 
 namespace plumb::reference::bodies_tests {
 
-inline constexpr std::size_t shape_count = std::variant_size_v<Shape>;
+/// Those that are numbers; a foreign one, which is functions, is the last of all.
+inline constexpr std::size_t shape_count = std::variant_size_v<Shape> - 1;
+static_assert(std::is_same_v<std::variant_alternative_t<shape_count, Shape>, ForeignShape>);
+inline constexpr std::size_t half_space = 8;
+static_assert(std::is_same_v<std::variant_alternative_t<half_space, Shape>, HalfSpace>);
 
 [[nodiscard]] inline double draw_length(Stream& stream) {
   return stream.log_uniform(0.1, 1);
@@ -34,6 +39,25 @@ inline constexpr std::size_t shape_count = std::variant_size_v<Shape>;
   return make_polyhedron(points);
 }
 
+/// A legal one: lengths and exponents as those of other shapes.
+template <class S>
+[[nodiscard]] Shape draw_fields(Stream& stream) {
+  for (;;) {
+    S out{};
+    each_field(out, [&](auto, const auto& field, const auto& numbers) {
+      for (double* number : numbers) {
+        const bool is_zero = field.legal == Legal::not_below_zero && stream.chance(0.2);
+        *number = is_zero ? 0 : (field.is_length() ? draw_length(stream) : draw_convex_exponent(stream));
+      }
+    });
+    if (find_input_error(ConvexPair{{out}, {}}).reason.empty()) return out;
+  }
+}
+template <class... S>
+[[nodiscard]] Shape draw_by_fields(std::size_t kind, Stream& stream, const std::variant<S...>* /*list*/) {
+  return std::array{&draw_fields<S>...}[kind](stream);
+}
+
 [[nodiscard]] inline Shape draw_shape(std::size_t kind, Stream& stream) {
   const auto length = [&] { return draw_length(stream); };
   const auto three = [&] {
@@ -55,7 +79,8 @@ inline constexpr std::size_t shape_count = std::variant_size_v<Shape>;
       return PolySuperellipsoid{{length(), length(), length(), length(), length(), length()},
                                 draw_convex_exponent(stream),
                                 draw_convex_exponent(stream)};
-    default: return HalfSpace{};
+    case half_space: return HalfSpace{};
+    default: return draw_by_fields(kind, stream, static_cast<const Shape*>(nullptr));
   }
 }
 
@@ -115,6 +140,11 @@ struct SupportOf {
     return std::max<S>(S(s.radii[0]) * across() - depth * u[2],
                        S(s.radii[1]) * across() + (S(s.height) - depth) * u[2]);
   }
+  S operator()(const Tablet& s) const {
+    const S r(s.radius), e(s.cap_height), ball = (r * r + e * e) / (2 * e), centre = S(s.half_length) + e - ball;
+    const bool is_on_cap = length() > 0 && centre + ball * size(u[2]) / length() >= S(s.half_length);
+    return is_on_cap ? S(centre * size(u[2]) + ball * length()) : S(S(s.half_length) * size(u[2]) + r * across());
+  }
   S operator()(const Box& s) const {
     return S(s.half_extents[0]) * size(u[0]) + S(s.half_extents[1]) * size(u[1]) + S(s.half_extents[2]) * size(u[2]);
   }
@@ -132,6 +162,7 @@ struct SupportOf {
     return dual_norm<S>(dual_norm<S>(q[0], q[1], s.n2), q[2], s.n1);
   }
   S operator()(const HalfSpace&) const { return S(0); }
+  S operator()(const ForeignShape&) const { return S(0); }
 };
 
 /// max n.x over a body, world axes, seen from its position.
@@ -168,6 +199,12 @@ struct OutsideOf {
     const S above = x[2] + centroid<S>(s), share = above / S(s.height);
     const S radius = S(s.radii[0]) * (1 - share) + S(s.radii[1]) * share;
     return std::max<S>(std::max<S>(-above, above - S(s.height)), square_across() - radius * radius);
+  }
+  S operator()(const Tablet& s) const {
+    using std::abs;
+    const S r(s.radius), e(s.cap_height), ball = (r * r + e * e) / (2 * e), above = abs(x[2]) - S(s.half_length);
+    if (above <= 0) return square_across() - r * r;
+    return square_across() + (above - e + ball) * (above - e + ball) - ball * ball;
   }
   S operator()(const Box& s) const {
     using std::abs;

@@ -8,6 +8,7 @@
 
 #include "properties/generators/draft.hpp"
 #include "solver/shape/hull.hpp"
+#include "solver/shape/shape_fields.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::convex_tests {
@@ -25,25 +26,31 @@ Polyhedron tetrahedron() {
   return make_polyhedron(points);
 }
 
+template <class S>
+Shape sample() {
+  if constexpr (std::is_same_v<S, Polyhedron>)
+    return tetrahedron();
+  else
+    return sample_of<S>();
+}
+template <class... S>
+std::vector<Shape> samples(const std::variant<S...>* /*list*/) {
+  std::vector<Shape> out;
+  ((is_value<S> ? out.push_back(sample<S>()) : void()), ...);
+  return out;
+}
+
 /// One of each.
-std::array<Shape, std::variant_size_v<Shape>> all_shapes() {
-  return {Superellipsoid<double>{Vec(1, 2, 3), 2, 2},
-          Capsule{0, 1},
-          Cylinder{1, 2},
-          Cone{1, 2},
-          Frustum{{0, 1}, 2},
-          Box{Vec(1, 2, 3)},
-          tetrahedron(),
-          PolySuperellipsoid{{1, 2, 3, 4, 5, 6}, 2, 3},
-          HalfSpace{}};
+std::vector<Shape> all_shapes() {
+  return samples(static_cast<const Shape*>(nullptr));
 }
 
 TEST(ConvexShapes, AreCalledAsInCases) {
-  const std::array<std::string_view, std::variant_size_v<Shape>> names{
-      "superellipsoid",      "capsule",   "cylinder", "cone", "frustum", "box", "polyhedron",
-      "poly_superellipsoid", "half_space"};
+  const std::vector<std::string_view> names{"superellipsoid", "capsule", "cylinder",   "cone",
+                                            "frustum",        "box",     "polyhedron", "poly_superellipsoid",
+                                            "half_space"};  // in kept files and in C: these are never others
   const auto shapes = all_shapes();
-  for (std::size_t i = 0; i < shapes.size(); ++i) EXPECT_EQ(name(shapes[i]), names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(name(shapes[i]), names[i]);
 }
 
 TEST(ConvexShapes, AllButTwoHalfSpacesAreLegal) {

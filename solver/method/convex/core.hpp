@@ -3,33 +3,28 @@
 // A support point x(u) is a point of the core farthest along u; h(u) = x(u).u. The directions divide into pieces on which x is smooth: the
 // corners of a polytope, the two rims of a frustum, one piece for what is smooth all over. Between pieces faces and edges lie: there
 // several x are farthest, and every mixture of them is.
+//
+// A core says whether it is a polytope, and whether it is of revolution about its z axis.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <variant>
 
+#include "solver/method/convex/foreign.hpp"
 #include "solver/power_of_two.hpp"
 #include "solver/shape/hull.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb::detail {
 
-/// A support point, and the piece that it is of.
-struct CorePoint {
-  Vec3<double> point;
-  int piece;
-};
-
-/// x on a piece, and its derivative by u: Hess h, symmetric, for a unit u.
-struct PieceSupport {
-  Vec3<double> point;
-  Mat3<double> hessian;
-};
-
 /// Corners (0, 0, -l) and (0, 0, l); a point where l = 0.
 struct SegmentCore {
+  static constexpr bool is_polytope = true;
   double half_length;
 
+  [[nodiscard]] bool is_of_revolution() const { return true; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const int end = u[2] > 0 ? 1 : 0;
     return {corner(end), end};
@@ -42,8 +37,10 @@ struct SegmentCore {
 
 /// Corner k has the positive half-extent along axis i where bit i of k is set.
 struct BoxCore {
+  static constexpr bool is_polytope = true;
   Vec3<double> half_extents;
 
+  [[nodiscard]] bool is_of_revolution() const { return false; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const int k = (u[0] > 0 ? 1 : 0) + (u[1] > 0 ? 2 : 0) + (u[2] > 0 ? 4 : 0);
     return {corner(k), k};
@@ -59,11 +56,13 @@ struct BoxCore {
 
 /// The corners of a hull, in another unit.
 struct HullCore {
+  static constexpr bool is_polytope = true;
   const Hull* hull;
   PowerOfTwo<double> unit;
   bool
       is_moderate;  ///< heights in the hull's own unit are far from the ends of double: they tell the farthest corner as well
 
+  [[nodiscard]] bool is_of_revolution() const { return false; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const int best = is_moderate ? farthest([&](const Vec3<double>& x) { return x.dot(u); })
                                  : farthest([&](const Vec3<double>& x) { return unit(x).dot(u); });
@@ -87,8 +86,10 @@ struct HullCore {
 
 /// The hull of two circles about the z axis, the lower of which is piece 0; either radius may be 0. A cylinder, a cone, a frustum.
 struct FrustumCore {
+  static constexpr bool is_polytope = false;
   std::array<double, 2> heights, radii;
 
+  [[nodiscard]] bool is_of_revolution() const { return true; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const double across = std::hypot(u[0], u[1]);
     const auto height = [&](std::size_t end) { return radii[end] * across + heights[end] * u[2]; };
@@ -104,11 +105,39 @@ struct FrustumCore {
   }
 };
 
+/// Of the lower and of the upper half of a tablet, each with its end of the straight side.
+struct TabletCore {
+  static constexpr bool is_polytope = false;
+  Tablet tablet;
+  double cap_radius;
+
+  [[nodiscard]] bool is_of_revolution() const { return true; }
+  [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
+    const int end = u[2] > 0 ? 1 : 0;
+    return {support(end, u).point, end};
+  }
+  [[nodiscard]] PieceSupport support(int piece, const Vec3<double>& u) const {
+    const auto& [l, r, e] = tablet;
+    const double side = piece == 1 ? 1 : -1, up = side * u[2], across = std::hypot(u[0], u[1]);
+    if (!(across * (cap_radius - e) <= up * r)) return FrustumCore{{-l, l}, {r, r}}.support(piece, u);
+    // 1 - cos of the angle from the axis is across^2 / (1 + up): the centre of a flat cap is far away.
+    const Vec3<double> n = u.normalized();
+    const double below = cap_radius * across * across / (u.squaredNorm() + u.norm() * up);
+    return {{cap_radius * n[0], cap_radius * n[1], side * (l + e - below)},
+            cap_radius / u.norm() * (Mat3<double>::Identity() - n * n.transpose())};
+  }
+};
+
 /// A superellipsoid; of other half-axes in each octant where poly.
 struct SmoothCore {
+  static constexpr bool is_polytope = false;
   std::array<double, 6> semi_axes;
   double n1, n2;
 
+  [[nodiscard]] bool is_of_revolution() const {
+    const auto& a = semi_axes;
+    return n2 == 2 && a[0] == a[1] && a[0] == a[2] && a[0] == a[3];
+  }
   [[nodiscard]] Superellipsoid<double> octant(const Vec3<double>& u) const {
     const auto axis = [&](std::size_t i) { return semi_axes[2 * i + (u[static_cast<int>(i)] < 0 ? 1 : 0)]; };
     return {{axis(0), axis(1), axis(2)}, n1, n2};
@@ -124,12 +153,52 @@ struct SmoothCore {
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const { return gauge_hessian<double>(octant(x), x); }
 };
 
-using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, SmoothCore>;
+using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, TabletCore, SmoothCore, ForeignCore>;
 
 /// A core and the radius about it.
 struct RoundedCore {
   Core core;
   double radius;
+};
+
+/// The core of a shape in the pair's unit, 2^exponent of the caller's.
+struct CoreOf {
+  PowerOfTwo<double> unit;
+  bool is_moderate;
+  ForeignWatch* watch;
+
+  CoreOf(int exponent, ForeignWatch& of_foreign)
+      : unit(-exponent), is_moderate(std::abs(exponent) < 400), watch(&of_foreign) {}
+
+  RoundedCore operator()(const Superellipsoid<double>& s) const {
+    const Vec3<double> a = unit(s.semi_axes);
+    if (s.n1 == 2 && s.n2 == 2 && a[0] == a[1] && a[1] == a[2]) return {SegmentCore{0}, a[0]};
+    return {SmoothCore{{a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2}, 0};
+  }
+  RoundedCore operator()(const Capsule& s) const { return {SegmentCore{unit(s.half_length)}, unit(s.radius)}; }
+  RoundedCore operator()(const Cylinder& s) const {
+    const double r = unit(s.radius), l = unit(s.half_length);
+    return {FrustumCore{{-l, l}, {r, r}}, 0};
+  }
+  RoundedCore operator()(const Cone& s) const { return (*this)(s.frustum()); }
+  RoundedCore operator()(const Frustum& s) const {
+    const double r = unit(s.radii[0]), t = unit(s.radii[1]), h = unit(s.height),
+                 below = Frustum{{r, t}, h}.depth_of_bottom();
+    return {FrustumCore{{-below, h - below}, {r, t}}, 0};
+  }
+  RoundedCore operator()(const Tablet& s) const {
+    const Tablet tablet{unit(s.half_length), unit(s.radius), unit(s.cap_height)};
+    return {TabletCore{tablet, tablet.cap_radius()}, 0};
+  }
+  RoundedCore operator()(const Box& s) const { return {BoxCore{unit(s.half_extents)}, 0}; }
+  RoundedCore operator()(const Polyhedron& s) const { return {HullCore{s.hull.get(), unit, is_moderate}, 0}; }
+  RoundedCore operator()(const PolySuperellipsoid& s) const {
+    SmoothCore core{{}, s.n1, s.n2};
+    std::transform(s.semi_axes.begin(), s.semi_axes.end(), core.semi_axes.begin(), unit);
+    return {core, 0};
+  }
+  RoundedCore operator()(const HalfSpace&) const { return {SegmentCore{0}, 0}; }
+  RoundedCore operator()(const ForeignShape& s) const { return {ForeignCore{&s, unit, watch}, 0}; }
 };
 
 }  // namespace plumb::detail

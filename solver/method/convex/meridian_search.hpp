@@ -43,12 +43,7 @@ class MeridianSearch {
   }
   /// Of revolution about its z axis, and no point.
   [[nodiscard]] static bool has_axis(const PlacedCore& body) {
-    if (const auto* smooth = std::get_if<SmoothCore>(&body.core)) {
-      const auto& a = smooth->semi_axes;
-      return smooth->n2 == 2 && a[0] == a[1] && a[0] == a[2] && a[0] == a[3];
-    }
-    return !is_point(body) &&
-           (std::holds_alternative<SegmentCore>(body.core) || std::holds_alternative<FrustumCore>(body.core));
+    return !is_point(body) && std::visit([](const auto& core) { return core.is_of_revolution(); }, body.core);
   }
 
   [[nodiscard]] Vec3<double> at(double angle) const { return std::cos(angle) * axis_ + std::sin(angle) * across_; }

@@ -31,7 +31,11 @@ struct PlacedCore {
     const PieceSupport at = std::visit([&](const auto& of) { return support_of(of, piece, v); }, core);
     return {rotation * at.point + centre, rotation * at.hessian * rotation.transpose()};
   }
-  [[nodiscard]] bool is_polytope() const { return !is_smooth() && !std::holds_alternative<FrustumCore>(core); }
+  [[nodiscard]] bool is_polytope() const {
+    return std::visit([]<class C>(const C&) { return C::is_polytope; }, core);
+  }
+  /// Its pieces are not told: Newton takes all of them for one.
+  [[nodiscard]] bool is_foreign() const { return std::holds_alternative<ForeignCore>(core); }
   [[nodiscard]] bool is_smooth() const { return std::holds_alternative<SmoothCore>(core); }
   /// Of a smooth core, with its derivatives by a point of the frame.
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const {

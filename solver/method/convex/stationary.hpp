@@ -61,8 +61,9 @@ class StationaryNewton {
     for (int k = 0; k < from.count; ++k) {
       const auto at = static_cast<std::size_t>(k);
       if (!(from.weight[at] > 0)) continue;
-      fits_ = fits_ && pieces_[0].add(from.of[at].piece1, from.weight[at]) &&
-              pieces_[1].add(from.of[at].piece2, from.weight[at]);
+      const int piece1 = pair.body1.is_foreign() ? 0 : from.of[at].piece1,
+                piece2 = pair.body2.is_foreign() ? 0 : from.of[at].piece2;
+      fits_ = fits_ && pieces_[0].add(piece1, from.weight[at]) && pieces_[1].add(piece2, from.weight[at]);
     }
     fits_ = fits_ && pieces_[0].count + pieces_[1].count <= most_pieces;
   }

@@ -5,7 +5,7 @@
     0.5
 
 One pair       Body, solve, diagnose, methods
-Other shapes   ConvexBody, Box, Capsule, Cone, Cylinder, Frustum, HalfSpace, Polyhedron, PolySuperellipsoid, Superellipsoid
+Other shapes   ConvexBody, {shapes}
 Many pairs     Bodies, solve_batch
 Proved         certify, certify_all: rigorous bounds, 50 digits
 The harness    campaign, check, shrink, replay, scene, scene_plan, named_scene, case, bodies_of
@@ -24,28 +24,14 @@ if _util.find_spec("numpy") is None:
         _sys.exit(2)
     raise ImportError(_told)
 
+from . import _shapes
 from ._batch import Bodies, Contacts, solve_batch
 from ._case import bodies_of, case
 from ._certify import Bounds, Certificate, certify, certify_all
 from ._harness import Campaign, Replay, campaign, check, named_scene, replay, scene, scene_plan, shrink
-from ._native import (
-    Body,
-    Box,
-    Capsule,
-    Cone,
-    Contact,
-    ConvexBody,
-    Cylinder,
-    Frustum,
-    HalfSpace,
-    Patch,
-    Polyhedron,
-    PolySuperellipsoid,
-    PoseDerivative,
-    Superellipsoid,
-    __version__,
-)
+from ._native import Body, Contact, ConvexBody, Patch, PoseDerivative, __version__
 from ._program import find_program
+from ._shapes import *
 from ._solve import Diagnosis, Method, diagnose, methods, solve
 from ._words import Status, Verdict
 
@@ -53,26 +39,17 @@ __all__ = [
     "Bodies",
     "Body",
     "Bounds",
-    "Box",
     "Campaign",
-    "Capsule",
     "Certificate",
-    "Cone",
     "Contact",
     "Contacts",
     "ConvexBody",
-    "Cylinder",
     "Diagnosis",
-    "Frustum",
-    "HalfSpace",
     "Method",
     "Patch",
-    "PolySuperellipsoid",
-    "Polyhedron",
     "PoseDerivative",
     "Replay",
     "Status",
-    "Superellipsoid",
     "Verdict",
     "__version__",
     "bodies_of",
@@ -92,3 +69,5 @@ __all__ = [
     "solve",
     "solve_batch",
 ]
+__all__ += _shapes.__all__
+__doc__ = (__doc__ or "").replace("{shapes}", ", ".join(_shapes.__all__))

@@ -40,6 +40,12 @@ Core frustum(const Frustum& s, int exponent) {
                    scaled(s.radii[1], exponent)};
 }
 
+/// The ball over the rim of radius r with the height e has the radius r^2/(2 e) + e/2.
+Core tablet(const Tablet& s, int exponent) {
+  const I l = scaled(s.half_length, exponent), r = scaled(s.radius, exponent), e = scaled(s.cap_height, exponent);
+  return TabletCore{l, r, e, r * (I(s.radius) / (I(2.0) * I(s.cap_height))) + I(0.5) * e};
+}
+
 Core corners(const plumb::Hull& hull, int exponent) {
   CornersCore out;
   for (const Vec3<double>& corner : hull.corners) {
@@ -88,6 +94,20 @@ I support_in(const DiscsCore& core, const IVec3<I>& u) {
   const I across = root<I>(square<I>(u[0]) + square<I>(u[1]));
   return greatest(core.bottom * u[2] + core.bottom_radius * across, core.top * u[2] + core.top_radius * across);
 }
+/// With a = |(u_x, u_y)| and z = |u_z| the ball reaches (l + e) z + R a^2 / (|u| + z), the rim l z + r a. The ball's is the tablet's where its
+/// point lies on the cap: a (R - e) <= z r. The rim's is nowhere above the tablet's, the ball's nowhere below it, nor that of the cylinder about it.
+I support_in(const TabletCore& core, const IVec3<I>& u) {
+  const I square_across = square<I>(u[0]) + square<I>(u[1]), across = root<I>(square_across), z = magnitude<I>(u[2]);
+  const I slant = root<I>(square_across + square<I>(u[2])) + z;
+  const I share = is_positive(slant) ? I(square_across / slant) : across;
+  const I rim = core.half_length * z + core.radius * across,
+          ball = (core.half_length + core.cap_height) * z + core.ball * share;
+  const double most = std::min(high(ball), high(I(core.half_length + core.cap_height) * z + core.radius * across));
+  const I towards_rim = across * (core.ball - core.cap_height), towards_pole = z * core.radius;
+  if (high(towards_rim) <= low(towards_pole)) return {std::min(low(ball), most), most};
+  if (low(towards_rim) >= high(towards_pole)) return rim;
+  return {low(rim), std::max(high(rim), most)};
+}
 I support_in(const BoxCore& core, const IVec3<I>& u) {
   I out(0.0);
   for (int i = 0; i < 3; ++i) out += core.half_extents[i] * magnitude<I>(u[i]);
@@ -97,6 +117,27 @@ I support_in(const CornersCore& core, const IVec3<I>& u) {
   I out = dot<I>(core.corners[0], u);
   for (const IVec3<I>& corner : core.corners) out = greatest(out, dot<I>(corner, u));
   return out;
+}
+
+/// A box that holds a point of the core that is farthest along n: the one about the whole core, where no other is told.
+IVec3<I> enclosure_of(const ForeignCore& core, const Vec3<double>& n) {
+  Vec3<double> lower = -Vec3<double>::Constant(infinity), upper = -lower;
+  if (core.shape.enclose != nullptr && n.allFinite() && !n.isZero(0))
+    core.shape.enclose(core.shape.data, n.data(), lower.data(), upper.data());
+  const double bound = high(core.bound);
+  IVec3<I> out(I(-bound, bound), I(-bound, bound), I(-bound, bound));
+  if (!lower.allFinite() || !upper.allFinite() || !(lower.array() <= upper.array()).all()) return out;
+  for (int i = 0; i < 3; ++i) out[i] = I(low(scaled(lower[i], core.exponent)), high(scaled(upper[i], core.exponent)));
+  return out;
+}
+
+/// h(v) for the middle v of the box, and what |u - v| may add: h rises by the bound a unit at most.
+I support_in(const ForeignCore& core, const IVec3<I>& u) {
+  const Vec3<double> v(rough(u[0]), rough(u[1]), rough(u[2]));
+  IVec3<I> aside;
+  for (int i = 0; i < 3; ++i) aside[i] = u[i] - I(v[i]);
+  const I more = core.bound * length_of<I>(aside), at = dot<I>(enclosure_of(core, v), enclosed<I>(v));
+  return at + I(-high(more), high(more));
 }
 
 bool is_proved(const OctantsCore& core, const Vec3<double>& x) {
@@ -116,6 +157,15 @@ bool is_proved(const DiscsCore& core, const Vec3<double>& x) {
   const I radius = (core.bottom_radius * below + core.top_radius * above) / height;
   if (!(low(radius) >= 0)) return false;
   return high(I(square<I>(I(x[0])) + square<I>(I(x[1])))) <= low(square<I>(low_end<I>(radius)));
+}
+/// Above the rim by t the cap has the radius of the square (e - t) (r^2/e + t).
+bool is_proved(const TabletCore& core, const Vec3<double>& x) {
+  const I square_across = square<I>(I(x[0])) + square<I>(I(x[1]));
+  if (std::abs(x[2]) <= low(core.half_length)) return high(square_across) <= low(square<I>(low_end<I>(core.radius)));
+  const I above = I(std::abs(x[2])) - core.half_length, below = core.cap_height - above;
+  if (!(low(below) >= 0 && is_positive(core.cap_height))) return false;
+  const I most = below * (core.radius * (core.radius / core.cap_height) + above);
+  return high(square_across) <= std::min(low(most), low(square<I>(low_end<I>(core.radius))));
 }
 bool is_proved(const BoxCore& core, const Vec3<double>& x) {
   for (int i = 0; i < 3; ++i)
@@ -173,6 +223,15 @@ CorePoint farthest_in(const DiscsCore& core, const Vec3<double>& u) {
   if (!(across > 0)) return {{0, 0, z}};
   return {{radius * (u[0] / across), radius * (u[1] / across), z}};
 }
+CorePoint farthest_in(const TabletCore& core, const Vec3<double>& u) {
+  const double l = rough(core.half_length), r = rough(core.radius), e = rough(core.cap_height), ball = rough(core.ball);
+  const double across = std::hypot(u[0], u[1]), z = std::abs(u[2]), length = u.norm();
+  if (across * (ball - e) <= z * r && length > 0)
+    return {{ball * (u[0] / length), ball * (u[1] / length),
+             std::copysign(l + e - ball * (across / length) * (across / (length + z)), u[2])}};
+  if (!(across > 0)) return {{0, 0, std::copysign(l, u[2])}};
+  return {{r * (u[0] / across), r * (u[1] / across), std::copysign(l, u[2])}};
+}
 CorePoint farthest_in(const BoxCore& core, const Vec3<double>& u) {
   CorePoint out;
   for (int i = 0; i < 3; ++i) out.at[i] = std::copysign(low(core.half_extents[i]), u[i]);
@@ -190,6 +249,19 @@ CorePoint farthest_in(const CornersCore& core, const Vec3<double>& u) {
   return {core.rough[best], static_cast<int>(best)};
 }
 
+/// No finite number: the origin, which belongs to every core.
+CorePoint farthest_in(const ForeignCore& core, const Vec3<double>& u) {
+  const double length = u.stableNorm();
+  if (!(length > 0 && length < infinity)) return {Vec3<double>::Zero()};
+  const Vec3<double> n = u / length;
+  Vec3<double> x = Vec3<double>::Constant(infinity);
+  core.shape.support(core.shape.data, n.data(), x.data());
+  if (!x.allFinite()) return {Vec3<double>::Zero()};
+  return {Vec3<double>(rough(scaled(x[0], core.exponent)), rough(scaled(x[1], core.exponent)),
+                       rough(scaled(x[2], core.exponent))),
+          -1, n};
+}
+
 /// What is outside is left to drawn_in.
 CorePoint near_in(const OctantsCore& /*core*/, const Vec3<double>& x) {
   return {x};
@@ -204,6 +276,16 @@ CorePoint near_in(const DiscsCore& core, const Vec3<double>& x) {
   if (!(across > radius)) return {{x[0], x[1], z}};
   return {{radius * (x[0] / across), radius * (x[1] / across), z}};
 }
+/// The side is cut off as a cone's is; what is near a pole is left to drawn_in.
+CorePoint near_in(const TabletCore& core, const Vec3<double>& x) {
+  constexpr double less = 1 - 0x1p-50;  // of rounding
+  const double r = low(core.radius), e = low(core.cap_height), above = std::abs(x[2]) - low(core.half_length);
+  if (!(above <= e / 2)) return {x};
+  const double radius = less * (above <= 0 ? r : std::sqrt((e - above) * (r * (r / e) + above)));
+  const double across = std::hypot(x[0], x[1]);
+  if (!(across > radius)) return {x};
+  return {{radius * (x[0] / across), radius * (x[1] / across), x[2]}};
+}
 CorePoint near_in(const BoxCore& core, const Vec3<double>& x) {
   CorePoint out;
   for (int i = 0; i < 3; ++i) out.at[i] = std::copysign(std::min(std::abs(x[i]), low(core.half_extents[i])), x[i]);
@@ -216,6 +298,11 @@ CorePoint near_in(const CornersCore& core, const Vec3<double>& x) {
   return {core.rough[best], static_cast<int>(best)};
 }
 
+/// The point is not drawn in: the farthest one on its side is taken.
+CorePoint near_in(const ForeignCore& core, const Vec3<double>& x) {
+  return farthest_in(core, x);
+}
+
 }  // namespace
 
 Core core_of(const Shape& shape, int exponent) {
@@ -223,22 +310,25 @@ Core core_of(const Shape& shape, int exponent) {
     return BoxCore{scaled(Vec3<double>(x, y, z), exponent)};
   };
   return std::visit(
-      Overloaded{[&](const Superellipsoid<double>& s) {
-                   const Vec3<double>& a = s.semi_axes;
-                   if (is_sphere(s)) return box(0, 0, 0);
-                   return octants({a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2, exponent);
-                 },
-                 [&](const Capsule& s) { return box(0, 0, s.half_length); },
-                 [&](const Cylinder& s) -> Core {
-                   const I half = scaled(s.half_length, exponent), radius = scaled(s.radius, exponent);
-                   return DiscsCore{-half, half, radius, radius};
-                 },
-                 [&](const Cone& s) { return frustum({{s.radius, 0}, s.height}, exponent); },
-                 [&](const Frustum& s) { return frustum(s, exponent); },
-                 [&](const Box& s) { return box(s.half_extents[0], s.half_extents[1], s.half_extents[2]); },
-                 [&](const Polyhedron& s) { return corners(*s.hull, exponent); },
-                 [&](const PolySuperellipsoid& s) { return octants(s.semi_axes, s.n1, s.n2, exponent); },
-                 [&](const HalfSpace&) { return box(0, 0, 0); }},
+      Overloaded{
+          [&](const Superellipsoid<double>& s) {
+            const Vec3<double>& a = s.semi_axes;
+            if (is_sphere(s)) return box(0, 0, 0);
+            return octants({a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2, exponent);
+          },
+          [&](const Capsule& s) { return box(0, 0, s.half_length); },
+          [&](const Cylinder& s) -> Core {
+            const I half = scaled(s.half_length, exponent), radius = scaled(s.radius, exponent);
+            return DiscsCore{-half, half, radius, radius};
+          },
+          [&](const Cone& s) { return frustum({{s.radius, 0}, s.height}, exponent); },
+          [&](const Frustum& s) { return frustum(s, exponent); },
+          [&](const ForeignShape& s) -> Core { return ForeignCore{s, exponent, scaled(s.bounding_radius, exponent)}; },
+          [&](const Tablet& s) { return tablet(s, exponent); },
+          [&](const Box& s) { return box(s.half_extents[0], s.half_extents[1], s.half_extents[2]); },
+          [&](const Polyhedron& s) { return corners(*s.hull, exponent); },
+          [&](const PolySuperellipsoid& s) { return octants(s.semi_axes, s.n1, s.n2, exponent); },
+          [&](const HalfSpace&) { return box(0, 0, 0); }},
       shape);
 }
 
@@ -248,12 +338,18 @@ I radius_about_core(const Shape& shape, int exponent) {
   return round != nullptr && is_sphere(*round) ? scaled(round->semi_axes[0], exponent) : I(0.0);
 }
 
+bool is_enclosed(const ConvexBody& body) {
+  const auto* foreign = std::get_if<ForeignShape>(&body.shape);
+  return foreign == nullptr || foreign->enclose != nullptr;
+}
+
 I support_of(const Core& core, const IVec3<I>& u) {
   return std::visit([&](const auto& c) { return support_in(c, u); }, core);
 }
 
 IVec3<I> proved_point(const Core& core, const CorePoint& point) {
   return std::visit(Overloaded{[&](const CornersCore& c) { return c.corners[static_cast<std::size_t>(point.corner)]; },
+                               [&](const ForeignCore& c) { return enclosure_of(c, point.along); },
                                [&](const auto& c) { return drawn_in(c, point.at); }},
                     core);
 }
