@@ -6,21 +6,21 @@
 
 #include <optional>
 
-#include "solver/scene/effect/cohesion.hpp"
+#include "solver/scene/effect/across/friction.hpp"
+#include "solver/scene/effect/across/rolling.hpp"
+#include "solver/scene/effect/across/twisting.hpp"
 #include "solver/scene/effect/conduction.hpp"
-#include "solver/scene/effect/damping.hpp"
-#include "solver/scene/effect/dmt.hpp"
 #include "solver/scene/effect/drag.hpp"
-#include "solver/scene/effect/foundation.hpp"
-#include "solver/scene/effect/friction.hpp"
 #include "solver/scene/effect/gravity.hpp"
-#include "solver/scene/effect/hertz.hpp"
-#include "solver/scene/effect/jkr.hpp"
-#include "solver/scene/effect/linear.hpp"
 #include "solver/scene/effect/moving_walls.hpp"
-#include "solver/scene/effect/rolling.hpp"
-#include "solver/scene/effect/twisting.hpp"
-#include "solver/scene/effect/volume.hpp"
+#include "solver/scene/effect/normal/cohesion.hpp"
+#include "solver/scene/effect/normal/damping.hpp"
+#include "solver/scene/effect/normal/dmt.hpp"
+#include "solver/scene/effect/normal/foundation.hpp"
+#include "solver/scene/effect/normal/hertz.hpp"
+#include "solver/scene/effect/normal/jkr.hpp"
+#include "solver/scene/effect/normal/linear.hpp"
+#include "solver/scene/effect/normal/volume.hpp"
 
 #define PLUMB_EFFECTS(ROW)       \
   ROW(Gravity, gravity)          \

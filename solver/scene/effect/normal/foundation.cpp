@@ -1,4 +1,4 @@
-#include "solver/scene/effect/foundation.hpp"
+#include "solver/scene/effect/normal/foundation.hpp"
 
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"

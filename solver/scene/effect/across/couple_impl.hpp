@@ -6,7 +6,7 @@
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/contact/stick_slip.hpp"
 #include "solver/scene/effect.hpp"
-#include "solver/scene/effect/couple.hpp"
+#include "solver/scene/effect/across/couple.hpp"
 #include "solver/scene/facts.hpp"
 #include "solver/scene/material/by_pair.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/contact.hpp"
-#include "solver/scene/effect/couple.hpp"
+#include "solver/scene/effect/across/couple.hpp"
 
 namespace plumb::scene {
 

@@ -1,4 +1,4 @@
-#include "solver/scene/effect/hertz.hpp"
+#include "solver/scene/effect/normal/hertz.hpp"
 
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/contact/hertz_contact.hpp"

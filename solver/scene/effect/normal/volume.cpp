@@ -1,4 +1,4 @@
-#include "solver/scene/effect/volume.hpp"
+#include "solver/scene/effect/normal/volume.hpp"
 
 #include <algorithm>
 

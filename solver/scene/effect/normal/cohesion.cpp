@@ -1,4 +1,4 @@
-#include "solver/scene/effect/cohesion.hpp"
+#include "solver/scene/effect/normal/cohesion.hpp"
 
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"

@@ -1,4 +1,4 @@
-#include "solver/scene/effect/friction.hpp"
+#include "solver/scene/effect/across/friction.hpp"
 
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/contact/stick_slip.hpp"

@@ -1,4 +1,4 @@
-#include "solver/scene/effect/dmt.hpp"
+#include "solver/scene/effect/normal/dmt.hpp"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "solver/scene/effect/linear.hpp"
+#include "solver/scene/effect/normal/linear.hpp"
 
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/effect.hpp"

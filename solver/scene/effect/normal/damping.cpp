@@ -1,4 +1,4 @@
-#include "solver/scene/effect/damping.hpp"
+#include "solver/scene/effect/normal/damping.hpp"
 
 #include <algorithm>
 #include <numbers>

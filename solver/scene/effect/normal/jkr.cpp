@@ -1,4 +1,4 @@
-#include "solver/scene/effect/jkr.hpp"
+#include "solver/scene/effect/normal/jkr.hpp"
 
 #include <algorithm>
 #include <memory>

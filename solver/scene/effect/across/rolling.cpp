@@ -1,6 +1,6 @@
-#include "solver/scene/effect/rolling.hpp"
+#include "solver/scene/effect/across/rolling.hpp"
 
-#include "solver/scene/effect/couple_impl.hpp"
+#include "solver/scene/effect/across/couple_impl.hpp"
 
 namespace plumb::scene {
 
