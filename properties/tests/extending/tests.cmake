@@ -39,7 +39,7 @@ plumb_add_to(law properties/laws/laws.cpp [[#include "properties/laws/laws_probl
 plumb_add_to(law properties/laws/laws.cpp [[    Law{"evaluations",]] [[
     Law{"dummy", "no answer takes 13 iterations", law::iterations_are_not_thirteen, Needs::nothing},
 ]])
-plumb_add_to(effect solver/scene/effects.hpp [[#include "solver/scene/effect/friction.hpp"]] [[
+plumb_add_to(effect solver/scene/effects.hpp [[#include "solver/scene/effect/across/friction.hpp"]] [[
 #include "solver/scene/effect/dummy.hpp"
 ]])
 plumb_add_to(effect solver/scene/effects.hpp "  ROW(Drag, drag)" "  ROW(Dummy, dummy) \\\n")
