@@ -23,8 +23,8 @@ struct BodyAtWall {
 
   /// The body's farthest point along a unit u, from its centre, and its height.
   struct Reach {
-    double height;
-    Vec3<double> point;
+    double height = 0;
+    Vec3<double> point = Vec3<double>::Zero();
   };
   [[nodiscard]] Reach along(const Vec3<double>& u) const {
     const NormValue<double> at = support_point<double>(shape, orientation.conjugate() * u);
