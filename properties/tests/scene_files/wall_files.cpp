@@ -154,7 +154,7 @@ TEST(MeshFiles, ASceneFindsThemInItsFolder) {
   text.replace(text.find(old_text), old_text.size(), R"("file": "m.stl")");
   const SceneFile file = parse_scene(text, (folder / "s.json").string());
   EXPECT_EQ(std::get<MeshWall>(file.scene.walls[1].shape).mesh->triangles()[0], one);
-  EXPECT_NE(format_scene(file).find(R"("file":"m.stl")"), std::string::npos) << format_scene(file);
+  EXPECT_NE(format_scene(file).find(R"("file": "m.stl")"), std::string::npos) << format_scene(file);
   fs::remove(folder / "m.stl");
   EXPECT_NE(refusal_of([&] { (void)parse_scene(text, (folder / "s.json").string()); }).find("m.stl"), std::string::npos);
 }
