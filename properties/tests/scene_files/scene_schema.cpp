@@ -175,7 +175,8 @@ TEST(SceneSchema, TakesAndRefusesWhatTheReaderDoes) {
   Json walls = read_json(sample_with_walls());
   EXPECT_TRUE(whole.allows(walls));
   walls["bodies"].erase(1), walls["bodies"].erase(1);
-  walls["walls"][1]["mesh"]["triangles"][0] = "below";  // what has no area, or is too far away, the reader alone refuses
+  walls["walls"][1]["mesh"]["triangles"][0] =
+      "below";  // what has no area, or is too far away, the reader alone refuses
   EXPECT_FALSE(whole.allows(walls));
   walls["walls"].erase(1);
   for (const Json& tree : {sample, other, walls}) {
