@@ -161,7 +161,8 @@ std::string wall_text(const Scene& scene, std::size_t wall) {
         out += fmt::format(" velocity {} amplitude {} frequency {}", numbers_text(motion.velocity),
                            numbers_text(motion.amplitude), shortest(motion.frequency));
         if (!motion.angular_velocity.isZero(0))
-          out += fmt::format(" angular_velocity {} pivot {}", numbers_text(motion.angular_velocity), numbers_text(motion.pivot));
+          out += fmt::format(" angular_velocity {} pivot {}", numbers_text(motion.angular_velocity),
+                             numbers_text(motion.pivot));
       }
   return out + "\n";
 }

@@ -154,7 +154,8 @@ std::size_t corner_index(Words& words, std::size_t corners) {
   long long index = 0;
   const auto [end, error] = std::from_chars(first.data(), first.data() + first.size(), index);
   const auto count = static_cast<long long>(corners);
-  if (first.empty() || error != std::errc{} || end != first.data() + first.size()) words.fail("f", "must hold three corners");
+  if (first.empty() || error != std::errc{} || end != first.data() + first.size())
+    words.fail("f", "must hold three corners");
   if (index == 0 || index > count || index < -count) words.fail("f", "has a corner that is not there");
   return static_cast<std::size_t>(index > 0 ? index - 1 : count + index);
 }
@@ -171,7 +172,8 @@ std::vector<Triangle> parse_stl(std::string_view bytes, const std::string& file)
   if (bytes.starts_with("solid")) return parse_ascii_stl(bytes, file);
   if (bytes.size() < stl_head + 4) throw InputFailure(file, 0, "", "is no STL file: it ends within its head");
   throw InputFailure(file, 0, "triangles",
-                     "are " + std::to_string(count_at(bytes)) + " by its head, and the file's length is that of another number");
+                     "are " + std::to_string(count_at(bytes)) +
+                         " by its head, and the file's length is that of another number");
 }
 
 std::vector<Triangle> parse_obj(std::string_view text, const std::string& file) {

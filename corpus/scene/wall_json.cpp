@@ -153,8 +153,9 @@ Wall read_wall_place(const Field& field, const std::string& folder) {
     if (given && !shape.empty()) given->fail("and " + std::string(shape) + " are two shapes: a wall has one");
     if (given) shape = word;
   }
-  const std::array<std::string_view, 2> other = shape.empty() ? std::array<std::string_view, 2>{"position", "orientation"}
-                                                              : std::array<std::string_view, 2>{"point", "normal"};
+  const std::array<std::string_view, 2> other = shape.empty()
+                                                    ? std::array<std::string_view, 2>{"position", "orientation"}
+                                                    : std::array<std::string_view, 2>{"point", "normal"};
   for (const std::string_view word : other)
     if (const auto given = field.find(word))
       given->fail(shape.empty() ? "is of walls with a shape: a plane has point and normal"

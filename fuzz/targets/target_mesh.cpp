@@ -52,12 +52,13 @@ Outcome examine(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return {false, "no file"};
   const std::string text(bytes.begin() + 1, bytes.end());
   try {
-    const scene::MeshWall wall =
-        scene::made_mesh(bytes[0] % 2 == 0 ? scene::parse_stl(text, "input") : scene::parse_obj(text, "input"), "input");
+    const scene::MeshWall wall = scene::made_mesh(
+        bytes[0] % 2 == 0 ? scene::parse_stl(text, "input") : scene::parse_obj(text, "input"), "input");
     std::string fault = fault_of(*wall.mesh);
     if (fault.empty()) fault = fault_of_touches(wall);
     if (!fault.empty()) return {true, fault};
-    return {false, fmt::format("read: {} triangles, {} facets", wall.mesh->triangles().size(), wall.mesh->facets().size())};
+    return {false,
+            fmt::format("read: {} triangles, {} facets", wall.mesh->triangles().size(), wall.mesh->facets().size())};
   } catch (const InputFailure& e) {
     return {false, fmt::format("refused: {}", e.what())};
   } catch (const std::exception& e) {

@@ -27,7 +27,8 @@ struct WallWords {
   }
   std::size_t count(const char* what) {
     const double x = number(what), most = static_cast<double>(left.size());
-    if (!(x >= 0 && x <= most) || x != std::floor(x)) throw scene::SceneError(what, "is not the number of what follows");
+    if (!(x >= 0 && x <= most) || x != std::floor(x))
+      throw scene::SceneError(what, "is not the number of what follows");
     return static_cast<std::size_t>(x);
   }
   template <class Word, std::size_t N>

@@ -96,7 +96,8 @@ struct ShapeCheck {
   void operator()(const PlaneWall& /*plane*/) const {}
   void operator()(const MeshWall& wall) const {
     require(wall.mesh != nullptr, at + ".mesh", "has no triangles");
-    require(wall.smooth_deg >= 0 && wall.smooth_deg < 90, at + ".mesh.smooth_deg", "must be a number from 0 to below 90");
+    require(wall.smooth_deg >= 0 && wall.smooth_deg < 90, at + ".mesh.smooth_deg",
+            "must be a number from 0 to below 90");
   }
   void operator()(const CylinderWall& wall) const {
     require(is_length(wall.radius), at + ".cylinder.radius", a_length);
@@ -119,7 +120,8 @@ void check_wall(const Wall& wall, const std::string& at) {
   std::visit(ShapeCheck{at}, wall.shape);
   const auto is_zero = [](double x) { return x == 0; };
   const bool is_finite = std::ranges::all_of(wall.quaternion, [](double x) { return std::isfinite(x); });
-  require(is_finite && !std::ranges::all_of(wall.quaternion, is_zero), at + ".orientation", "must be finite numbers, not all 0");
+  require(is_finite && !std::ranges::all_of(wall.quaternion, is_zero), at + ".orientation",
+          "must be finite numbers, not all 0");
   const bool is_normal = wall.normal.allFinite() && wall.normal.norm() > 0;
   require(!wall.is_plane() || is_normal, at + ".normal", "must be finite numbers, not all 0");
 }

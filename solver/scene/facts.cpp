@@ -26,7 +26,8 @@ double arm_of(const Scene& scene, const WallMotion& motion) {
   const Wall& wall = scene.walls[static_cast<std::size_t>(motion.wall)];
   if (!wall.is_plane()) return extent_of(wall.shape) + motion.pivot.norm();
   double farthest = 0;
-  for (const SceneBody& b : scene.bodies) farthest = std::max(farthest, (b.body.position - wall.point - motion.pivot).norm());
+  for (const SceneBody& b : scene.bodies)
+    farthest = std::max(farthest, (b.body.position - wall.point - motion.pivot).norm());
   return farthest;
 }
 

@@ -34,7 +34,8 @@ TEST(Targets, ReplayTheirSeeds) {
 
 TEST(Targets, ReplayNoBytes) {
   const fs::path nothing = written("nothing", "");
-  for (const char* target : {"patch", "path", "scene", "files", "mesh"}) EXPECT_EQ(replay(target, nothing), 0) << target;
+  for (const char* target : {"patch", "path", "scene", "files", "mesh"})
+    EXPECT_EQ(replay(target, nothing), 0) << target;
 }
 
 // original_cn breaks a law on this motion: the target stops, and leaves a file that plumb path reads; auto breaks none.

@@ -133,9 +133,11 @@ std::int64_t bounces(const Simulation& run, std::int64_t before, std::int64_t& s
 }
 
 TEST(MeshWalls, ARoomOfTrianglesAndABoxAreSixPlanes) {
-  const std::vector<Wall> box{wall_of(BoxWall{room_half, Side::inside})}, mesh{wall_of(mesh_of(box_sheets(room_half, 5)))};
+  const std::vector<Wall> box{wall_of(BoxWall{room_half, Side::inside})},
+      mesh{wall_of(mesh_of(box_sheets(room_half, 5)))};
   for (const auto& shape : {Superellipsoid<double>{Vec::Constant(0.1)}, brick}) {
-    const auto planes = started(room(shape, planes_of_room())), one = started(room(shape, box)), other = started(room(shape, mesh));
+    const auto planes = started(room(shape, planes_of_room())), one = started(room(shape, box)),
+               other = started(room(shape, mesh));
     double difference = 0;
     std::int64_t before = 0, sum = 0;
     while (!planes->is_done()) {
@@ -251,11 +253,13 @@ TEST(MeshWalls, ABoxFromOutsideIsTheConvexBody) {
   int count = 0, faces = 0;
   for (int k = 0; k < 4000; ++k) {
     const Superellipsoid<double> shape{{draws.uniform(0.05, 0.1), draws.uniform(0.05, 0.1), draws.uniform(0.05, 0.1)},
-                                       draws.uniform(2, 5), draws.uniform(2, 5)};
+                                       draws.uniform(2, 5),
+                                       draws.uniform(2, 5)};
     const Vec about(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1));
     const Vec at = about.cwiseMax(-1).cwiseProduct(room_half + Vec::Constant(draws.uniform(0.05, 0.1)));
     const Eigen::Quaterniond q =
-        Eigen::Quaterniond(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1)).normalized();
+        Eigen::Quaterniond(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1))
+            .normalized();
     ConvexPair pair;
     pair.body1.shape = shape;
     pair.body1.position = at;
@@ -299,7 +303,8 @@ TEST(MeshWalls, AQueryOfManyTriangles) {
   for (int k = 0; k < 2000; ++k) {
     const Vec at(draws.uniform(0.1, 0.9), draws.uniform(0.1, 0.9), 0);
     const Superellipsoid<double> shape{radius * Vec(1, draws.uniform(0.6, 1), draws.uniform(0.6, 1)), 2, 2};
-    bodies.push_back(placed(shape, at + (height(at) + 0.98 * shape.semi_axes.z()) * Vec::UnitZ(), Eigen::Quaterniond::Identity()));
+    bodies.push_back(
+        placed(shape, at + (height(at) + 0.98 * shape.semi_axes.z()) * Vec::UnitZ(), Eigen::Quaterniond::Identity()));
   }
   std::vector<std::uint32_t> scratch;
   std::int64_t touched = 0;

@@ -46,7 +46,8 @@ TEST(NamedScenes, AreFourteenAndLegal) {
 }
 
 TEST(NamedScenes, StartApart) {
-  for (const char* name : {"impact", "pile", "hopper", "dice", "tower", "wall", "rod", "billiards", "drum", "silo", "mixer"})
+  for (const char* name :
+       {"impact", "pile", "hopper", "dice", "tower", "wall", "rod", "billiards", "drum", "silo", "mixer"})
     EXPECT_TRUE(started(make(name))->world().contacts.touching.empty()) << name;
   EXPECT_EQ(started(make("chain"))->world().contacts.touching.size(), 9U);
 }

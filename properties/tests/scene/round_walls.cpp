@@ -53,9 +53,11 @@ TEST(RoundWalls, LocalMaximaOfTheDistanceAreTheContacts) {
   int several = 0;
   for (int k = 0; k < 300; ++k) {
     const Superellipsoid<double> shape{{draws.uniform(0.3, 1), draws.uniform(0.3, 1), draws.uniform(0.3, 1)},
-                                       draws.uniform(2, 6), draws.uniform(2, 6)};
+                                       draws.uniform(2, 6),
+                                       draws.uniform(2, 6)};
     const Eigen::Quaterniond q =
-        Eigen::Quaterniond(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1)).normalized();
+        Eigen::Quaterniond(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1))
+            .normalized();
     const Vec at(draws.uniform(-0.3, 0.3), draws.uniform(-0.3, 0.3), 0);
     constexpr int directions = 4000;
     std::vector<double> heights;
@@ -67,7 +69,8 @@ TEST(RoundWalls, LocalMaximaOfTheDistanceAreTheContacts) {
     const double radius = *std::ranges::max_element(heights) - 0.02;
     std::vector<double> peaks;
     for (std::size_t n = 0; n < heights.size(); ++n) {
-      const double before = heights[(n + heights.size() - 1) % heights.size()], after = heights[(n + 1) % heights.size()];
+      const double before = heights[(n + heights.size() - 1) % heights.size()],
+                   after = heights[(n + 1) % heights.size()];
       if (heights[n] > before && heights[n] >= after && heights[n] > radius) peaks.push_back(heights[n] - radius);
     }
     std::ranges::sort(peaks, std::greater{});
@@ -95,7 +98,8 @@ TEST(RoundWalls, ABallInACone) {
   EXPECT_NEAR(rim[0].overlap, 0.005, 1e-12);
   EXPECT_LT((rim[0].into - Vec(0.6, 0, 0.8)).norm(), 1e-8);
   EXPECT_TRUE(touches_in(ConeWall{{0.2, 1}, 1, Side::inside, {End::bare, End::bare}}, small_ball, below).empty());
-  const auto floor = touches_in(ConeWall{{0.3, 1}, 1, Side::inside, {End::closed, End::closed}}, small_ball, {0, 0, 0.095});
+  const auto floor =
+      touches_in(ConeWall{{0.3, 1}, 1, Side::inside, {End::closed, End::closed}}, small_ball, {0, 0, 0.095});
   ASSERT_EQ(floor.size(), 1U);
   EXPECT_NEAR(floor[0].overlap, 0.005, 1e-15);
 }
@@ -218,7 +222,8 @@ TEST(TurningWalls, APivotIsThePointThatStays) {
 // Snapshots, threads and a list of contacts that is made anew change no bit.
 TEST(RoundWalls, ARunGoesOnToTheSameBits) {
   Scene scene = held_by(lying(CylinderWall{1, 1, Side::inside, {End::closed, End::closed}}), {0, 0, -0.9});
-  for (int k = 0; k < 6; ++k) scene.bodies.push_back(body({{0.1, 0.08, 0.06}, 4, 3}, {0.1 * k - 0.3, 0.2, -0.5 + 0.2 * k}));
+  for (int k = 0; k < 6; ++k)
+    scene.bodies.push_back(body({{0.1, 0.08, 0.06}, 4, 3}, {0.1 * k - 0.3, 0.2, -0.5 + 0.2 * k}));
   scene.walls.push_back(wall_of(mesh_of(sheet(6, {-1, -1, -0.95}, {2, 0, 0}, {0, 2, 0}))));
   MovingWalls moving;
   moving.motions.emplace_back().angular_velocity = {0, 1, 0};

@@ -173,7 +173,12 @@ TEST(SceneSchema, TakesAndRefusesWhatTheReaderDoes) {
           "moving_walls": {"motions": [{"wall": 0, "velocity": [0, 0, 0], "frequency": 1}]}})";
   const Json sample = read_json(sample_scene()), other = read_json(sample_scene_of(effects));
   Json walls = read_json(sample_with_walls());
+  EXPECT_TRUE(whole.allows(walls));
   walls["bodies"].erase(1), walls["bodies"].erase(1);
+  walls["walls"][1]["mesh"]["triangles"][0] =
+      "below";  // what has no area, or is too far away, the reader alone refuses
+  EXPECT_FALSE(whole.allows(walls));
+  walls["walls"].erase(1);
   for (const Json& tree : {sample, other, walls}) {
     Mutations mutations(tree, whole);
     mutations.visit_all();

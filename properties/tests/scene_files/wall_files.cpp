@@ -48,14 +48,17 @@ TEST(WallFiles, EveryShapeIsReadAndWrittenAgain) {
 }
 
 TEST(WallFiles, RefusalsSayWhichField) {
-  EXPECT_EQ(scene_refusal(R"("radius": 9)", R"("radius": 0)"), "s.json: walls[2].cylinder.radius: must be a positive number");
+  EXPECT_EQ(scene_refusal(R"("radius": 9)", R"("radius": 0)"),
+            "s.json: walls[2].cylinder.radius: must be a positive number");
   EXPECT_EQ(scene_refusal(R"("side": "inside")", R"("side": "within")"),
             "s.json: walls[2].cylinder.side: must be one of inside, outside");
-  EXPECT_EQ(scene_refusal(R"("side": "outside"}, "position": [7)", R"("side": "outside", "ends": "open"}, "position": [7)"),
-            "s.json: walls[4].cone.ends: has no meaning outside: a solid has flat ends");
+  EXPECT_EQ(
+      scene_refusal(R"("side": "outside"}, "position": [7)", R"("side": "outside", "ends": "open"}, "position": [7)"),
+      "s.json: walls[4].cone.ends: has no meaning outside: a solid has flat ends");
   EXPECT_EQ(scene_refusal(R"("radii": [1, 0])", R"("radii": [0, 0])"), "s.json: walls[4].cone.radii: are both 0");
   EXPECT_EQ(scene_refusal("[0, 1, -5]", "[2, 0, -5]"), "s.json: walls[1].mesh: triangles[0]: has no area");
-  EXPECT_EQ(scene_refusal(R"({"box": {"half_extents": [9, 9, 9]}})", R"({"box": {"half_extents": [9, 9, 9]}, "point": [0, 0, 0]})"),
+  EXPECT_EQ(scene_refusal(R"({"box": {"half_extents": [9, 9, 9]}})",
+                          R"({"box": {"half_extents": [9, 9, 9]}, "point": [0, 0, 0]})"),
             "s.json: walls[5].point: is a plane's: a shape has position and orientation");
   EXPECT_EQ(scene_refusal(R"("triangles")", R"("file": "no.stl", "triangles")"),
             "s.json: walls[1].mesh: must hold one of file, triangles");
@@ -109,9 +112,9 @@ std::string stl_refusal(const std::string& bytes) {
 }
 
 const Triangle one{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0.5)};
-const std::string in_words =
-    "solid a name\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 5e-1\n  endloop\n endfacet\n"
-    "endsolid a name\n";
+const std::string in_words = "solid a name\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   "
+                             "vertex 0 1 5e-1\n  endloop\n endfacet\n"
+                             "endsolid a name\n";
 
 TEST(MeshFiles, AnStlIsReadInWordsAndNumbers) {
   for (const std::string& bytes : {in_words, stl_of({one}, 1)}) {
@@ -154,9 +157,10 @@ TEST(MeshFiles, ASceneFindsThemInItsFolder) {
   text.replace(text.find(old_text), old_text.size(), R"("file": "m.stl")");
   const SceneFile file = parse_scene(text, (folder / "s.json").string());
   EXPECT_EQ(std::get<MeshWall>(file.scene.walls[1].shape).mesh->triangles()[0], one);
-  EXPECT_NE(format_scene(file).find(R"("file":"m.stl")"), std::string::npos) << format_scene(file);
+  EXPECT_NE(format_scene(file).find(R"("file": "m.stl")"), std::string::npos) << format_scene(file);
   fs::remove(folder / "m.stl");
-  EXPECT_NE(refusal_of([&] { (void)parse_scene(text, (folder / "s.json").string()); }).find("m.stl"), std::string::npos);
+  EXPECT_NE(refusal_of([&] { (void)parse_scene(text, (folder / "s.json").string()); }).find("m.stl"),
+            std::string::npos);
 }
 
 TEST(MeshFiles, TheBladeIsTheMixers) {

@@ -164,7 +164,8 @@ inline Vec3<double> World::second_velocity(std::size_t contact) const {
   const std::uint32_t j = contacts.pairs[contact][1];
   const Vec3<double> velocity = state.velocity->vector(j);
   if (!bodies.is_wall(j) || bodies.wall_spin[j - bodies.count].isZero(0)) return velocity;
-  return velocity + bodies.wall_spin[j - bodies.count].cross(contacts.point->vector(contact) - state.position->vector(j));
+  return velocity +
+         bodies.wall_spin[j - bodies.count].cross(contacts.point->vector(contact) - state.position->vector(j));
 }
 
 inline Vec3<double> World::relative_velocity(std::size_t contact, const Levers& levers) const {

@@ -12,8 +12,8 @@ namespace plumb::scene {
 struct WallMotion {
   int wall = 0;  ///< index in the scene's walls
   Vec3<double> velocity = Vec3<double>::Zero();
-  Vec3<double> amplitude = Vec3<double>::Zero();  ///< length
-  double frequency = 0;                           ///< 1 / time
+  Vec3<double> amplitude = Vec3<double>::Zero();         ///< length
+  double frequency = 0;                                  ///< 1 / time
   Vec3<double> angular_velocity = Vec3<double>::Zero();  ///< rad / time, world axes
   Vec3<double> pivot = Vec3<double>::Zero();             ///< from the wall's point at the start to a point of the axis
 

@@ -19,7 +19,8 @@ void fill(Scene& scene, int bodies, const std::array<int, 2>& layer, double bott
     for (double& axis : shape.semi_axes) axis = size * draw.between(0.8, 1.2);
     shape.n1 = draw.between(2, 4);
     shape.n2 = draw.between(2, 4);
-    const Vec3<double> at(spacing * (x - 0.5 * (layer[0] - 1)), spacing * (y - 0.5 * (layer[1] - 1)), bottom + spacing * z);
+    const Vec3<double> at(spacing * (x - 0.5 * (layer[0] - 1)), spacing * (y - 0.5 * (layer[1] - 1)),
+                          bottom + spacing * z);
     scene.bodies.push_back(body_at(at + draw.in_box(1e-4), shape, 2500));
     scene.bodies.back().body.quaternion = draw.orientation();
   }

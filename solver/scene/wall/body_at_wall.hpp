@@ -16,10 +16,10 @@ namespace plumb::scene {
 
 struct BodyAtWall {
   Superellipsoid<double> shape;
-  Vec3<double> centre;            ///< from the wall's point
+  Vec3<double> centre;             ///< from the wall's point
   Eigen::Quaterniond orientation;  ///< unit
-  double radius;                  ///< of a ball about the centre that holds the body
-  double range;                   ///< what is so far apart touches too
+  double radius;                   ///< of a ball about the centre that holds the body
+  double range;                    ///< what is so far apart touches too
 
   /// The body's farthest point along a unit u, from its centre, and its height.
   struct Reach {

@@ -191,7 +191,8 @@ void MeshMaker::sharpen(MeshFacet& facet, std::span<const std::uint32_t> members
 
 Vec3<double> MeshMaker::inward_of(TriangleSide at) const {
   const Triangle& t = mesh_.triangles_[at.triangle];
-  const Vec3<double> across = mesh_.facets_[mesh_.parts_[at.triangle].facet].normal.cross(t[(at.side + 1) % 3] - t[at.side]);
+  const Vec3<double> across =
+      mesh_.facets_[mesh_.parts_[at.triangle].facet].normal.cross(t[(at.side + 1) % 3] - t[at.side]);
   return (mesh_.is_reversed_[at.triangle] != 0 ? -across : across).normalized();
 }
 
@@ -212,7 +213,8 @@ void MeshMaker::find_edges() {
 void MeshMaker::find_edge(std::span<const Joint> joints) {
   constexpr double half = std::numbers::pi, least_width = 1e-14;
   const auto parts_at = [&](const Joint& joint) -> Mesh::Parts& { return mesh_.parts_[joint.side.triangle]; };
-  const Vec3<double> zero = inward_of(joints[0].side), axis = mesh_.facets_[parts_at(joints[0]).facet].normal.cross(zero);
+  const Vec3<double> zero = inward_of(joints[0].side),
+                     axis = mesh_.facets_[parts_at(joints[0]).facet].normal.cross(zero);
   const Vec3<double> quarter = axis.normalized().cross(zero);
   struct Direction {
     double angle;
@@ -224,7 +226,8 @@ void MeshMaker::find_edge(std::span<const Joint> joints) {
     around.push_back({std::atan2(f.dot(quarter), f.dot(zero)), joint.side});
   }
   std::ranges::sort(around, {}, &Direction::angle);
-  if (joints.size() == 2 && parts_at(joints[0]).facet == parts_at(joints[1]).facet && zero.dot(inward_of(joints[1].side)) < 0) {
+  if (joints.size() == 2 && parts_at(joints[0]).facet == parts_at(joints[1]).facet &&
+      zero.dot(inward_of(joints[1].side)) < 0) {
     for (const Joint& joint : joints) parts_at(joint).is_flat[joint.side.side] = true;
     return;
   }
@@ -237,10 +240,12 @@ void MeshMaker::find_edge(std::span<const Joint> joints) {
       const Vec3<double>& n = mesh_.facets_[mesh_.parts_[side.triangle].facet].normal;
       return n.dot(like) < 0 ? Vec3<double>(-n) : n;
     };
-    const Vec3<double> start = normal_like(a.side, turned), end = normal_like(b.side, -axis.normalized().cross(inward_of(b.side)));
+    const Vec3<double> start = normal_like(a.side, turned),
+                       end = normal_like(b.side, -axis.normalized().cross(inward_of(b.side)));
     const Triangle& t = mesh_.triangles_[a.side.triangle];
     const auto index = static_cast<std::uint32_t>(mesh_.edges_.size());
-    mesh_.edges_.push_back({{a.side, b.side}, t[a.side.side], t[(a.side.side + 1) % 3], start, end, inward, gap - half});
+    mesh_.edges_.push_back(
+        {{a.side, b.side}, t[a.side.side], t[(a.side.side + 1) % 3], start, end, inward, gap - half});
     mesh_.parts_[a.side.triangle].edges[a.side.side] = index;
   }
 }
@@ -265,7 +270,9 @@ void MeshMaker::find_corners() {
     for (; end != ends.end() && end->corner == corner; ++end) {
       const auto& of = corners_[end->side.triangle];
       const Triangle& t = mesh_.triangles_[end->side.triangle];
-      const auto place = [&](std::uint32_t which) { return t[static_cast<std::size_t>(std::ranges::find(of, which) - of.begin())]; };
+      const auto place = [&](std::uint32_t which) {
+        return t[static_cast<std::size_t>(std::ranges::find(of, which) - of.begin())];
+      };
       directions.push_back((place(end->other) - place(corner)).normalized());
     }
     find_corner(corner, directions, first->side);

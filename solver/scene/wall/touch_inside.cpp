@@ -57,7 +57,8 @@ class RoundSearch {
   /// Of `directions` all round, those within `half` of the middle.
   void search(double middle, double half, int directions) {
     constexpr int least = 6;
-    constexpr double aside = 0.3;  // all round no direction that a scene's author would choose: there G is 0 to rounding
+    constexpr double aside =
+        0.3;  // all round no direction that a scene's author would choose: there G is 0 to rounding
     const bool is_round = half >= std::numbers::pi;
     const int steps = std::max(least, static_cast<int>(std::ceil(directions * half / std::numbers::pi)));
     const double first = is_round ? aside : middle - half, step = 2 * half / steps;
@@ -117,7 +118,9 @@ class InsideQuery {
         .search(middle, std::min(half + slack, std::numbers::pi), directions);
   }
 
-  [[nodiscard]] Vec3<double> into_at(double phi) const { return into_.radius * radial(phi) + Vec3<double>(0, 0, into_.height); }
+  [[nodiscard]] Vec3<double> into_at(double phi) const {
+    return into_.radius * radial(phi) + Vec3<double>(0, 0, into_.height);
+  }
 
   /// Times into_.radius the part of a point along e'(phi), of u's own phi.
   [[nodiscard]] double across(const Vec3<double>& point, const Vec3<double>& u) const {
@@ -127,7 +130,8 @@ class InsideQuery {
   void find_side() {
     const double offset = into_.radius * meridian_.ends[0].radius + into_.height * meridian_.ends[0].height;
     if (!is_beside()) return;
-    const double left = offset - into_.height * body_.centre.z() - reach_;  // of the centre's way along e: it takes so much
+    const double left =
+        offset - into_.height * body_.centre.z() - reach_;  // of the centre's way along e: it takes so much
     const double most = into_.radius * across_;
     if (!(left < most)) return;
     const auto at_phi = [&](double phi) -> Round {
@@ -169,9 +173,11 @@ class InsideQuery {
 
   /// u turned by `angle` from the side's into the sheet.
   [[nodiscard]] Vec3<double> into_rim(std::size_t end, double phi, double angle) const {
-    const double sign = end == 0 ? 1 : -1;  // into the sheet, along the meridian: (-into.height, into.radius) times that
+    const double sign =
+        end == 0 ? 1 : -1;  // into the sheet, along the meridian: (-into.height, into.radius) times that
     const double c = std::cos(angle), s = sign * std::sin(angle);
-    return (c * into_.radius - s * into_.height) * radial(phi) + Vec3<double>(0, 0, c * into_.height + s * into_.radius);
+    return (c * into_.radius - s * into_.height) * radial(phi) +
+           Vec3<double>(0, 0, c * into_.height + s * into_.radius);
   }
 
   /// The angle of least o; negative where it is on no edge: the body lies on the side, or beyond.
@@ -207,7 +213,9 @@ class InsideQuery {
 
   /// How far out of the body the rim is: 0 on its surface.
   [[nodiscard]] double outside(std::size_t end, double phi) const {
-    return gauge<double>(body_.shape, Vec3<double>(body_.orientation.conjugate() * (rim_point(end, phi) - body_.centre))) - 1;
+    return gauge<double>(body_.shape,
+                         Vec3<double>(body_.orientation.conjugate() * (rim_point(end, phi) - body_.centre))) -
+           1;
   }
 
   /// Where the gauge is least between two directions about this one.

@@ -38,7 +38,8 @@ class ScaledSpace {
  public:
   explicit ScaledSpace(const BodyAtWall& body)
       : to_(body.shape.semi_axes.cwiseInverse().asDiagonal() * body.orientation.toRotationMatrix().transpose()),
-        centre_(body.centre), radius_(radius_of(body.shape) * (1 + slack) + body.range / body.shape.semi_axes.minCoeff()) {}
+        centre_(body.centre),
+        radius_(radius_of(body.shape) * (1 + slack) + body.range / body.shape.semi_axes.minCoeff()) {}
 
   [[nodiscard]] bool may_meet(const Triangle& t) const {
     const auto at = [&](const Vec3<double>& x) -> Vec3<double> { return to_ * (x - centre_); };
@@ -94,7 +95,8 @@ struct MeshQuery {
   [[nodiscard]] bool is_over(std::uint32_t triangle, const Mesh::Parts& parts, const Vec3<double>& point) const {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const double inwards = mesh.inwards({triangle, side}, point);
-      const double least = parts.is_flat[side] ? -rounding * mesh.extent() * mesh.extent() : 0;  // the neighbour is as good
+      const double least =
+          parts.is_flat[side] ? -rounding * mesh.extent() * mesh.extent() : 0;  // the neighbour is as good
       if (!(inwards >= least)) return false;
     }
     return true;

@@ -45,21 +45,22 @@ void Touches::keep_deepest(const BodyAtWall& body, double smooth, std::size_t pl
 
 void find_touches(const WallShape& wall, const BodyAtWall& body, std::vector<std::uint32_t>& scratch, Touches& out) {
   std::visit(plumb::detail::Overloaded{[](const PlaneWall&) {},
-                                [&](const MeshWall& mesh) {
-                                  touch_mesh(mesh, body, scratch, out);
-                                  out.keep_deepest(body, mesh.smooth_deg * std::numbers::pi / 180, places_of(mesh));
-                                },
-                                [&](const CylinderWall& round) {
-                                  touch_round(round, body, out);
-                                  out.keep_deepest(body, 0, places_of(round));
-                                },
-                                [&](const ConeWall& round) {
-                                  touch_round(round, body, out);
-                                  out.keep_deepest(body, 0, places_of(round));
-                                },
-                                [&](const BoxWall& box) {
-                                  if (box.side == Side::outside) touch_outside(box, body, out);
-                                }},
+                                       [&](const MeshWall& mesh) {
+                                         touch_mesh(mesh, body, scratch, out);
+                                         out.keep_deepest(body, mesh.smooth_deg * std::numbers::pi / 180,
+                                                          places_of(mesh));
+                                       },
+                                       [&](const CylinderWall& round) {
+                                         touch_round(round, body, out);
+                                         out.keep_deepest(body, 0, places_of(round));
+                                       },
+                                       [&](const ConeWall& round) {
+                                         touch_round(round, body, out);
+                                         out.keep_deepest(body, 0, places_of(round));
+                                       },
+                                       [&](const BoxWall& box) {
+                                         if (box.side == Side::outside) touch_outside(box, body, out);
+                                       }},
              wall);
 }
 

@@ -21,22 +21,22 @@ std::size_t places_on(Side side, std::size_t inside) {
 }  // namespace
 
 std::size_t places_of(const WallShape& shape) {
-  return std::visit(
-      plumb::detail::Overloaded{[](const PlaneWall&) -> std::size_t { return 1; },
-                 [](const MeshWall&) { return many_places; },
-                 [](const CylinderWall& wall) { return places_on(wall.side, many_places); },
-                 [](const ConeWall& wall) { return places_on(wall.side, many_places); },
-                 [](const BoxWall& wall) { return places_on(wall.side, faces_of_a_box); }},
-      shape);
+  return std::visit(plumb::detail::Overloaded{
+                        [](const PlaneWall&) -> std::size_t { return 1; }, [](const MeshWall&) { return many_places; },
+                        [](const CylinderWall& wall) { return places_on(wall.side, many_places); },
+                        [](const ConeWall& wall) { return places_on(wall.side, many_places); },
+                        [](const BoxWall& wall) { return places_on(wall.side, faces_of_a_box); }},
+                    shape);
 }
 
 double extent_of(const WallShape& shape) {
   return std::visit(
-      plumb::detail::Overloaded{[](const PlaneWall&) { return std::numeric_limits<double>::infinity(); },
-                 [](const MeshWall& wall) { return wall.mesh->extent(); },
-                 [](const CylinderWall& wall) { return std::hypot(wall.radius, wall.half_length); },
-                 [](const ConeWall& wall) { return std::max(wall.radii[0], std::hypot(wall.radii[1], wall.height)); },
-                 [](const BoxWall& wall) { return wall.half_extents.norm(); }},
+      plumb::detail::Overloaded{
+          [](const PlaneWall&) { return std::numeric_limits<double>::infinity(); },
+          [](const MeshWall& wall) { return wall.mesh->extent(); },
+          [](const CylinderWall& wall) { return std::hypot(wall.radius, wall.half_length); },
+          [](const ConeWall& wall) { return std::max(wall.radii[0], std::hypot(wall.radii[1], wall.height)); },
+          [](const BoxWall& wall) { return wall.half_extents.norm(); }},
       shape);
 }
 
