@@ -44,7 +44,7 @@ function(mutation out)
 endfunction()
 
 file(GLOB_RECURSE files RELATIVE ${SOURCE}/solver ${SOURCE}/solver/*.hpp ${SOURCE}/solver/*.cpp ${SOURCE}/solver/*.h)
-list(FILTER files EXCLUDE REGEX "^(scene|reference|batch)/")
+list(FILTER files EXCLUDE REGEX "^(reference|batch)/|^scene/[^/]*$|^scene/(body|contact|effect|material|named)/")
 foreach(file IN LISTS files)
   file(READ ${SOURCE}/solver/${file} "pristine_${file}")
   set("mutated_${file}" "${pristine_${file}}")

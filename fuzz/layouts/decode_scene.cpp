@@ -64,7 +64,9 @@ struct FillField {
     value = in_range(numbers.next(), range);
   }
   void operator()(std::string_view /*name*/, int& /*the motion's own wall*/, Range /*range*/) const {}
-  void operator()(std::string_view /*name*/, Vec3<double>& value, Range range) const {
+  /// What walls have had since the layout was fixed keeps its own value.
+  void operator()(std::string_view name, Vec3<double>& value, Range range) const {
+    if (name == "angular_velocity" || name == "pivot") return;
     for (double& x : value) {
       const std::uint32_t v = numbers.next();
       x = (v & 1) != 0 ? -in_range(v, range) : in_range(v, range);

@@ -33,7 +33,7 @@ struct Wall {
   Vec3<double> normal = Vec3<double>::UnitZ();  ///< any length but 0; of a plane alone
   std::optional<double> temperature;
   std::size_t material = 0;
-  WallShape shape = PlaneWall{};
+  WallShape shape{};
   std::array<double, 4> quaternion{1, 0, 0, 0};  ///< (w, x, y, z), any length but 0: of all but a plane
   [[nodiscard]] bool is_plane() const { return std::holds_alternative<PlaneWall>(shape); }
 };

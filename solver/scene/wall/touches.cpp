@@ -48,15 +48,15 @@ void find_touches(const WallShape& wall, const BodyAtWall& body, std::vector<std
                                        [&](const MeshWall& mesh) {
                                          touch_mesh(mesh, body, scratch, out);
                                          out.keep_deepest(body, mesh.smooth_deg * std::numbers::pi / 180,
-                                                          places_of(mesh));
+                                                          places_of(wall));
                                        },
                                        [&](const CylinderWall& round) {
                                          touch_round(round, body, out);
-                                         out.keep_deepest(body, 0, places_of(round));
+                                         out.keep_deepest(body, 0, places_of(wall));
                                        },
                                        [&](const ConeWall& round) {
                                          touch_round(round, body, out);
-                                         out.keep_deepest(body, 0, places_of(round));
+                                         out.keep_deepest(body, 0, places_of(wall));
                                        },
                                        [&](const BoxWall& box) {
                                          if (box.side == Side::outside) touch_outside(box, body, out);

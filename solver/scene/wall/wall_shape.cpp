@@ -20,6 +20,13 @@ std::size_t places_on(Side side, std::size_t inside) {
 
 }  // namespace
 
+WallShape::WallShape() = default;
+WallShape::WallShape(const WallShape& other) = default;
+WallShape::WallShape(WallShape&& other) noexcept = default;
+WallShape& WallShape::operator=(const WallShape& other) = default;
+WallShape& WallShape::operator=(WallShape&& other) noexcept = default;
+WallShape::~WallShape() = default;
+
 std::size_t places_of(const WallShape& shape) {
   return std::visit(plumb::detail::Overloaded{
                         [](const PlaneWall&) -> std::size_t { return 1; }, [](const MeshWall&) { return many_places; },

@@ -65,7 +65,16 @@ struct BoxWall {
   Side side = Side::inside;
 };
 
-using WallShape = std::variant<PlaneWall, MeshWall, CylinderWall, ConeWall, BoxWall>;
+/// One of them. What copies it is in the source: g++ 12 sees values that are not set in a variant's copy where it is inlined.
+struct WallShape : std::variant<PlaneWall, MeshWall, CylinderWall, ConeWall, BoxWall> {
+  using variant::variant;
+  WallShape();
+  WallShape(const WallShape& other);
+  WallShape(WallShape&& other) noexcept;
+  WallShape& operator=(const WallShape& other);
+  WallShape& operator=(WallShape&& other) noexcept;
+  ~WallShape();
+};
 
 /// At how many places at once a body can touch it: so many entries of the contact list has a pair.
 [[nodiscard]] std::size_t places_of(const WallShape& shape);
