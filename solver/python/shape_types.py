@@ -28,7 +28,8 @@ def main():
     lines = [HEAD]
     for name in _native.shapes:
         lines += class_lines(name, getattr(_native, name))
-    (folder / "_shapes.pyi").write_text("".join(lines) + "\nShape = " + " | ".join(_native.shapes) + "\n")
+    lines.append(f"\nShape = {' | '.join(_native.shapes)}\n__all__ = {list(_native.shapes)}\n")
+    (folder / "_shapes.pyi").write_text("".join(lines))
 
 
 main()

@@ -75,6 +75,13 @@ double misalignment(const ConvexPair& pair, const Contact<double>& contact) {
   return in_world(length_of<I>(out), exponent);
 }
 
+/// |overlap - the nearest number within the bounds|; a bound that is none is passed by nothing.
+double overlap_error(double overlap, const ConvexBounds& bounds) {
+  const double below = bounds.lower == -infinity ? 0 : not_below_zero(high(I(bounds.lower) - I(overlap)));
+  const double above = bounds.upper == infinity ? 0 : not_below_zero(high(I(overlap) - I(bounds.upper)));
+  return std::max(below, above);
+}
+
 }  // namespace
 }  // namespace cores
 
@@ -82,15 +89,7 @@ ConvexErrors errors_of(const ConvexPair& pair, const Contact<double>& contact, c
   const StandardArithmetic mode;
   const Vec3<double>& n = contact.normal;
   const double size = size_of(pair);
-  const auto beyond =
-      [](double upper,
-         double lower) {  // by which a number should not be above another; of a bound that is none by nothing
-        return upper == -cores::infinity || lower == cores::infinity
-                   ? 0.0
-                   : cores::not_below_zero(high(DoubleInterval(upper) - DoubleInterval(lower)));
-      };
-  const double overlap = std::max(beyond(bounds.lower, contact.overlap), beyond(contact.overlap, bounds.upper));
-  return {overlap,
+  return {cores::overlap_error(contact.overlap, bounds),
           cores::distance_from_surface(pair.body1, contact.point1, n),
           cores::distance_from_surface(pair.body2, contact.point2, -n),
           cores::reach_beyond(pair.body1, contact.point1, n, size),
