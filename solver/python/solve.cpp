@@ -49,44 +49,29 @@ namespace {
   return &last.cast<const Contact<double>&>();
 }
 
-/// What a solve is given beside its bodies.
-struct Asked {
-  Vec3<double> motion;
-  const Method& method;
-  Want want;
-  const Contact<double>* last;
-};
-
-[[nodiscard]] Contact<double> solve(const Pair& pair, const Asked& asked) {
-  const py::gil_scoped_release unlocked;
-  return asked.method.solve(pair, asked.want, asked.last);
-}
-
 /// A pair with a plumb.ConvexBody in it.
-[[nodiscard]] Contact<double> solve(const ConvexPair& pair, const Asked& asked) {
-  if (asked.method.name != "auto")
-    throw py::value_error("method: '" + std::string(asked.method.name) +
-                          "' solves two plumb.Body alone, auto any pair");
+[[nodiscard]] Contact<double> solve(const ConvexPair& pair, const Method& chosen, const Want& want,
+                                    const Contact<double>* start) {
+  if (chosen.name != "auto")
+    throw py::value_error("method: '" + std::string(chosen.name) + "' solves two plumb.Body alone, auto any pair");
   const InputError error = find_input_error(pair);
   if (!error.reason.empty()) throw py::value_error("body2: " + std::string(error.reason));
   const py::gil_scoped_release unlocked;
-  return solve_convex(pair, asked.want, asked.last);
+  return solve_convex(pair, want, start);
 }
 
 [[nodiscard]] Contact<double> solve_any(const py::object& body1, const py::object& body2, const py::object& method,
                                         const py::sequence& want, const py::object& motion, const py::object& last,
                                         const py::object& iteration_limit, const py::tuple& tolerances) {
-  const auto asked = [&] {
-    const Vec3<double> moving = motion_of(motion);
-    const Method& chosen = method_of(method);
-    return Asked{moving, chosen, want_of(want, iteration_limit, tolerances), last_of(last)};
-  };
-  if (!py::isinstance<Body>(body1) || !py::isinstance<Body>(body2)) {
-    const ConvexPair shapes{convex_body_of(body1, "body1"), convex_body_of(body2, "body2")};
-    return solve(shapes, asked());
-  }
-  const Asked given = asked();
-  return solve(Pair{body_of(body1, "body1"), body_of(body2, "body2"), given.motion}, given);
+  const ConvexPair shapes{convex_body_of(body1, "body1"), convex_body_of(body2, "body2")};
+  const Vec3<double> moving = motion_of(motion);
+  const Method& chosen = method_of(method);
+  const Want asked = want_of(want, iteration_limit, tolerances);
+  const Contact<double>* const start = last_of(last);
+  if (!py::isinstance<Body>(body1) || !py::isinstance<Body>(body2)) return solve(shapes, chosen, asked, start);
+  const Pair pair{body_of(body1, "body1"), body_of(body2, "body2"), moving};
+  const py::gil_scoped_release unlocked;
+  return chosen.solve(pair, asked, start);
 }
 
 [[nodiscard]] py::list list_methods() {
