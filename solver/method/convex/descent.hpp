@@ -75,6 +75,19 @@ class Descent {
         if (next.overlap > best.overlap + pair_.rounding() || !(defect(next) < defect(best))) break;
         best = next;
       }
+    return beside_an_edge(best);
+  }
+
+  /// Of points within a hair's breadth of an edge the pieces beyond it are seen from targets as near to M as that: from others the distance
+  /// to the edge is of second order.
+  [[nodiscard]] CommonNormal beside_an_edge(CommonNormal best) const {
+    constexpr int most_steps = 4, farther = 4;
+    for (int step = 0; step < most_steps && !is_exact(best); ++step)
+      if (const CommonNormal next = after(best, farther * defect(best));
+          next.overlap <= best.overlap + pair_.rounding() && defect(next) < defect(best))
+        best = next;
+      else
+        break;
     return best;
   }
 
@@ -92,8 +105,11 @@ class Descent {
     if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));
     if (pair_.are_polytopes() && mixture.count == 3) return best;  // what Newton would find
     const StationaryNewton newton(pair_, mixture, nearest.normal);
-    for (const auto& [gauge1, gauge2] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
-      if (const auto solved = newton.solve(gauge1, gauge2)) return consider(*solved), best;
+    for (const NewtonStep step : {NewtonStep::only, NewtonStep::shortest}) {
+      for (const auto& [gauge1, gauge2] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
+        if (const auto solved = newton.solve(gauge1, gauge2, step)) return consider(*solved), best;
+      if (is_exact(best)) break;
+    }
     return best;
   }
 
