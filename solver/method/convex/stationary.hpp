@@ -114,17 +114,23 @@ class StationaryNewton {
 
     [[nodiscard]] std::optional<CommonNormal> run() {
       constexpr int most_steps = 16;
-      constexpr double rounding = 16 * std::numeric_limits<double>::epsilon(), near = 0.1;
+      constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
       const Vec3<double> start = n;
       double last = std::numeric_limits<double>::infinity();
       for (int step = 0; step < most_steps; ++step) {
         const double now = evaluate();
         const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2);
-        if (is_solved) return is_contact() && (n - start).norm() < near ? std::optional(contact()) : std::nullopt;
+        if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
         if (!(now < 1e3 * last) || !take_step()) return std::nullopt;
         last = std::min(last, now);
       }
       return std::nullopt;
+    }
+
+    /// Whether it is the contact that was begun from. Of bodies that all but touch the least error of a point turns the normal by any angle.
+    [[nodiscard]] bool is_near(const Vec3<double>& start) const {
+      constexpr double near = 0.1, touching = 0x1p-30;
+      return (n - start).norm() < near || std::abs(overlap) <= touching * pair.size;
     }
 
     /// The residual's largest component, a length.
