@@ -9,11 +9,15 @@
 #include "corpus/json/nearest_word.hpp"
 #include "corpus/json/number_text.hpp"
 #include "properties/generators/families.hpp"
+#include "properties/generators/families_shapes.hpp"
 
 namespace plumb {
 
 std::vector<std::string> find_families(const std::string& names) {
-  return find_families(names, family_names(), "plumb families");
+  std::vector<std::string> known = family_names();
+  if (names == "all") return known;  // those of superellipsoids: no other method answers the others
+  for (const ShapeFamily& family : shape_families()) known.emplace_back(family.name);
+  return find_families(names, known, "plumb families");
 }
 
 std::vector<std::string> find_families(const std::string& names, const std::vector<std::string>& known,

@@ -14,8 +14,10 @@
 #include "corpus/command/interrupt.hpp"
 #include "corpus/command/progress.hpp"
 #include "fuzz/campaign/judging.hpp"
+#include "fuzz/campaign/judging_shapes.hpp"
 #include "fuzz/campaign/workers.hpp"
 #include "properties/generators/families.hpp"
+#include "properties/generators/families_shapes.hpp"
 
 namespace plumb {
 namespace {
@@ -155,7 +157,8 @@ std::vector<Pair> first_pairs(const std::vector<Source>& sources) {
   constexpr std::uint64_t most = 256;  // of each source
   std::vector<Pair> pairs;
   for (const Source& source : sources)
-    for (std::uint64_t i = 0; i < std::min(most, source.cases); ++i) pairs.push_back(source.at(i).pair);
+    for (std::uint64_t i = 0; i < std::min(most, source.cases); ++i)
+      if (const Case c = source.at(i); !c.convex) pairs.push_back(c.pair);
   return pairs;
 }
 
@@ -180,13 +183,18 @@ void keep_chunk(const ChunkFolder& folder, const Shard& chunk, const Results& pa
 }  // namespace
 
 Source family_source(const std::string& family, std::uint64_t cases, std::uint64_t seed, const std::string& options) {
-  return {family, cases, [=](std::uint64_t index) { return generate(family, seed, index); },
+  const ShapeFamily* const of_shapes = find_shape_family(family);
+  const auto at = [=](std::uint64_t index) {
+    return of_shapes != nullptr ? generate(*of_shapes, seed, index) : generate(family, seed, index);
+  };
+  return {family, cases, at,
           fmt::format("plumb campaign --family {} --cases {} --seed {}{}", family, cases, seed, options)};
 }
 
 void judge_case(Results& results, const Source& source, std::uint64_t index, const CampaignOptions& options) {
   try {
     Case c = source.at(index);
+    if (c.convex) return judge_shapes(results, source, c, index, options);
     Judge judge(c.pair, options.references);
     const Place place = place_in_atlas(c.pair, judge.reference());
     Round round{results, source, options, std::move(c), std::move(judge), place, index};

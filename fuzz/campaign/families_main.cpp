@@ -5,6 +5,7 @@
 #include "corpus/command/command.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/generators/families_hard.hpp"
+#include "properties/generators/families_shapes.hpp"
 
 namespace plumb {
 namespace {
@@ -19,6 +20,10 @@ int list_families() {
   for (const Family& family : families()) fmt::print("{:<14}{}\n", family.name, family.summary);
   for (const Family& family : families())
     if (family.generators != nullptr) list_generators(family);
+  fmt::print(
+      "\nfamilies of any two shapes, and the ladder of each; `auto` alone is asked, and `all` leaves them out:\n");
+  for (const ShapeFamily& family : shape_families())
+    fmt::print("  {:<27}{}\n    {:<25}{:g}\n", family.name, family.summary, family.knob, fmt::join(family.steps, " "));
   return 0;
 }
 

@@ -60,9 +60,9 @@ void stroke(const Layout& layout, Buffer& bytes, Stream& stream) {
   for (const auto& [offset, value] : layout.strokes[stream.below(layout.strokes.size())].bytes) bytes[offset] = value;
 }
 
-/// The part of a body's block that is its shape: class at 0, aspects, exponents and size at 2..11. The rest is its pose.
+/// The part of a body's block that is its shape: class at 0, aspects, exponents and size at 2..11, what a longer block has after its pose.
 bool is_shape(std::size_t offset) {
-  return offset == 0 || (offset >= 2 && offset < 12);
+  return offset == 0 || (offset >= 2 && offset < 12) || offset >= layout::kBodySize;
 }
 
 enum class Part : std::uint8_t { all, shape, pose };

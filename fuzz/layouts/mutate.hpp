@@ -44,6 +44,7 @@ struct Layout {
 [[nodiscard]] const Layout& pair_layout();     ///< pair-1, decode.hpp
 [[nodiscard]] const Layout& path_layout();     ///< path-1, decode_path.hpp
 [[nodiscard]] const Layout& contact_layout();  ///< contact-1, decode_contact.hpp
+[[nodiscard]] const Layout& shapes_layout();   ///< shapes-1, decode_shapes.hpp
 
 /// One to four steps: a field scaled, snapped to a special value, moved by one, drawn anew; a stroke; the bodies exchanged, one
 /// copied, wholly or in its shape or its pose.

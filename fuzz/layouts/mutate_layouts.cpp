@@ -1,8 +1,9 @@
-// The layouts as the mutator sees them; decode.hpp, decode_contact.hpp and decode_path.hpp say what each byte
+// The layouts as the mutator sees them; decode.hpp, decode_contact.hpp, decode_path.hpp and decode_shapes.hpp say what each byte
 // means.
 #include "fuzz/layouts/decode.hpp"
 #include "fuzz/layouts/decode_contact.hpp"
 #include "fuzz/layouts/decode_path.hpp"
+#include "fuzz/layouts/decode_shapes.hpp"
 #include "fuzz/layouts/layout_fields.hpp"
 #include "fuzz/layouts/mutate.hpp"
 
@@ -104,6 +105,52 @@ std::vector<Stroke> contact_strokes() {
           {"at home", {{64, 0}, {66, 0}}}};
 }
 
+constexpr std::uint8_t kShapeBlock = 44;
+
+std::vector<ByteField> shapes_fields() {
+  std::vector<ByteField> fields{
+      {88, 1, FieldKind::choice},     {89, 1, FieldKind::choice},  {90, 2, FieldKind::magnitude},
+      {92, 4, FieldKind::angle},      {96, 1, FieldKind::choice},  {98, 2, FieldKind::magnitude},
+      {100, 1, FieldKind::choice},    {101, 1, FieldKind::number}, {102, 1, FieldKind::choice},
+      {103, 1, FieldKind::number},    {104, 1, FieldKind::choice}, {105, 1, FieldKind::choice},
+      {106, 2, FieldKind::magnitude}, {108, 4, FieldKind::angle}};
+  for (const std::uint8_t at : {std::uint8_t{0}, kShapeBlock})
+    for (const ByteField& field : std::initializer_list<ByteField>{{0, 1, FieldKind::choice},
+                                                                   {1, 1, FieldKind::choice},
+                                                                   {2, 2, FieldKind::scale},
+                                                                   {4, 2, FieldKind::scale},
+                                                                   {6, 2, FieldKind::scale},
+                                                                   {8, 2, FieldKind::scale},
+                                                                   {10, 2, FieldKind::scale},
+                                                                   {12, 4, FieldKind::angle},
+                                                                   {16, 4, FieldKind::angle},
+                                                                   {20, 4, FieldKind::angle},
+                                                                   {24, 4, FieldKind::number},
+                                                                   {28, 2, FieldKind::scale},
+                                                                   {30, 1, FieldKind::number},
+                                                                   {31, 1, FieldKind::choice},
+                                                                   {32, 4, FieldKind::number},
+                                                                   {36, 2, FieldKind::scale},
+                                                                   {38, 2, FieldKind::scale},
+                                                                   {40, 2, FieldKind::scale}})
+      fields.push_back({static_cast<std::uint8_t>(at + field.offset), field.width, field.kind});
+  return fields;
+}
+
+std::vector<Stroke> shapes_strokes() {
+  const auto upright = all_of({{{1, 0}, {89, 0}}, zeros(12, 12), zeros(90, 2), {{104, 2}, {105, 0}}});
+  return {{"coaxial", all_of({upright, {{88, 2}}})},
+          {"face on face", all_of({upright, {{88, 0}}})},
+          {"aligned", {{104, 2}}},
+          {"nearly aligned", {{104, 3}}},
+          {"touching", {{88, 0}, {96, 0}, {98, 1}, {99, 0}}},
+          {"nearly touching", {{88, 0}, {96, 0}, {98, 13}, {99, 0}}},
+          {"concentric", {{88, 2}, {96, 2}, {98, 255}, {99, 255}}},
+          {"sharp", all_of({zeros(28, 2), zeros(72, 2)})},
+          {"a plate", {{6, 13}, {7, 0}}},
+          {"at home", {{100, 0}, {102, 0}}}};
+}
+
 }  // namespace
 
 const Layout& pair_layout() {
@@ -118,6 +165,11 @@ const Layout& path_layout() {
 
 const Layout& contact_layout() {
   static const Layout layout{"contact-1", kContactLayoutSize, contact_fields(), contact_strokes(), kBodySize};
+  return layout;
+}
+
+const Layout& shapes_layout() {
+  static const Layout layout{"shapes-1", kShapesLayoutSize, shapes_fields(), shapes_strokes(), kShapeBlock};
   return layout;
 }
 

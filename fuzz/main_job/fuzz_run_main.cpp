@@ -41,7 +41,7 @@ struct Rate {
   const char* what;
   double per_minute;
 };
-constexpr Rate kTargets[] = {{"pair", 150}, {"contact", 10000}, {"methods", 1000}, {"scalars", 1000}};
+constexpr Rate kTargets[] = {{"pair", 150}, {"contact", 10000}, {"methods", 1000}, {"scalars", 1000}, {"shapes", 300}};
 
 /// Of the families, before anything else: some 2000 pairs.
 constexpr double minutes_of_the_first = 0.14;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "corpus/case/case.hpp"
 #include "corpus/case/shape_class.hpp"
 #include "solver/pose.hpp"
 
@@ -88,6 +89,16 @@ int digits(double value) {
   return static_cast<int>(end - text.data());
 }
 
+std::string text_of(const ConvexPair& pair) {
+  Case c;
+  c.convex = pair;
+  return format_case(c);
+}
+
+int swept_bodies(const ConvexPair& pair) {
+  return (pair.body1.swept_radius > 0 ? 1 : 0) + (pair.body2.swept_radius > 0 ? 1 : 0);
+}
+
 }  // namespace
 
 std::string regime(const Pair& pair, const Reference& reference) {
@@ -118,6 +129,22 @@ Simplicity simplicity(const Pair& pair) {
       key[3] += digits(value);
     }
   return key;
+}
+
+std::string bucket(std::string_view finding, std::string_view method, const ConvexPair& pair) {
+  return fmt::format("{}-{}-{}-{}{}", finding, method, name(pair.body1.shape), name(pair.body2.shape),
+                     swept_bodies(pair) > 0 ? "-swept" : "");
+}
+
+std::uint64_t digest(const ConvexPair& pair) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char c : text_of(pair)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return hash;
+}
+
+Simplicity simplicity(const ConvexPair& pair) {
+  const auto first = static_cast<int>(pair.body1.shape.index()), second = static_cast<int>(pair.body2.shape.index());
+  return {first + second, first == second ? 0 : 1, swept_bodies(pair), static_cast<int>(text_of(pair).size())};
 }
 
 }  // namespace plumb

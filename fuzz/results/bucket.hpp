@@ -8,6 +8,7 @@
 
 #include "solver/contact.hpp"
 #include "solver/reference/reference.hpp"
+#include "solver/shape/convex.hpp"
 
 namespace plumb {
 
@@ -20,12 +21,18 @@ namespace plumb {
 [[nodiscard]] std::string bucket(std::string_view finding, std::string_view method, const Pair& pair,
                                  const Reference& reference);
 
+/// "nonconverged-auto-cone-box", and "-swept" where a sweep is.
+[[nodiscard]] std::string bucket(std::string_view finding, std::string_view method, const ConvexPair& pair);
+
 /// The same for the same bits, and hardly ever for others; the same on every host.
 [[nodiscard]] std::uint64_t digest(const Pair& pair);
+[[nodiscard]] std::uint64_t digest(const ConvexPair& pair);
 
 /// Smaller is simpler: the classes of the two bodies, whether they differ, how many of their numbers are not 0 or 1, and the
 /// decimal digits that it takes to write them.
 using Simplicity = std::array<int, 4>;
 [[nodiscard]] Simplicity simplicity(const Pair& pair);
+/// Of shapes: their places in the list, whether they differ, how many are swept, and how long it takes to write them.
+[[nodiscard]] Simplicity simplicity(const ConvexPair& pair);
 
 }  // namespace plumb

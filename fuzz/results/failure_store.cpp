@@ -51,7 +51,7 @@ Failure checked_failure(Case c, const std::string& file, int line) {
 }
 
 Failure read_failure(const std::filesystem::path& path) {
-  std::optional<Case> c = CaseReader(path.string()).next();
+  std::optional<Case> c = CaseReader(path.string(), CaseShapes::every).next();
   if (!c) throw InputFailure(path.string(), 0, "", "holds no case");
   return checked_failure(std::move(*c), path.string(), 0);
 }
@@ -93,7 +93,7 @@ Case failing_case(const Case& c, const std::string& method, const Finding& findi
 Failure failure_of(Case kept) {
   Failure failure;
   const Json& from = kept.provenance;
-  failure.simplicity = simplicity(kept.pair);
+  failure.simplicity = kept.convex ? simplicity(*kept.convex) : simplicity(kept.pair);
   failure.severity = read_severity(Field(from, "provenance").member("severity"));
   failure.origin = from.value("family", "") + " " + number_or_0(from, "seed");
   failure.index = from.value("index", std::uint64_t{0});
@@ -148,7 +148,8 @@ void KeptFailures::add_line(const std::string& text, const std::string& file, in
     const Field root(tree), name = root.member("file");
     const auto bucket = bucket_of(name.text());
     if (!bucket) name.fail("is no name of a kept failure");
-    add(*bucket, checked_failure(parse_case(root.member("case").value().dump(), file, line), file, line));
+    add(*bucket,
+        checked_failure(parse_case(root.member("case").value().dump(), file, line, CaseShapes::every), file, line));
   } catch (const FieldError& e) {
     throw InputFailure(file, line, e.field, e.what());
   }

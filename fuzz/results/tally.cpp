@@ -176,15 +176,16 @@ Tally Tally::read(const Field& field) {
   return t;
 }
 
-void add_answer(Tally& tally, const Place& place, const Contact<double>& answer, const Judgement& judgement,
-                double nanoseconds) {
+void add_answer(Tally& tally, const std::optional<Place>& place, const Contact<double>& answer,
+                const Judgement& judgement, double nanoseconds) {
   const auto kind = static_cast<std::size_t>(judgement.finding.kind);
   const bool converged = answer.status == Status::converged, broken = judgement.finding.kind != FindingKind::none;
   const bool unjudged = !is_judged(judgement);
   ++tally.cases;
   ++tally.statuses[static_cast<std::size_t>(answer.status)];
-  tally.atlas.add(place, {1, unjudged ? 0u : 1u, broken ? 1u : 0u, converged ? 0u : 1u,
-                          static_cast<std::uint64_t>(std::max(0, answer.iterations))});
+  if (place)
+    tally.atlas.add(*place, {1, unjudged ? 0u : 1u, broken ? 1u : 0u, converged ? 0u : 1u,
+                             static_cast<std::uint64_t>(std::max(0, answer.iterations))});
   if (unjudged) {
     ++tally.unjudged;
   } else {

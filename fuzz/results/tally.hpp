@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "corpus/case/case.hpp"
@@ -83,9 +84,9 @@ struct Tally {
 /// { "rounding", "1e-6rad", .., "asked" }: how many of the judged answers are right at each level of accuracy.
 [[nodiscard]] Json right_json(const Tally& tally);
 
-/// `place`: of the pair, in the atlas.
-void add_answer(Tally& tally, const Place& place, const Contact<double>& answer, const Judgement& judgement,
-                double nanoseconds);
+/// `place`: of the pair, in the atlas; pairs of other shapes than superellipsoids have none.
+void add_answer(Tally& tally, const std::optional<Place>& place, const Contact<double>& answer,
+                const Judgement& judgement, double nanoseconds);
 
 /// Share k / n with its exact (Clopper-Pearson) 95 % interval.
 struct Share {

@@ -18,7 +18,7 @@ void shrink_kept(const KeptFailures& kept, const CampaignOptions& options, const
     const Case& simplest = of.simplest.kept;
     const auto by = std::find_if(options.solvers.begin(), options.solvers.end(),
                                  [&](const Solver& solver) { return simplest.expect.method == solver.name; });
-    if (by == options.solvers.end() || interrupted()) return;  // of the reference
+    if (by == options.solvers.end() || simplest.convex || interrupted()) return;  // of the reference; other shapes
     try {
       Case shrunk = kept_shrunk(simplest, shrink_and_explain(simplest.pair, *by, options.accuracy), by->name);
       shrunk.provenance["file"] = bucket + std::string(kSimplest);

@@ -11,6 +11,8 @@
 #include "corpus/command/in_parallel.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "properties/generators/families.hpp"
+#include "properties/generators/families_shapes.hpp"
+#include "solver/reference/convex_bounds.hpp"
 
 namespace plumb {
 namespace {
@@ -28,9 +30,28 @@ std::vector<std::string> all_ladders() {
   return {names.begin(), names.end()};
 }
 
+/// Those of shapes too: they are named, and not among all.
+std::vector<std::string> known_ladders() {
+  std::vector<std::string> out = all_ladders();
+  for (const ShapeFamily& family : shape_families())
+    if (!family.steps.empty()) out.emplace_back(family.name);
+  return out;
+}
+
+std::size_t count_steps(const std::string& ladder) {
+  const ShapeFamily* const of_shapes = find_shape_family(ladder);
+  return of_shapes != nullptr ? of_shapes->steps.size() : ladder_steps(ladder).size();
+}
+
+Case case_of(const std::string& ladder, std::size_t step, std::uint64_t seed, std::uint64_t variant) {
+  const ShapeFamily* const of_shapes = find_shape_family(ladder);
+  if (of_shapes == nullptr) return ladder_case(ladder, step, seed, variant);
+  return generate(*of_shapes, seed, variant * of_shapes->steps.size() + step);
+}
+
 void declare(CommandLine& app, Options& options) {
   app.add_option("LADDER", options.ladder, "one ladder (plumb families lists them); all without")
-      ->is_one_of("ladder", all_ladders());
+      ->is_one_of("ladder", known_ladders());
   app.add_option("--step", options.step, "one step, from 1; all without")->in_range(1, 1000);
   declare_seed(app, options.seed);
   auto* index =
@@ -45,8 +66,8 @@ void declare(CommandLine& app, Options& options) {
 }
 
 /// The numbers 0 .. of the steps that were asked for.
-std::vector<std::size_t> steps_of(std::string_view ladder, const Options& options) {
-  const std::size_t count = ladder_steps(ladder).size();
+std::vector<std::size_t> steps_of(const std::string& ladder, const Options& options) {
+  const std::size_t count = count_steps(ladder);
   const auto one = static_cast<std::size_t>(options.step);
   if (one > count) throw InputFailure("--step", 0, "", fmt::format("{} has {} steps", ladder, count));
   std::vector<std::size_t> out;
@@ -79,7 +100,23 @@ Expect expectation(const Pair& pair, const Reference& found) {
   return expect;
 }
 
+/// Of shapes the verdict and the overlap alone are proved.
+Expect expectation(const ConvexPair& pair) {
+  const Vec3<double> unknown = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+  const reference::ConvexBounds found = reference::bound_overlap(pair, unknown, kConvexCells);
+  const double allowed = 1e-12 * std::max(size_of(pair), std::abs(found.lower));
+  Expect expect;
+  if (found.lower > allowed) expect.verdict = name(Verdict::overlapping);
+  if (found.upper < -allowed) expect.verdict = name(Verdict::separated);
+  expect.overlap = {found.lower - allowed, found.upper + allowed};
+  return expect;
+}
+
 Case frozen(Case c) {
+  if (c.convex) {
+    c.expect = expectation(*c.convex);
+    return c;
+  }
   const Reference found = find_reference(c.pair, Effort::digits);
   c.expect = expectation(c.pair, found);
   c.provenance["certificate"] = certificate_of(c.pair, found);
@@ -90,7 +127,7 @@ Case frozen(Case c) {
 std::string frozen_ladder(const std::string& ladder, const Options& options) {
   std::vector<Case> cases;
   for (const std::size_t step : steps_of(ladder, options))
-    for (std::uint64_t i = 0; i < options.variants; ++i) cases.push_back(ladder_case(ladder, step, options.seed, i));
+    for (std::uint64_t i = 0; i < options.variants; ++i) cases.push_back(case_of(ladder, step, options.seed, i));
   in_parallel(cases.size(), std::max(1u, std::thread::hardware_concurrency()),
               [&](std::size_t i) { cases[i] = frozen(cases[i]); });
   std::string text;
@@ -118,7 +155,7 @@ int run(const Options& options) {
   }
   for (const std::string& ladder : ladders_of(options))
     for (const std::size_t step : steps_of(ladder, options))
-      print_line(format_case(ladder_case(ladder, step, options.seed, options.index)));
+      print_line(format_case(case_of(ladder, step, options.seed, options.index)));
   return exit_done;
 }
 

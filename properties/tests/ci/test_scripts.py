@@ -227,7 +227,7 @@ class Run(InAFolder):
         super().setUp()
         self.copy("run")
         self.write(".ci/setup.sh", 'complain() { echo "$*" >&2; }\nplumb_setup() { :; }\nplumb_build() { :; }\nplumb_seeds() { echo seeds; }\n')
-        for target in ("contact", "pair", "ellipsoid", "methods", "scalars", "patch", "path", "scene", "files", "mesh", "case"):
+        for target in ("contact", "pair", "ellipsoid", "methods", "scalars", "patch", "shapes", "path", "scene", "files", "mesh", "case"):
             self.write(f"fuzz/engine/{target}.options", "max_len = 8\n")
             self.write(f"fuzz/seeds/{target}", "")
             self.program(f"build/fuzz/bin/fuzz-{target}", "echo first; echo last")

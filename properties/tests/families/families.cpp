@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Geometry>
 #include <map>
 #include <set>
 
+#include "properties/generators/families_shapes.hpp"
 #include "properties/generators/generators.hpp"
 #include "properties/tests/draws.hpp"
 #include "solver/pose.hpp"
@@ -73,6 +75,43 @@ TEST(Families, DependOnSeedAndIndexAlone) {
     for (const auto& [index, text] : backwards) seen.insert(text);
     EXPECT_EQ(seen.size(), 60u);
     EXPECT_FALSE(same(generate(family.name, 5, 0), generate(family.name, 6, 0)));
+  }
+}
+
+TEST(ShapeFamilies, AreLegalNamedAndDependOnSeedAndIndexAlone) {
+  for (const ShapeFamily& family : shape_families()) {
+    std::set<std::string> seen;
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      const Case c = generate(family, 11, i);
+      const InputError error = find_input_error(*c.convex);
+      ASSERT_TRUE(error.reason.empty()) << c.name << ": " << error.field << " " << error.reason;
+      EXPECT_EQ(c.provenance.at("family").get<std::string>(), family.name);
+      EXPECT_EQ(format_case(c), format_case(generate(family, 11, i)));
+      seen.insert(format_case(c));
+    }
+    EXPECT_EQ(seen.size(), 200u) << family.name;
+  }
+}
+
+TEST(ShapeFamilies, MeetEachTwoShapesInTurn) {
+  std::set<std::array<std::size_t, 2>> met;
+  for (std::size_t i = 0; i < shape_pair_count; ++i) {
+    const auto [first, second] = shape_kinds(i);
+    EXPECT_LE(first, second);
+    EXPECT_FALSE(first == half_space_kind && second == half_space_kind);
+    met.insert({first, second});
+  }
+  EXPECT_EQ(met.size(), shape_pair_count);
+}
+
+/// Of the lowest steps nothing is left but rounding.
+TEST(ShapeFamilies, AxesAreTiltedByTheirKnob) {
+  const ShapeFamily& family = *find_shape_family("shapes_tilted_axes");
+  for (std::uint64_t i = 0; i < 10 * family.steps.size(); ++i) {
+    const ConvexPair pair = *generate(family, 3, i).convex;
+    const Vec3<double> first = rotation<double>(pair.body1.quaternion).col(2),
+                       second = rotation<double>(pair.body2.quaternion).col(2);
+    EXPECT_NEAR(std::asin(first.cross(second).norm()), family.steps[i % family.steps.size()], 1e-15);
   }
 }
 

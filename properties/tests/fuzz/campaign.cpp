@@ -90,6 +90,25 @@ TEST_F(Campaign, FindsWhatIsKnownOfTheOriginalMethod) {
   EXPECT_FALSE(single->kept.buckets().empty());
 }
 
+/// Who knows superellipsoids alone is not asked; what is kept of shapes reads back.
+TEST(CampaignOfShapes, AsksAutoAndCountsEveryPair) {
+  CampaignOptions asked = options(2);
+  asked.accuracy = parse_accuracy("rounding");
+  Results results = run_campaign({family_source("shapes", 44, kSeed, "")}, asked);
+  const FamilyResults& family = results.families.at("shapes");
+  EXPECT_EQ(family.cases, 44u);
+  EXPECT_EQ(family.methods.at("auto").cases, 44u);
+  EXPECT_EQ(family.methods.at("auto").failures(), 0u);
+  EXPECT_EQ(family.methods.at("original_cn").not_asked, 44u);
+  EXPECT_TRUE(results.harness_errors.empty());
+  const Case c = family_source("shapes", 44, kSeed, "").at(8);
+  results.kept.add("a-bucket",
+                   failure_of(failing_case(c, "auto", {FindingKind::misaligned, 2, "", ""}, {}, "made up")));
+  const Results read = read_results(written("shapes", results));
+  EXPECT_EQ(comparable(read), comparable(results));
+  EXPECT_EQ(kept_texts(read), kept_texts(results));
+}
+
 TEST_F(Campaign, ThreadsDoNotMatter) {
   const Results many = run_campaign(sources(), options(3));
   EXPECT_EQ(comparable(many), comparable(*single));

@@ -1,4 +1,4 @@
-// Layouts path-1 and scene-bytes-1: total, stable, and what their steered quantities say.
+// Layouts path-1, shapes-1 and scene-bytes-1: total, stable, and what their steered quantities say.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "fuzz/layouts/decode_path.hpp"
 #include "fuzz/layouts/decode_scene.hpp"
+#include "fuzz/layouts/decode_shapes.hpp"
 #include "properties/laws/laws_path.hpp"
 #include "properties/tests/fuzz/noise.hpp"
 #include "solver/scene/plan.hpp"
@@ -99,6 +100,35 @@ TEST(DecodePath, GoesAroundAtTheSameDistance) {
   const std::vector<Case> steps = decode_path(path_bytes(4, 38));
   ASSERT_EQ(steps.size(), 40U);
   for (const Case& step : steps) EXPECT_NEAR(step.pair.body2.position.norm(), 1.98, 1e-14);
+}
+
+std::size_t hash_of_shapes(const Bytes& bytes) {
+  Hash h;
+  const std::string text = format_case(decode_shapes(bytes));  // every number, and no hull that is computed
+  for (const char c : text.substr(0, text.find("provenance"))) h.add(c);
+  return h.value();
+}
+
+RC_GTEST_PROP(DecodeShapes, AnyBytesAreALegalPair, ()) {
+  const InputError error = find_input_error(*decode_shapes(any_bytes(kShapesLayoutSize)).convex);
+  RC_ASSERT(error.reason.empty());
+}
+
+// Layout shapes-1 is for ever.
+TEST(DecodeShapes, LayoutIsStable) {
+  EXPECT_EQ(hash_of_shapes({}), 0xba6ba1d5edff79c1u);
+  EXPECT_EQ(hash_of_shapes(noise(1, kShapesLayoutSize)), 0x54ec9d950050a081u);
+  EXPECT_EQ(hash_of_shapes(noise(2, kShapesLayoutSize)), 0xb9d3691f756bd36du);
+  EXPECT_EQ(hash_of_shapes(noise(3, 60)), 0x2d126b6f40507a81u);
+}
+
+TEST(DecodeShapes, ReachesEachTwoShapes) {
+  std::set<std::array<std::size_t, 2>> met;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const Case c = decode_shapes(noise(seed, kShapesLayoutSize));
+    met.insert({c.convex->body1.shape.index(), c.convex->body2.shape.index()});
+  }
+  EXPECT_EQ(met.size(), std::variant_size_v<Shape> * std::variant_size_v<Shape> - 1);
 }
 
 RC_GTEST_PROP(DecodeScene, AnyBytesAreAScenesThatItsPlanAccepts, ()) {

@@ -26,7 +26,7 @@ fs::path written(const std::string& name, const std::string& bytes) {
 const fs::path seeds = PLUMB_SOURCE_DIR "/fuzz/seeds";
 
 TEST(Targets, ReplayTheirSeeds) {
-  for (const char* target : {"patch", "path", "scene", "files", "mesh"}) {
+  for (const char* target : {"patch", "shapes", "path", "scene", "files", "mesh"}) {
     ASSERT_FALSE(fs::is_empty(seeds / target));
     EXPECT_EQ(replay(target, seeds / target), 0) << target;
   }
@@ -34,7 +34,7 @@ TEST(Targets, ReplayTheirSeeds) {
 
 TEST(Targets, ReplayNoBytes) {
   const fs::path nothing = written("nothing", "");
-  for (const char* target : {"patch", "path", "scene", "files", "mesh"})
+  for (const char* target : {"patch", "shapes", "path", "scene", "files", "mesh"})
     EXPECT_EQ(replay(target, nothing), 0) << target;
 }
 
@@ -49,6 +49,11 @@ TEST(Targets, KeepAMotionThatPlumbPathReads) {
   const std::string kept = fs::directory_iterator(out)->path().string();
   EXPECT_TRUE(kept.ends_with("--fuzzed.jsonl")) << kept;
   EXPECT_EQ(std::system((PLUMB_BINARY_DIR "/bin/plumb-path '" + kept + "' > /dev/null").c_str()), 0);
+}
+
+// A solver that knows superellipsoids alone is not asked.
+TEST(Targets, OfShapesAskWhoKnowsThem) {
+  EXPECT_EQ(replay("shapes", seeds / "shapes", "PLUMB_FUZZ_METHOD=original_cn PLUMB_FUZZ_ABORT=all"), 0);
 }
 
 TEST(Targets, RefuseASettingOfNoUse) {

@@ -1,7 +1,7 @@
 # The campaign as a library, and the programs that the tests of the command line start.
 target_link_libraries(test_fuzz PRIVATE plumb_targets plumb_hunt fmt::fmt)
 add_dependencies(test_fuzz plumb plumb-solve plumb-campaign plumb-merge plumb-families plumb-fuzz-run plumb-ladder plumb-methods plumb-shrink plumb-fuzz plumb-replay
-                 replay-pair replay-contact replay-case replay-patch replay-path replay-scene replay-files replay-mesh plumb-path
+                 replay-pair replay-contact replay-case replay-patch replay-shapes replay-path replay-scene replay-files replay-mesh plumb-path
                  foreign_sphere peers)
 
 # A foreign solver that does what it is told to by the environment, and the worked example.

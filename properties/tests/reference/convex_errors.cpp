@@ -10,7 +10,6 @@
 namespace plumb::reference::convex_errors_tests {
 namespace {
 
-using bodies_tests::draw_body;
 using bodies_tests::shape_count;
 using Vec = Vec3<double>;
 
@@ -31,7 +30,7 @@ struct Met {
 };
 
 Met meet(std::size_t kind1, std::size_t kind2, double overlap, Stream& stream) {
-  Met out{{draw_body(kind1, stream), draw_body(kind2, stream)}, {}};
+  Met out{{draw_convex_body(kind1, stream), draw_convex_body(kind2, stream)}, {}};
   ConvexBody &body1 = out.pair.body1, &body2 = out.pair.body2;
   Contact<double>& contact = out.contact;
   contact.normal = random_direction(stream);

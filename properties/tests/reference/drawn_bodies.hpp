@@ -1,9 +1,9 @@
-// Convex bodies of every shape, drawn, and their definitions written once more for the tests of their judge.
+// Pairs of convex bodies, drawn, and the definitions of shapes written once more for the tests of their judge.
 #pragma once
 
 #include <algorithm>
 
-#include "properties/generators/draft.hpp"
+#include "properties/generators/shapes.hpp"
 #include "solver/pose.hpp"
 #include "solver/reference/real.hpp"
 #include "solver/shape/hull.hpp"
@@ -11,88 +11,12 @@
 
 namespace plumb::reference::bodies_tests {
 
-/// Those that are numbers; a foreign one, which is functions, is the last of all.
-inline constexpr std::size_t shape_count = std::variant_size_v<Shape> - 1;
-static_assert(std::is_same_v<std::variant_alternative_t<shape_count, Shape>, ForeignShape>);
-inline constexpr std::size_t half_space = 8;
-static_assert(std::is_same_v<std::variant_alternative_t<half_space, Shape>, HalfSpace>);
-
-[[nodiscard]] inline double draw_length(Stream& stream) {
-  return stream.log_uniform(0.1, 1);
-}
-
-[[nodiscard]] inline double draw_convex_exponent(Stream& stream) {
-  static constexpr std::array<double, 5> special{1.05, 2, 3, 8, 40};
-  return stream.chance(0.5) ? stream.pick(special) : stream.uniform(1.1, 8);
-}
-
-/// Points on a sphere, of a prism, or in a plane.
-[[nodiscard]] inline Polyhedron draw_polyhedron(Stream& stream) {
-  std::vector<Vec3<double>> points;
-  const bool is_prism = stream.chance(0.3), is_flat = stream.chance(0.1);
-  for (int i = 0; i < 12; ++i) {
-    Vec3<double> x = random_direction(stream);
-    if (is_flat) x[2] = 0;
-    points.push_back(x);
-    if (is_prism) points.push_back(x + Vec3<double>(0, 0, 0.5));
-  }
-  return make_polyhedron(points);
-}
-
-/// A legal one: lengths and exponents as those of other shapes.
-template <class S>
-[[nodiscard]] Shape draw_fields(Stream& stream) {
-  for (;;) {
-    S out{};
-    each_field(out, [&](auto, const auto& field, const auto& numbers) {
-      for (double* number : numbers) {
-        const bool is_zero = field.legal == Legal::not_below_zero && stream.chance(0.2);
-        *number = is_zero ? 0 : (field.is_length() ? draw_length(stream) : draw_convex_exponent(stream));
-      }
-    });
-    if (find_input_error(ConvexPair{{out}, {}}).reason.empty()) return out;
-  }
-}
-template <class... S>
-[[nodiscard]] Shape draw_by_fields(std::size_t kind, Stream& stream, const std::variant<S...>* /*list*/) {
-  return std::array{&draw_fields<S>...}[kind](stream);
-}
-
-[[nodiscard]] inline Shape draw_shape(std::size_t kind, Stream& stream) {
-  const auto length = [&] { return draw_length(stream); };
-  const auto three = [&] {
-    const double x = length(), y = length(), z = length();
-    return Vec3<double>(x, y, z);
-  };
-  switch (kind) {
-    case 0: {
-      const double n1 = draw_convex_exponent(stream), n2 = draw_convex_exponent(stream);
-      return Superellipsoid<double>{three(), n1, n2};
-    }
-    case 1: return Capsule{stream.chance(0.2) ? 0 : length(), length()};
-    case 2: return Cylinder{length(), length()};
-    case 3: return Cone{length(), length()};
-    case 4: return Frustum{{stream.chance(0.2) ? 0 : length(), length()}, length()};
-    case 5: return Box{three()};
-    case 6: return draw_polyhedron(stream);
-    case 7:
-      return PolySuperellipsoid{{length(), length(), length(), length(), length(), length()},
-                                draw_convex_exponent(stream),
-                                draw_convex_exponent(stream)};
-    case half_space: return HalfSpace{};
-    default: return draw_by_fields(kind, stream, static_cast<const Shape*>(nullptr));
-  }
-}
-
-[[nodiscard]] inline ConvexBody draw_body(std::size_t kind, Stream& stream) {
-  const Shape shape = draw_shape(kind, stream);
-  const double swept = stream.chance(0.3) ? stream.uniform(0, 0.3) : 0;
-  return {shape, swept, random_direction(stream) * 0.1, random_rotation(stream)};
-}
+using plumb::draw_shape;
+using plumb::shape_count;
 
 /// Body 2 from deep inside body 1 to well apart.
 [[nodiscard]] inline ConvexPair draw_pair(std::size_t kind1, std::size_t kind2, Stream& stream) {
-  ConvexPair out{draw_body(kind1, stream), draw_body(kind2, stream)};
+  ConvexPair out{draw_convex_body(kind1, stream), draw_convex_body(kind2, stream)};
   out.body2.position += random_direction(stream) * stream.uniform(0, 2.5);
   return out;
 }

@@ -75,7 +75,33 @@ class Descent {
         if (next.overlap > best.overlap + pair_.rounding() || !(defect(next) < defect(best))) break;
         best = next;
       }
-    return best;
+    return beside_an_edge(best);
+  }
+
+  /// Of points within a hair's breadth of an edge the pieces beyond it are seen from targets about as near to M as that: from others the
+  /// distance to the edge is of second order, and from nearer ones all is rounding.
+  [[nodiscard]] CommonNormal beside_an_edge(CommonNormal best) const {
+    for (const double farther : {4.0, 64.0, 1024.0, 4.0, 64.0}) {
+      if (is_exact(best)) break;
+      const CommonNormal next = after(best, farther * defect(best));
+      if (next.overlap <= best.overlap + pair_.rounding() && defect(next) < defect(best)) best = next;
+    }
+    return is_exact(best) ? best : slid(best);
+  }
+
+  /// One of the points moved so that both lie along the normal, where a smooth core's surface holds it to rounding: of surfaces that are all
+  /// but flat, and of what a normal does not tell.
+  [[nodiscard]] CommonNormal slid(const CommonNormal& best) const {
+    CommonNormal first = best, second = best;
+    first.point1 = best.point2 + best.overlap * best.normal;
+    second.point2 = best.point1 - best.overlap * best.normal;
+    if (is_on_smooth(pair_.body1, first.point1) && is_exact(first)) return first;
+    return is_on_smooth(pair_.body2, second.point2) && is_exact(second) ? second : best;
+  }
+  [[nodiscard]] bool is_on_smooth(const PlacedCore& body, const Vec3<double>& x) const {
+    if (!body.is_smooth()) return false;
+    const NormHessian<double> g = body.gauge(x);
+    return std::abs(g.value - 1) <= pair_.rounding() * g.gradient.norm();
   }
 
   [[nodiscard]] CommonNormal best_of(const Nearest& nearest) const {
@@ -92,8 +118,11 @@ class Descent {
     if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));
     if (pair_.are_polytopes() && mixture.count == 3) return best;  // what Newton would find
     const StationaryNewton newton(pair_, mixture, nearest.normal);
-    for (const auto& [gauge1, gauge2] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
-      if (const auto solved = newton.solve(gauge1, gauge2)) return consider(*solved), best;
+    for (const NewtonStep step : {NewtonStep::only, NewtonStep::shortest}) {
+      for (const auto& [gauge1, gauge2] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
+        if (const auto solved = newton.solve(gauge1, gauge2, step)) return consider(*solved), best;
+      if (is_exact(best)) break;
+    }
     return best;
   }
 

@@ -8,8 +8,12 @@
 // One piece of each body: two points of smooth surfaces. Two of one body: a point of an edge or of a cone's side; three: of a face.
 // A smooth core is described by its support point x(n), or, where it is so flat that x(n) jumps, by x itself:
 //            grad g(x) = s n,  g(x) = 1          two more unknowns x and s
+//
+// Where bodies touch with a corner on an edge or a rim, a fan of normals is one contact: o I vanishes in the equations, and turning n within the
+// fan changes nothing. The shortest of all steps that solve them leaves it where it is.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "solver/method/convex/nearest.hpp"
@@ -54,6 +58,9 @@ struct ActivePieces {
   }
 };
 
+/// Of Newton's equations: the one there is, or where they are singular the shortest.
+enum class NewtonStep : std::uint8_t { only, shortest };
+
 class StationaryNewton {
  public:
   StationaryNewton(const PlacedCores& pair, const Mixture& from, const Vec3<double>& normal)
@@ -69,10 +76,10 @@ class StationaryNewton {
   }
 
   /// nullopt: it does not converge, or not to a contact. Each smooth core may be described by its gauge.
-  [[nodiscard]] std::optional<CommonNormal> solve(bool by_gauge1, bool by_gauge2) const {
+  [[nodiscard]] std::optional<CommonNormal> solve(bool by_gauge1, bool by_gauge2, NewtonStep step) const {
     if (!fits_ || (by_gauge1 && !pair_.body1.is_smooth()) || (by_gauge2 && !pair_.body2.is_smooth()))
       return std::nullopt;
-    Iteration iteration{pair_, start_normal_, start_.w().dot(start_normal_), pieces_, {}, {}};
+    Iteration iteration{pair_, start_normal_, start_.w().dot(start_normal_), pieces_, step, {}, {}};
     iteration.describe(0, by_gauge1, start_.point1());
     iteration.describe(1, by_gauge2, start_.point2());
     return iteration.run();
@@ -89,6 +96,7 @@ class StationaryNewton {
     Vec3<double> n;
     double overlap;
     std::array<ActivePieces, 2> pieces;
+    NewtonStep way;
     System jacobian;
     Column residual;
 
@@ -107,17 +115,23 @@ class StationaryNewton {
 
     [[nodiscard]] std::optional<CommonNormal> run() {
       constexpr int most_steps = 16;
-      constexpr double rounding = 16 * std::numeric_limits<double>::epsilon(), near = 0.1;
+      constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
       const Vec3<double> start = n;
       double last = std::numeric_limits<double>::infinity();
       for (int step = 0; step < most_steps; ++step) {
         const double now = evaluate();
         const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2);
-        if (is_solved) return is_contact() && (n - start).norm() < near ? std::optional(contact()) : std::nullopt;
+        if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
         if (!(now < 1e3 * last) || !take_step()) return std::nullopt;
         last = std::min(last, now);
       }
       return std::nullopt;
+    }
+
+    /// Whether it is the contact that was begun from. Of bodies that all but touch the least error of a point turns the normal by any angle.
+    [[nodiscard]] bool is_near(const Vec3<double>& start) const {
+      constexpr double near = 0.1, touching = 0x1p-30;
+      return (n - start).norm() < near || std::abs(overlap) <= touching * pair.size;
     }
 
     /// The residual's largest component, a length.
@@ -178,9 +192,20 @@ class StationaryNewton {
       jacobian.block<1, 3>(unknown + 3, unknown) = unit * g.gradient.transpose();
     }
 
+    /// The shortest step: J' (J J' + e I)^-1 r, which is that but for what e makes it shorter, where e is far below the squares of the
+    /// singular values that are not 0.
+    [[nodiscard]] Column solved() const {
+      constexpr double damping = 1e-13;
+      if (way == NewtonStep::only) return jacobian.partialPivLu().solve(residual);
+      System square = jacobian.lazyProduct(jacobian.transpose());
+      square.diagonal().array() += damping;
+      const Column shares = square.llt().solve(residual);
+      return jacobian.transpose().lazyProduct(shares);
+    }
+
     [[nodiscard]] bool take_step() {
       if (!jacobian.allFinite() || !residual.allFinite()) return false;
-      const Column step = jacobian.partialPivLu().solve(residual);
+      const Column step = solved();
       if (!step.allFinite()) return false;
       n = (n - step.head<3>()).normalized();
       overlap -= step[3];
@@ -203,9 +228,11 @@ class StationaryNewton {
              is_lowest_nearby();
     }
 
-    /// On the directions along which all pieces stay farthest, the second derivative of o is not below 0.
+    /// On the directions along which all pieces stay farthest, the second derivative of o is not below 0, but for what rounding makes of an
+    /// overlap that is 0.
     [[nodiscard]] bool is_lowest_nearby() const {
-      Mat3<double> second = -overlap * Mat3<double>::Identity();
+      const double surely = overlap > 0 ? std::max(overlap - pair.rounding(), 0.0) : overlap;
+      Mat3<double> second = -surely * Mat3<double>::Identity();
       Vec3<double> kink = Vec3<double>::Zero();
       for (int i = 0; i < 2; ++i) {
         Vec3<double> first = Vec3<double>::Zero();
