@@ -85,8 +85,13 @@ template <class Search>
 
 [[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {
   const Descent descent(pair);
-  const CommonNormal first = descent.from(line);
-  if (const auto axis = MeridianSearch::axis_of(pair)) return lowest_by(MeridianSearch(pair, *axis, first), descent);
+  const auto axis = MeridianSearch::axis_of(pair);
+  CommonNormal first = descent.from(line);
+  if (axis) {
+    const Lowest found = lowest_by(MeridianSearch(pair, *axis, first), descent);
+    if (found.is_proved) return found;
+    first = found.contact;
+  }
   return lowest_by(DirectionSearch(pair, first), descent);
 }
 

@@ -8,7 +8,7 @@
 // Polytopes            the face normals and the crossings of edges, all of them (convex/polytopes.hpp); the points are the middle of what
 //                      the two faces share (convex/shared_face.hpp)
 // Of revolution about  a descent to a common normal (convex/descent.hpp), and a search along half a meridian that shows that none is lower
-// one axis             (convex/meridian_search.hpp)
+// one axis, or nearly  (convex/meridian_search.hpp)
 // Others               a descent, and a branch and bound over all directions (convex/direction_search.hpp)
 #pragma once
 

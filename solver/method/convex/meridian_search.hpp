@@ -1,5 +1,14 @@
-// The lowest common normal of overlapping cores of revolution about one axis: o depends on the angle from the axis alone, and a whole circle
-// of directions may be as low. So half a meridian is searched, as direction_search.hpp searches the sphere.
+// The lowest common normal of overlapping cores of revolution whose axes are common, or nearly so: o depends on the angle from the axis
+// alone, or nearly so, and a whole circle of directions may be as low. So half a meridian is searched, as direction_search.hpp searches the
+// sphere.
+//
+// a is body 1's axis, b body 2's, turned to a's side; body 2's centre is z a + s, s across. n = n_a a + n_e e, e any unit vector across. A point
+// of body 1 is x_a a + x_e e, for every e, and one of body 2 is z a + s + Q (y_a a + y_e e), Q the least rotation from a to b. With
+// m = b - cos a, sin = |m|, k the unit vector across a and m, the height n.(x1 - x2) is
+//     n_a (x_a - z) + n_e x_e - cos (n_a y_a + n_e y_e) - [c.e + B (k.e)^2],   c = n_e s + (y_a n_e - y_e n_a) m,   B = (1 - cos) n_e y_e
+// For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where s is along m and 2 B <= |c|: there |c| cos + B sin^2 is
+// greatest at the angle 0. Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between
+// them have.
 #pragma once
 
 #include "solver/method/convex/descent.hpp"
@@ -8,18 +17,30 @@ namespace plumb::detail {
 
 class MeridianSearch {
  public:
-  /// Of the axis's direction, unit; nullopt: there is no common axis, to rounding.
+  /// The first core's axis; nullopt: there is none that is common to both, or nearly so.
   [[nodiscard]] static std::optional<Vec3<double>> axis_of(const PlacedCores& pair) {
+    constexpr double nearly = 0x1p-8;
     const bool is_first = has_axis(pair.body1), is_second = has_axis(pair.body2);
     if (!(is_first || is_point(pair.body1)) || !(is_second || is_point(pair.body2))) return std::nullopt;
     const Vec3<double> axis = (is_first ? pair.body1 : pair.body2).rotation.col(2), other = pair.body2.rotation.col(2);
-    const bool is_parallel = !is_first || !is_second || axis.cross(other).norm() <= rounding;
-    const bool is_on_axis = axis.cross(pair.body2.centre).norm() <= rounding * pair.size;
+    const bool is_parallel = !is_first || !is_second || axis.cross(other).norm() <= nearly;
+    const bool is_on_axis = axis.cross(pair.body2.centre).norm() <= nearly * pair.size;
     return (is_first || is_second) && is_parallel && is_on_axis ? std::optional(axis) : std::nullopt;
   }
 
   MeridianSearch(const PlacedCores& pair, const Vec3<double>& axis, const CommonNormal& first)
-      : pair_(pair), descent_(pair), axis_(axis), across_(axis.unitOrthogonal()), best_(first) {}
+      : pair_(pair), descent_(pair), axis_(axis), other_(axis), best_(first) {
+    if (has_axis(pair.body2)) other_ = pair.body2.rotation.col(2);
+    if (other_.dot(axis) < 0) other_ = -other_;
+    centre_ = pair.body2.centre.dot(axis);
+    shift_ = pair.body2.centre - centre_ * axis;
+    tilt_ = other_ - other_.dot(axis) * axis;
+    less_ = (other_ - axis).squaredNorm() / 2;
+    across_ = tilt_.norm() > rounding ? tilt_ : shift_;
+    across_ =
+        across_.norm() > 0 ? (across_ - across_.dot(axis) * axis).normalized().eval() : axis.unitOrthogonal().eval();
+    is_plane_ = std::abs(axis.cross(across_).dot(shift_)) <= rounding * shift_.norm();
+  }
 
   /// Whether all directions are excluded but those as low as the best, to rounding.
   [[nodiscard]] bool run() {
@@ -36,6 +57,13 @@ class MeridianSearch {
   static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon(),
                           tolerance = 128 * std::numeric_limits<double>::epsilon();
 
+  /// n_a and n_e >= 0, of length 1 or less.
+  using Angle = Vec2<double>;
+  /// A point of each core, for every e: (x_a, x_e) and (y_a, y_e).
+  struct Witness {
+    Vec2<double> first, second;
+  };
+
   [[nodiscard]] static double width() { return static_cast<double>(EIGEN_PI) / parts; }
   [[nodiscard]] static bool is_point(const PlacedCore& body) {
     const auto* segment = std::get_if<SegmentCore>(&body.core);
@@ -46,44 +74,89 @@ class MeridianSearch {
     return !is_point(body) && std::visit([](const auto& core) { return core.is_of_revolution(); }, body.core);
   }
 
-  [[nodiscard]] Vec3<double> at(double angle) const { return std::cos(angle) * axis_ + std::sin(angle) * across_; }
+  [[nodiscard]] static Angle at(double angle) { return {std::cos(angle), std::sin(angle)}; }
   [[nodiscard]] double level() const { return best_.overlap - tolerance * pair_.size; }
+
+  /// Points of the bodies, seen in the plane of an axis and e: what is seen of a point belongs to its body as well.
+  [[nodiscard]] Witness seen(const Vec3<double>& point1, const Vec3<double>& point2, const Vec3<double>& e) const {
+    const Vec3<double> y = point2 - pair_.body2.centre, both = axis_ + other_;
+    const Vec3<double> turned = e - other_.dot(e) / (2 - less_) * both;  // Q e
+    return {{point1.dot(axis_), point1.dot(e)}, {y.dot(other_), y.dot(turned)}};
+  }
+  /// e of a direction; any, where it is the axis.
+  [[nodiscard]] Vec3<double> across(const Vec3<double>& n) const {
+    const Vec3<double> e = n - n.dot(axis_) * axis_;
+    return e.isZero(0) ? across_ : e.stableNormalized().eval();
+  }
+
+  /// The lowest n.(x1 - x2) of all directions at an angle.
+  [[nodiscard]] double height(const Witness& w, const Angle& n) const {
+    const double turned = w.second[0] * n[1] - w.second[1] * n[0], along = n.dot(w.second);
+    const double aside = (n[1] * shift_ + turned * tilt_).norm(), bulge = less_ * n[1] * w.second[1];
+    const double greatest = is_plane_ && 2 * bulge <= aside ? aside : aside + std::max(bulge, 0.0);
+    return n.dot(w.first) - n[0] * centre_ - (1 - less_) * along - greatest;
+  }
+
+  /// Of the directions at an angle in the plane of both axes and across it the lowest: its support points. A lower one than the best is
+  /// followed.
+  [[nodiscard]] Witness look(const Angle& n) {
+    const Vec3<double> beside = axis_.cross(across_);
+    double lowest = std::numeric_limits<double>::infinity();
+    Witness out;
+    for (const Vec3<double>& e : {across_, Vec3<double>(-across_), beside, Vec3<double>(-beside)}) {
+      const Vec3<double> direction = n[0] * axis_ + n[1] * e;
+      const Difference at = pair_.support(direction);
+      const double overlap = at.w().dot(direction);
+      if (overlap < level()) take(descent_.from(direction));
+      if (overlap < lowest) lowest = overlap, out = seen(at.point1, at.point2, e);
+    }
+    return out;
+  }
+
+  [[nodiscard]] bool are_above(const Witness& w, const Angle& n1, const Angle& n2) const {
+    return height(w, n1) >= level() && height(w, n2) >= level();
+  }
 
   /// Whether no direction from `from` on is lower, over `width`.
   [[nodiscard]] bool exclude(double from, double width, int depth) {
     if (++cells_ > most_cells) return false;
-    const Vec3<double> first = at(from), middle = at(from + width / 2), last = at(from + width);
-    const Vec3<double> at_first = pair_.support(first).w(), at_last = pair_.support(last).w(),
-                       seen = pair_.support(middle).w();
-    if (seen.dot(middle) < level()) take(descent_.from(middle));
-    const auto are_above = [&](const Vec3<double>& w, const Vec3<double>& n) { return w.dot(n) >= level(); };
-    for (const Vec3<double>& w : {seen, Vec3<double>(best_.overlap * best_normal())})
-      if (are_above(w, first) && are_above(w, last)) return true;
+    const Angle first = at(from), middle = at(from + width / 2), last = at(from + width);
+    const Witness at_middle = look(middle);
+    const Witness of_best = seen(best_.point1, best_.point2, across(best_.normal));
+    if (are_above(at_middle, first, last) || are_above(of_best, first, last)) return true;
     // Up to where the two are as high one excludes, and beyond it the other.
-    const Vec3<double> crossing = crossing_of(at_first - at_last, middle);
-    if (are_above(at_first, first) && are_above(at_last, last) && are_above(at_first, crossing) &&
-        are_above(at_last, crossing))
-      return true;
+    const Witness at_first = look(first), at_last = look(last);
+    const Angle between = crossing(at_first, at_last, first, last);
+    if (are_above(at_first, first, between) && are_above(at_last, between, last)) return true;
     if (depth == deepest) return false;
     return exclude(from, width / 2, depth + 1) && exclude(from + width / 2, width / 2, depth + 1);
   }
-  /// Of the meridian, across w, on the side of n.
-  [[nodiscard]] Vec3<double> crossing_of(const Vec3<double>& w, const Vec3<double>& n) const {
-    const Vec3<double> out = w.dot(across_) * axis_ - w.dot(axis_) * across_;
-    return out.isZero(0) ? n : (out.dot(n) < 0 ? -out : out).stableNormalized().eval();
+
+  /// Where both heights are the same, by the secant.
+  [[nodiscard]] Angle crossing(const Witness& w1, const Witness& w2, const Angle& n1, const Angle& n2) const {
+    constexpr int steps = 6;
+    const auto excess = [&](double t) {
+      const Angle n = n1 + t * (n2 - n1);
+      return height(w1, n) - height(w2, n);
+    };
+    double t0 = 0, t1 = 1, e0 = excess(t0), e1 = excess(t1);
+    for (int step = 0; step < steps && e0 != e1; ++step) {
+      const double t = std::clamp(t1 - e1 * (t1 - t0) / (e1 - e0), 0.0, 1.0);
+      t0 = t1, e0 = e1, t1 = t, e1 = excess(t);
+    }
+    return n1 + t1 * (n2 - n1);
   }
-  /// The best, turned about the axis into the meridian.
-  [[nodiscard]] Vec3<double> best_normal() const {
-    const double along = best_.normal.dot(axis_), beside = (best_.normal - along * axis_).norm();
-    return along * axis_ + beside * across_;
-  }
+
   void take(const CommonNormal& found) {
     if (found.overlap < best_.overlap) best_ = found;
   }
 
   const PlacedCores& pair_;
   Descent descent_;
-  Vec3<double> axis_, across_;
+  Vec3<double> axis_, other_, shift_, tilt_;  ///< a, b, s, m
+  Vec3<double> across_;                       ///< a unit e along m, or along s where there is no m
+  double centre_, less_;                      ///< z, 1 - cos
+  bool is_plane_;                             ///< s is along m
   CommonNormal best_;
   int cells_ = 0;
 };
