@@ -33,7 +33,7 @@ double severity(const ConvexPair& pair, const Contact<double>& contact, int cell
 }
 
 bool are_half_spaces(std::size_t kind1, std::size_t kind2) {
-  return kind1 == reference::bodies_tests::half_space && kind2 == reference::bodies_tests::half_space;
+  return kind1 == half_space_kind && kind2 == half_space_kind;
 }
 
 /// Of each two shapes so many pairs.

@@ -11,23 +11,23 @@ namespace {
 
 using bodies_tests::draw_pair;
 using bodies_tests::draw_shape;
-using bodies_tests::half_space;
 using bodies_tests::OutsideOf;
 using bodies_tests::shape_count;
 using bodies_tests::SupportOf;
 using cores::I;
+using plumb::half_space_kind;
 using Vec = Vec3<double>;
 
 /// Any but the half-space, which has no core.
 std::size_t draw_kind(Stream& stream) {
   const std::size_t kind = stream.below(shape_count - 1);
-  return kind == half_space ? shape_count - 1 : kind;
+  return kind == half_space_kind ? shape_count - 1 : kind;
 }
 
 template <class Each>
 void for_all_shapes(std::uint64_t count, std::string_view name_of_draws, const Each& each) {
   for (std::size_t kind = 0; kind < shape_count; ++kind)
-    for (std::uint64_t i = 0; i < (kind == half_space ? 0 : count); ++i) {
+    for (std::uint64_t i = 0; i < (kind == half_space_kind ? 0 : count); ++i) {
       Stream stream(name_of_draws, kind, i);
       const Shape shape = draw_shape(kind, stream);
       each(shape, cores::core_of(shape, 0), stream);
