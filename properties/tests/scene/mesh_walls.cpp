@@ -15,7 +15,7 @@ namespace {
 
 using namespace made;  // NOLINT: bodies and walls
 
-const Superellipsoid<double> egg{{0.1, 0.08, 0.06}, 2, 2}, brick{{0.1, 0.07, 0.05}, 4, 3};
+const Superellipsoid<double> small_egg{{0.1, 0.08, 0.06}, 2, 2}, brick{{0.1, 0.07, 0.05}, 4, 3};
 
 Mat3<double> tilted() {
   return Eigen::AngleAxisd(0.3, Vec(1, 2, 0.5).normalized()).toRotationMatrix();
@@ -73,7 +73,7 @@ Wall plane_of(const Mat3<double>& axes) {
 
 TEST(MeshWalls, OneOfAPlaneIsAPlaneToTheBit) {
   const int n = is_nightly() ? 224 : 60;
-  for (const auto& shape : {Superellipsoid<double>{Vec::Constant(0.1)}, egg, brick})
+  for (const auto& shape : {Superellipsoid<double>{Vec::Constant(0.1)}, small_egg, brick})
     for (const double friction : {0.0, 0.4}) {
       const Mat3<double> axes = Mat3<double>::Identity();
       const auto plane = started(slide(shape, plane_of(axes), axes, friction));
@@ -193,7 +193,7 @@ Way follow(const Scene& scene) {
 
 // From face to edge to face there is one contact, whose overlap does not jump.
 TEST(MeshWalls, ABodyGoesOverARidgeOnOneContact) {
-  for (const auto& shape : {Superellipsoid<double>{Vec::Constant(0.1)}, egg, brick}) {
+  for (const auto& shape : {Superellipsoid<double>{Vec::Constant(0.1)}, small_egg, brick}) {
     Scene scene;
     const double high = shape.semi_axes.z();
     scene.bodies = {body(shape, {-0.3, 0.01, 1.03}, {0.6, 0, 0})};
@@ -211,7 +211,7 @@ TEST(MeshWalls, ABodyGoesOverARidgeOnOneContact) {
 }
 
 TEST(MeshWalls, AValleyOfSmoothlyJoinedTrianglesIsOneContact) {
-  for (const auto& shape : {Superellipsoid<double>{Vec::Constant(0.1)}, egg}) {
+  for (const auto& shape : {Superellipsoid<double>{Vec::Constant(0.1)}, small_egg}) {
     Scene scene;
     scene.bodies = {body(shape, {-0.3, 0.01, -0.8})};
     scene.walls = {wall_of(mesh_of(strip(arc(40, 2.2, 4.1))))};
