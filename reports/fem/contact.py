@@ -61,7 +61,7 @@ def sizes_for(body, lens, point, mode):
 
 def mesh_of(body, sizes, order):
     """With smaller elements afar, and at last by the contact, where the map onto the body turns large ones inside out."""
-    for afar, near in ((1, 1), (0.7, 1), (0.5, 1), (0.5, 0.8)):
+    for afar, near in ((1, 1), (0.7, 1), (0.5, 1), (0.5, 0.8), (0.5, 0.6)):
         try:
             smaller = dataclasses.replace(sizes, coarse=afar * sizes.coarse, fine=near * sizes.fine)
             return onto_body(body, *ball_mesh(smaller, order))
