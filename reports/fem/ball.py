@@ -16,8 +16,8 @@ ORDER_TYPES = {1: (4, 2), 2: (11, 9)}  # gmsh's numbers of tetrahedra and triang
 class Sizes:
     """Lengths in the unit ball."""
 
-    centre: np.ndarray  # of the fine part, on the sphere
-    radius: float  # of the fine part
+    centres: np.ndarray  # n x 3, on the sphere
+    radius: float  # of the fine part, around each of them
     fine: float
     coarse: float
     growth: float = 0.35  # of an element's size, by distance
@@ -35,9 +35,9 @@ def ball_mesh(sizes, order):
         gmsh.option.setNumber("General.NumThreads", 1)
         gmsh.option.setNumber("Mesh.Algorithm", 6)
         gmsh.model.occ.addSphere(0, 0, 0, 1)
-        centre = gmsh.model.occ.addPoint(*sizes.centre)
+        centres = [gmsh.model.occ.addPoint(*centre) for centre in sizes.centres]
         gmsh.model.occ.synchronize()
-        _set_sizes(gmsh.model.mesh.field, sizes, centre)
+        _set_sizes(gmsh.model.mesh.field, sizes, centres)
         gmsh.model.mesh.generate(3)
         if order == 2:
             gmsh.model.mesh.setOrder(2)
@@ -48,9 +48,9 @@ def ball_mesh(sizes, order):
         gmsh.finalize()
 
 
-def _set_sizes(field, sizes, centre):
+def _set_sizes(field, sizes, centres):
     distance = field.add("Distance")
-    field.setNumbers(distance, "PointsList", [centre])
+    field.setNumbers(distance, "PointsList", centres)
     size = field.add("Threshold")
     field.setNumber(size, "InField", distance)
     field.setNumber(size, "SizeMin", sizes.fine)
@@ -66,7 +66,7 @@ def _taken(mesh, order):
     per_element, per_face = {1: (4, 3), 2: (10, 6)}[order]
     elements = mesh.getElementsByType(tetrahedron)[1].reshape(-1, per_element)
     triangles = mesh.getElementsByType(triangle)[1].reshape(-1, per_face)
-    used = np.unique(elements)  # without the point that only steers
+    used = np.unique(elements)  # without the points that only steer
     row = np.full(int(tags.max()) + 1, -1)
     row[used] = np.arange(len(used))
     place = np.empty((int(tags.max()) + 1, 3))

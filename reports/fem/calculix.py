@@ -43,6 +43,11 @@ class Zone:
     point: np.ndarray
     narrow: float  # of the patch's two radii the lesser, about
     reach: float  # half of the lens's length; the patch, which has half its area, is within
+    across: np.ndarray | None = None  # the normal of the planes behind which bodies are held; None: from each centre to the point
+
+    def held_towards(self, centre):
+        """The point, or what of it is along the normal given."""
+        return self.point if self.across is None else centre + (self.point - centre) @ self.across * self.across
 
 
 @dataclasses.dataclass
@@ -100,7 +105,7 @@ def deck_of(meshes, centres, zone, setting, is_shown=False):
             out.write(f"*SURFACE, NAME=SKIN{body}, TYPE=ELEMENT\n")
             near = _near_faces(mesh, zone)
             out.writelines(f"{element + elements + 1}, S{face}\n" for element, face in near.tolist())
-            held = held_nodes(mesh, centre, zone.point, setting.held) + nodes + 1
+            held = held_nodes(mesh, centre, zone.held_towards(centre), setting.held) + nodes + 1
             out.write(f"*NSET, NSET=HELD{body}\n" + _rows(held.tolist()))
             nodes += len(mesh.nodes)
             elements += len(mesh.elements)

@@ -23,26 +23,26 @@ def hertz(task, result, of, limits):
 
 
 def balance(results):
-    yield from _worst("action = reaction", [r["balance"] for r in results], 1e-5, "of the force")
-    yield from _worst("action and reaction on one line", [r["lines_apart"] for r in results], 0.1, "radii of the patch")
-    yield from _worst("contact elements = reactions", [r["elements_agree"] for r in results], 1e-5, "of the force")
+    yield from worst("action = reaction", [r["balance"] for r in results], 1e-5, "of the force")
+    yield from worst("action and reaction on one line", [r["lines_apart"] for r in results], 0.1, "radii of the patch")
+    yield from worst("contact elements = reactions", [r["elements_agree"] for r in results], 1e-5, "of the force")
 
 
 def half_spaces(results):
     """Each contact's planes, from all starts, are one, and it is the finite elements'."""
     planes = [[p for p in r["planes"] if "reason" not in p] for r in results]
     spread = [degrees_between(a["direction"], b["direction"]) for of in planes for a in of for b in of]
-    yield from _worst("half-spaces: all starts end in one plane", spread, 1e-4, "degrees")
+    yield from worst("half-spaces: all starts end in one plane", spread, 1e-4, "degrees")
     to_fem = [p["fem_deg"] for of in planes for p in of if "fem_deg" in p]
-    yield from _worst("half-spaces: to the finite elements' force", to_fem, 0.2, "degrees")
+    yield from worst("half-spaces: to the finite elements' force", to_fem, 0.2, "degrees")
 
 
 def variations(lines):
     """Of convergence lines."""
-    yield from _worst("no setting turns the force", [x["turned_deg"] for x in lines if "turned_deg" in x], SETTINGS_DEG, "degrees")
+    yield from worst("no setting turns the force", [x["turned_deg"] for x in lines if "turned_deg" in x], SETTINGS_DEG, "degrees")
 
 
-def _worst(name, values, limit, unit):
+def worst(name, values, limit, unit):
     """nan where one is; nothing of none."""
     if values:
         yield name, float(np.max(values)), limit, unit + ", worst of all"

@@ -56,14 +56,15 @@ def sizes_for(body, lens, point, mode):
     reach = np.linalg.norm(body.to_sphere(body.to_body(lens.rim())) - at, axis=1)
     # A narrow lens is divided less often across: as often as it asks for would be the square of its aspect in elements.
     narrow, wide = reach.min(), reach.max()
-    return Sizes(at, wide, narrow * (wide / narrow) ** (1 / 3) / mode.division, mode.coarse)
+    return Sizes(at[None], wide, narrow * (wide / narrow) ** (1 / 3) / mode.division, mode.coarse)
 
 
 def mesh_of(body, sizes, order):
-    """With smaller elements afar where the map onto the body turns large ones inside out."""
-    for part in (1, 0.7, 0.5):
+    """With smaller elements afar, and at last by the contact, where the map onto the body turns large ones inside out."""
+    for afar, near in ((1, 1), (0.7, 1), (0.5, 1), (0.5, 0.8), (0.5, 0.6)):
         try:
-            return onto_body(body, *ball_mesh(dataclasses.replace(sizes, coarse=part * sizes.coarse), order))
+            smaller = dataclasses.replace(sizes, coarse=afar * sizes.coarse, fine=near * sizes.fine)
+            return onto_body(body, *ball_mesh(smaller, order))
         except MeshFailure as error:
             failure = error
     raise failure

@@ -5,11 +5,11 @@ import dataclasses
 import numpy as np
 
 
-def basis_of(normal):
-    """Rows t1, t2, normal: right-handed, orthonormal."""
+def basis_of(normal, along=None):
+    """Rows t1, t2, normal: right-handed, orthonormal; t1 nearest to `along`, if given."""
     normal = normal / np.linalg.norm(normal)
     other = np.eye(3)[np.argmin(np.abs(normal))]
-    t1 = np.cross(other, normal)
+    t1 = np.cross(other, normal) if along is None else along - along @ normal * normal
     t1 /= np.linalg.norm(t1)
     return np.array([t1, np.cross(normal, t1), normal])
 

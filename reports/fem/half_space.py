@@ -75,8 +75,9 @@ class Pressed:
     area: float  # in contact, seen along the plane's normal
 
 
-def press(first, second, normal, inside, modulus, cells):
-    frame = basis_of(normal)
+def press(first, second, normal, inside, modulus, cells, along=None):
+    """along: an axis of the grid, so that a narrow patch is not across it."""
+    frame = basis_of(normal, along)
     centre, half = lens_window(first, second, frame, inside)
     gap = gap_on(first, second, frame, centre, half, cells)
     p = pressures(gap.values, gap.step, modulus).reshape(-1)
@@ -89,10 +90,10 @@ def press(first, second, normal, inside, modulus, cells):
     return Pressed(force, p[on] @ ((one + two) / 2) / p[on].sum(), on.sum() * cell)
 
 
-def settle(first, second, normal, inside, modulus, cells=96, limit=60, tolerance_deg=1e-5):
+def settle(first, second, normal, inside, modulus, cells=96, limit=60, tolerance_deg=1e-5, along=None):
     """Plane by plane until the force is along the plane's normal; the last Pressed and how many planes there were."""
     for planes in range(1, limit + 1):
-        pressed = press(first, second, normal, inside, modulus, cells)
+        pressed = press(first, second, normal, inside, modulus, cells, along)
         turned = pressed.force / np.linalg.norm(pressed.force)
         angle = np.degrees(np.arctan2(np.linalg.norm(np.cross(turned, normal)), turned @ normal))
         normal, inside = turned, pressed.centre

@@ -61,6 +61,14 @@ def answers(cases):
     return out
 
 
+def patches(cases):
+    """For each case {"auto": normal, points, contact_point, overlap and the patch}, or {}."""
+    for number, case in enumerate(cases):
+        case["name"] = str(number)
+    wanted = ["--method", "auto", "--want", "overlap,normal,points,patch", "--json"]
+    return [{"auto": of} if of["status"] == "converged" else {} for of in _objects(plumb(["solve", "-", *wanted], lines_of(cases)))]
+
+
 def _objects(text):
     return [json.loads(line) for line in text.splitlines()]
 

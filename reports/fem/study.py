@@ -11,6 +11,8 @@ import os
 import pathlib
 import shlex
 import sys
+import types
+import typing
 from concurrent.futures.process import BrokenProcessPool
 
 import numpy as np
@@ -21,7 +23,7 @@ import tables
 from contact import Mode, degrees_between
 from mesh import MeshFailure
 from methods import TOP, CommandFailure, answers, placed, plumb
-from tasks import Busy, Task, engine_versions, run_all
+from tasks import Busy, Task, calculated, engine_versions, run_all
 
 MODES = {"quick": Mode(order=1, division=4), "full": Mode(order=2, division=2.5)}
 RATIOS = {"quick": (0.005, 0.02), "full": (0.002, 0.005, 0.01, 0.02)}
@@ -154,6 +156,8 @@ def convergence_line(task, what, which, result, base):
 class Study:
     """All tasks of a mode, in one list, so that they run side by side, and the lines that they give."""
 
+    held = HELD
+
     def __init__(self, geometries, ratios, mode):
         self.geometries, own = geometries, MODES[mode]
         self.answered = [
@@ -194,7 +198,20 @@ class Study:
             yield from (head | plane for plane in result["planes"])
 
 
-def run_line(arguments, words, engines):
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """What a run is of."""
+
+    geometries: str  # the file of its own, beside this one
+    ratios: dict  # by mode
+    make: type  # of (geometries, ratios, mode): its tasks, of which `varied` are those of other settings, and its lines
+    calculate: typing.Callable  # a task
+    shown: types.ModuleType  # LIMITS, and of the lines text and findings
+    file: str
+    draw: typing.Callable | None = None
+
+
+def run_line(arguments, words, engines, limits, held):
     host = {"commit": os.environ.get("PLUMB_COMMIT", "?"), "cores": str(os.cpu_count()), "numpy": np.__version__, **engines}
     return {
         "kind": "run",
@@ -203,8 +220,8 @@ def run_line(arguments, words, engines):
         "mode": arguments.mode,
         "young": calculix.YOUNG,
         "poisson": calculix.POISSON,
-        "held": HELD,
-        "limits": tables.LIMITS,
+        "held": held,
+        "limits": limits,
     }
 
 
@@ -217,16 +234,18 @@ class Parser(argparse.ArgumentParser):
         raise BadInput(f"{self.prog}: {message}")
 
 
-def parsed(words):
+def parsed(words, kind):
     parser = Parser(prog="reports/fem/run", description=__doc__)
     parser.add_argument("--quick", dest="mode", action="store_const", const="quick", default="full")
-    parser.add_argument("--geometries", default=str(pathlib.Path(__file__).parent / "geometries.jsonl"), metavar="FILE")
+    parser.add_argument("--patches", action="store_true", help="faces and edges: where the force acts, against plumb's patches")
+    parser.add_argument("--geometries", default=str(pathlib.Path(__file__).parent / kind.geometries), metavar="FILE")
     parser.add_argument("--ratios", type=float, nargs="+", metavar="R")
+    parser.add_argument("--no-settings", action="store_true", help="without asking what the result hangs on")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--pictures", action="store_true", help="also DIR/angles.png and DIR/contact.png")
     parser.add_argument("--out", default=str(TOP / "build/fem"), metavar="DIR")
     arguments = parser.parse_args(words)
-    arguments.ratios = arguments.ratios or RATIOS[arguments.mode]
+    arguments.ratios = arguments.ratios or kind.ratios[arguments.mode]
     if not all(0 < ratio <= 0.1 for ratio in arguments.ratios):
         raise BadInput("--ratios: more than 0 and at most 0.1")
     if len(set(arguments.ratios)) < len(arguments.ratios):
@@ -235,6 +254,8 @@ def parsed(words):
         raise BadInput(f"--out: {arguments.out}: is no folder")
     if arguments.jobs < 1:
         raise BadInput("--jobs: at least 1")
+    if arguments.pictures and kind.draw is None:
+        raise BadInput("--pictures: there are none of --patches")
     return arguments
 
 
@@ -249,25 +270,30 @@ def draw(study, lines, out):
             figures.draw_contact(task, out / "contact.png")
 
 
-def main(arguments, words):
+OWN = Kind("geometries.jsonl", RATIOS, Study, calculated, tables, "fem.jsonl", draw)
+
+
+def main(arguments, words, kind):
     out = pathlib.Path(arguments.out)
-    study = Study(read_geometries(arguments.geometries), arguments.ratios, arguments.mode)
+    study = kind.make(read_geometries(arguments.geometries), arguments.ratios, arguments.mode)
+    if arguments.no_settings:
+        study.varied = []
     engines = engine_versions()
-    results = run_all(study.tasks(), out, engines["ccx"], arguments.jobs, show_progress)
-    lines = [run_line(arguments, words, engines), *study.lines(results)]
-    (out / "fem.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
-    print(tables.text(lines), flush=True)
+    results = run_all(study.tasks(), out, engines["ccx"], arguments.jobs, show_progress, kind.calculate)
+    lines = [run_line(arguments, words, engines, kind.shown.LIMITS, study.held), *study.lines(results)]
+    (out / kind.file).write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    print(kind.shown.text(lines), flush=True)
     if arguments.pictures:
-        draw(study, lines, out)
-    return 1 if tables.findings(lines) else 0
+        kind.draw(study, lines, out)
+    return 1 if kind.shown.findings(lines) else 0
 
 
-def answered(words):
+def answered(words, kind):
     """The exit code, with one line where there is nothing to show."""
     arguments = None
     try:
-        arguments = parsed(words)
-        return main(arguments, words)
+        arguments = parsed(words, kind)
+        return main(arguments, words, kind)
     except (BadInput, CommandFailure, Busy, checks.NoCheck, calculix.EngineFailure, MeshFailure, BrokenProcessPool) as error:
         print(error, file=sys.stderr)
     except ImportError as error:
@@ -281,4 +307,4 @@ def answered(words):
 
 
 if __name__ == "__main__":
-    sys.exit(answered(sys.argv[1:]))
+    sys.exit(answered(sys.argv[1:], OWN))

@@ -41,7 +41,7 @@ def engine_versions():
     return {"ccx": ccx[-1] if ccx else "?", "gmsh": (gmsh.stdout + gmsh.stderr).strip()}
 
 
-def _calculated(task, out, engine):
+def calculated(task, out, engine):
     """In a process of its own: what contact.judged gives, or why there is nothing; "planes", those of half-spaces."""
     try:
         pair = pair_of(task.case)
@@ -54,12 +54,17 @@ def _calculated(task, out, engine):
 
 def _result(task, pair, lens, out, engine):
     meshes, deck = contact.meshes_and_deck(pair, task.answers["auto"], lens, task.mode, task.setting)
+    return calculation(meshes, deck, task.setting, out, engine)
+
+
+def calculation(meshes, deck, setting, out, engine):
+    """What is kept of this deck, or made now and kept."""
     key = hashlib.sha256((calculix.reading() + engine + deck).encode()).hexdigest()[:24]
     path = out / "kept" / f"{key}.json"
     with contextlib.suppress(OSError, ValueError, TypeError, AttributeError):  # not there, or not whole: calculated again
         return calculix.Result.from_json(json.loads(path.read_text()))
     folder = out / "work" / key
-    result = calculix.run(folder, deck, meshes, task.setting)
+    result = calculix.run(folder, deck, meshes, setting)
     _keep(path, result.to_json())
     shutil.rmtree(folder)  # megabytes a calculation; of a failed one they are what is left to look at
     return result
@@ -90,12 +95,12 @@ def alone_in(out):
         yield
 
 
-def run_all(tasks, out, engine, jobs, tell):
+def run_all(tasks, out, engine, jobs, tell, calculate=calculated):
     """The results in the order of the tasks, through `jobs` processes; tell(done, of) goes along. Busy, or what a task raises."""
     out = pathlib.Path(out)
     with alone_in(out), concurrent.futures.ProcessPoolExecutor(jobs, initializer=_mortal) as pool:
         tell(0, len(tasks))
-        waiting = [pool.submit(_calculated, task, out, engine) for task in tasks]
+        waiting = [pool.submit(calculate, task, out, engine) for task in tasks]
         try:
             for number, done in enumerate(concurrent.futures.as_completed(waiting), start=1):
                 done.result()
