@@ -63,7 +63,7 @@ TEST(Tally, SurvivesItsFile) {
   judgement.finding = {FindingKind::misaligned, 1e6, "aligned", ""};
   judgement.angle_error_deg = 12.5;
   judgement.overlap_error = 1e-3;
-  add_answer(tally, {1, 2, 3, 4}, answer, judgement, 1234);
+  add_answer(tally, Place{1, 2, 3, 4}, answer, judgement, 1234);
   EXPECT_EQ(tally.angles_wrong, 1u);
   const Json kept = tally.to_json();
   EXPECT_EQ(Tally::read(Field(kept)).to_json(), kept);
