@@ -108,7 +108,7 @@ void add_side_and_ends(Json& out, const Round& wall) {
 }
 
 Json shape_json(const WallShape& shape) {
-  return std::visit(detail::Overloaded{[](const PlaneWall&) { return Json(); },
+  return std::visit(plumb::detail::Overloaded{[](const PlaneWall&) { return Json(); },
                                        [](const MeshWall& wall) {
                                          Json out;
                                          if (wall.file.empty())
