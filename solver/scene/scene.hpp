@@ -35,6 +35,7 @@ struct Wall {
   std::size_t material = 0;
   WallShape shape{};
   std::array<double, 4> quaternion{1, 0, 0, 0};  ///< (w, x, y, z), any length but 0: of all but a plane
+  /// Whether it has no other shape.
   [[nodiscard]] bool is_plane() const { return std::holds_alternative<PlaneWall>(shape); }
 };
 

@@ -257,7 +257,7 @@ class Run(InAFolder):
         self.assertEqual(ran.returncode, 1)
         self.assertEqual(sorted(ran.stdout.splitlines()[-3:]),
                          ["failed: fuzz-contact with sanitizers", "failed: properties/run", "failed: reports/gate"])
-        self.assertEqual(ran.stdout.count("\n== "), 2 * 23)
+        self.assertEqual(ran.stdout.count("\n== "), 2 * 25)
 
     def test_a_step_that_does_not_come_back_has_failed(self):
         self.program("build/fuzz/bin/fuzz-pair", "kill -9 0")
@@ -267,7 +267,7 @@ class Run(InAFolder):
     def test_what_a_step_prints_stays_together(self):
         self.program("build/fuzz/bin/fuzz-pair", "echo first; sleep 0.5; echo last")
         ran = self.run_here(".ci/run")
-        self.assertEqual(ran.stdout.count("first\nlast\n"), 10)
+        self.assertEqual(ran.stdout.count("first\nlast\n"), 12)
 
     def test_nightly_is_everything(self):
         self.program(".ci/lint", 'echo "lint: $* $PLUMB_NIGHTLY"')
