@@ -109,35 +109,35 @@ void add_side_and_ends(Json& out, const Round& wall) {
 
 Json shape_json(const WallShape& shape) {
   return std::visit(plumb::detail::Overloaded{[](const PlaneWall&) { return Json(); },
-                                       [](const MeshWall& wall) {
-                                         Json out;
-                                         if (wall.file.empty())
-                                           out["triangles"] = triangles_json(*wall.mesh);
-                                         else
-                                           out["file"] = wall.file;
-                                         out["smooth_deg"] = wall.smooth_deg;
-                                         return out;
-                                       },
-                                       [](const CylinderWall& wall) {
-                                         Json out;
-                                         out["radius"] = wall.radius;
-                                         out["half_length"] = wall.half_length;
-                                         add_side_and_ends(out, wall);
-                                         return out;
-                                       },
-                                       [](const ConeWall& wall) {
-                                         Json out;
-                                         out["radii"] = wall.radii;
-                                         out["height"] = wall.height;
-                                         add_side_and_ends(out, wall);
-                                         return out;
-                                       },
-                                       [](const BoxWall& wall) {
-                                         Json out;
-                                         out["half_extents"] = vector_json(wall.half_extents);
-                                         out["side"] = word_of(wall.side);
-                                         return out;
-                                       }},
+                                              [](const MeshWall& wall) {
+                                                Json out;
+                                                if (wall.file.empty())
+                                                  out["triangles"] = triangles_json(*wall.mesh);
+                                                else
+                                                  out["file"] = wall.file;
+                                                out["smooth_deg"] = wall.smooth_deg;
+                                                return out;
+                                              },
+                                              [](const CylinderWall& wall) {
+                                                Json out;
+                                                out["radius"] = wall.radius;
+                                                out["half_length"] = wall.half_length;
+                                                add_side_and_ends(out, wall);
+                                                return out;
+                                              },
+                                              [](const ConeWall& wall) {
+                                                Json out;
+                                                out["radii"] = wall.radii;
+                                                out["height"] = wall.height;
+                                                add_side_and_ends(out, wall);
+                                                return out;
+                                              },
+                                              [](const BoxWall& wall) {
+                                                Json out;
+                                                out["half_extents"] = vector_json(wall.half_extents);
+                                                out["side"] = word_of(wall.side);
+                                                return out;
+                                              }},
                     shape);
 }
 

@@ -116,9 +116,9 @@ Effects read_scene_effects(Bytes bytes, std::size_t walls) {
   };
   each_effect(effects, [&](auto& slot) {
     using Slot = std::remove_cvref_t<decltype(slot)>;
-    constexpr bool is_new =
-        std::is_same_v<Slot, std::optional<Volume>> || std::is_same_v<Slot, std::optional<Foundation>> ||
-        std::is_same_v<Slot, std::optional<Dmt>> || std::is_same_v<Slot, std::optional<Jkr>>;
+    constexpr bool is_new = std::is_same_v<Slot, std::optional<Volume>> ||
+                            std::is_same_v<Slot, std::optional<Foundation>> ||
+                            std::is_same_v<Slot, std::optional<Dmt>> || std::is_same_v<Slot, std::optional<Jkr>>;
     if constexpr (!is_new) fill(slot);
   });
   fill(effects.volume);

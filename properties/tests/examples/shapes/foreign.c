@@ -21,8 +21,12 @@ static void sum(const two_ellipsoids* both, const double n[3], double x[3], doub
       h[i] = ((i % 4 == 0 ? a[i / 3] * a[i / 3] : 0) - e[i / 3] * e[i % 3]) / q + (k == 0 ? 0 : h[i]);
   }
 }
-static void support(const void* data, const double n[3], double x[3]) { sum(data, n, x, NULL); }
-static void hessian(const void* data, const double n[3], double h[9]) { sum(data, n, (double[3]){0}, h); }
+static void support(const void* data, const double n[3], double x[3]) {
+  sum(data, n, x, NULL);
+}
+static void hessian(const void* data, const double n[3], double h[9]) {
+  sum(data, n, (double[3]){0}, h);
+}
 /* Two terms of one sign, each with less than 8 roundings. */
 static void enclose(const void* data, const double n[3], double lower[3], double upper[3]) {
   sum(data, n, upper, NULL);
@@ -39,7 +43,9 @@ static int is_right(const plumb_convex_pair* pair, plumb_contact* contact) {
   if (plumb_certify_convex(pair, contact->normal, &proved) != PLUMB_OK || proved.global != PLUMB_PROVED) return 0;
   return contact->overlap > proved.overlap_lower - 1e-12 && contact->overlap < proved.overlap_upper + 1e-12;
 }
-static double drawn(void) { return 2.0 * rand() / RAND_MAX - 1; }
+static double drawn(void) {
+  return 2.0 * rand() / RAND_MAX - 1;
+}
 
 int main(void) {
   const two_ellipsoids both = {{{1, 0.25, 0.25}, {0.25, 0.5, 0.125}}};
@@ -53,7 +59,9 @@ int main(void) {
     for (int k = 0; k < 3; ++k) pair.bodies[1].position[k] = i == 0 ? 0.75 * k : 1.5 * drawn();
     for (int k = 0; k < 4; ++k) pair.bodies[1].quaternion_wxyz[k] = i == 0 ? k == 3 : drawn();
     right += is_right(&pair, &contact);
-    if (i == 0) printf("overlap %.6f, p1 %.6f %.6f %.6f\n", contact.overlap, contact.points[0][0], contact.points[0][1], contact.points[0][2]);
+    if (i == 0)
+      printf("overlap %.6f, p1 %.6f %.6f %.6f\n", contact.overlap, contact.points[0][0], contact.points[0][1],
+             contact.points[0][2]);
   }
   return printf("%d of 200 pairs are right\n", right), 0;
 }
