@@ -21,7 +21,7 @@ Json shapes_line(const Case& c, const Solver& solver, const JudgedAnswer& judged
 
 void keep_shapes(Results& results, const Source& source, const Case& c, const std::string& method,
                  const Finding& finding, const Accuracy& accuracy) {
-  const std::string words = bucket(name(finding.kind), method, *c.convex);
+  const std::string words = bucket(name(finding.kind), method, c.convex.value());
   ++results.buckets[words];
   results.kept.add(words, failure_of(failing_case(c, method, finding, accuracy, source.command)));
 }
@@ -33,7 +33,7 @@ void judge_shapes(Results& results, const Source& source, const Case& c, std::ui
   FamilyResults& family = results.families[source.family];
   Json answers = Json::array();
   for (const Solver& solver : options.solvers) {
-    const JudgedAnswer judged = solve_and_judge(*c.convex, solver, options.accuracy);
+    const JudgedAnswer judged = solve_and_judge(c.convex.value(), solver, options.accuracy);
     Tally& tally = family.methods[solver.name];
     tally.published = solver.published;
     tally.not_asked += judged.asked ? 0 : 1;
@@ -47,7 +47,7 @@ void judge_shapes(Results& results, const Source& source, const Case& c, std::ui
     results.answers[{source.family, index}] =
         write_json(Json{{"case", Json::parse(format_case(c))}, {"answers", std::move(answers)}}) + "\n";
   ++family.cases;
-  family.digest += digest(*c.convex);
+  family.digest += digest(c.convex.value());
   ++family.needed[static_cast<std::size_t>(Effort::bounds)];
 }
 
