@@ -77,7 +77,7 @@ void check_materials(const Scene& scene) {
 
 void check_region(const Outputs& outputs) {
   const char* const at = "run.outputs.region";
-  const Region& region = *outputs.region;
+  const Region& region = outputs.region.value();
   require(outputs.bulk, at, "is of the output bulk, which is not asked for");
   require(region.low.allFinite() && region.high.allFinite(), at, "must be finite numbers");
   require((region.low.array() < region.high.array()).all(), at, "low must be below high along each axis");
