@@ -21,7 +21,7 @@ Json shapes_line(const Case& c, const Solver& solver, const JudgedAnswer& judged
 
 void keep_shapes(Results& results, const Source& source, const Case& c, const std::string& method,
                  const Finding& finding, const Accuracy& accuracy) {
-  const std::string words = bucket(name(finding.kind), method, c.convex.value());
+  const std::string words = bucket(name(finding.kind), method, c.convex.value_or(ConvexPair{}));
   ++results.buckets[words];
   results.kept.add(words, failure_of(failing_case(c, method, finding, accuracy, source.command)));
 }
@@ -30,10 +30,12 @@ void keep_shapes(Results& results, const Source& source, const Case& c, const st
 
 void judge_shapes(Results& results, const Source& source, const Case& c, std::uint64_t index,
                   const CampaignOptions& options) {
+  if (!c.convex) return;
+  const ConvexPair& pair = *c.convex;
   FamilyResults& family = results.families[source.family];
   Json answers = Json::array();
   for (const Solver& solver : options.solvers) {
-    const JudgedAnswer judged = solve_and_judge(c.convex.value(), solver, options.accuracy);
+    const JudgedAnswer judged = solve_and_judge(pair, solver, options.accuracy);
     Tally& tally = family.methods[solver.name];
     tally.published = solver.published;
     tally.not_asked += judged.asked ? 0 : 1;
@@ -47,7 +49,7 @@ void judge_shapes(Results& results, const Source& source, const Case& c, std::ui
     results.answers[{source.family, index}] =
         write_json(Json{{"case", Json::parse(format_case(c))}, {"answers", std::move(answers)}}) + "\n";
   ++family.cases;
-  family.digest += digest(c.convex.value());
+  family.digest += digest(pair);
   ++family.needed[static_cast<std::size_t>(Effort::bounds)];
 }
 

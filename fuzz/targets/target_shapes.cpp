@@ -16,7 +16,8 @@ namespace {
 
 void keep_shapes(const Case& c, const Finding& finding) {
   const Case kept = failing_case(c, target_settings().solver.name, finding, target_settings().accuracy, "fuzz-shapes");
-  keep_fuzzed(bucket(name(finding.kind), target_settings().solver.name, *c.convex) + "--fuzzed.json",
+  keep_fuzzed(bucket(name(finding.kind), target_settings().solver.name, c.convex.value_or(ConvexPair{})) +
+                  "--fuzzed.json",
               format_case(kept) + "\n");
 }
 
@@ -24,7 +25,8 @@ void keep_shapes(const Case& c, const Finding& finding) {
 
 Outcome examine(std::span<const std::uint8_t> bytes) {
   const Case c = decode_shapes(bytes);
-  if (!find_input_error(*c.convex).reason.empty()) return {true, "the layout gave a pair that is not legal input"};
+  if (!c.convex || !find_input_error(*c.convex).reason.empty())
+    return {true, "the layout gave a pair that is not legal input"};
   const TargetSettings& settings = target_settings();
   const JudgedAnswer judged = solve_and_judge(*c.convex, settings.solver, settings.accuracy);
   if (!judged.asked) return {false, "not claimed"};

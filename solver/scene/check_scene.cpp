@@ -75,10 +75,9 @@ void check_materials(const Scene& scene) {
   }
 }
 
-void check_region(const Outputs& outputs) {
+void check_region(const Region& region, bool has_bulk) {
   const char* const at = "run.outputs.region";
-  const Region& region = outputs.region.value();
-  require(outputs.bulk, at, "is of the output bulk, which is not asked for");
+  require(has_bulk, at, "is of the output bulk, which is not asked for");
   require(region.low.allFinite() && region.high.allFinite(), at, "must be finite numbers");
   require((region.low.array() < region.high.array()).all(), at, "low must be below high along each axis");
 }
@@ -133,7 +132,7 @@ void check_run(const Run& run) {
           "must be a positive number or auto");
   require(std::isfinite(run.outputs.every) && run.outputs.every >= 0, "run.outputs.every",
           "must be a number, 0 or more");
-  if (run.outputs.region) check_region(run.outputs);
+  if (run.outputs.region) check_region(*run.outputs.region, run.outputs.bulk);
 }
 
 }  // namespace
