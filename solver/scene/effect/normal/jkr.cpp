@@ -69,22 +69,29 @@ class Holding {
   }
 
   void pull() const {
-    for (const std::uint32_t c : world_.contacts.touching)
-      if (radii_[c] > 0) (*world_.contacts.normal_force)[c] += law(c).force(place(c)) - hertz(c, 1.5);
+    for (const std::uint32_t c : world_.contacts.touching) {
+      if (!(radii_[c] > 0)) continue;
+      const Adhesive law = law_of(c);
+      (*world_.contacts.normal_force)[c] += law.force(law.place_of(overlap(c))) - hertz(c, 1.5);
+    }
   }
 
   /// Less what Hertz's force alone would store.
   [[nodiscard]] double energy() const {
     double sum = 0;
-    for (const std::uint32_t c : world_.contacts.touching)
-      if (radii_[c] > 0) sum += law(c).energy(place(c)) - 0.4 * hertz(c, 2.5);
+    for (const std::uint32_t c : world_.contacts.touching) {
+      if (!(radii_[c] > 0)) continue;
+      const Adhesive law = law_of(c);
+      sum += law.energy(law.place_of(overlap(c))) - 0.4 * hertz(c, 2.5);
+    }
     return sum;
   }
 
  private:
   [[nodiscard]] double overlap(std::size_t c) const { return (*world_.contacts.overlap)[c]; }
-  [[nodiscard]] Adhesive law(std::size_t c) const { return {works_.at(c).work_of_adhesion, moduli_.at(c), radii_[c]}; }
-  [[nodiscard]] double place(std::size_t c) const { return law(c).place_of(overlap(c)); }
+  [[nodiscard]] Adhesive law_of(std::size_t c) const {
+    return {works_.at(c).work_of_adhesion, moduli_.at(c), radii_[c]};
+  }
   [[nodiscard]] double hertz(std::size_t c, double power) const {
     return overlap(c) > 0 ? moduli_.at(c) * (*hertz_factors_)[c] * std::pow(overlap(c), power) : 0;
   }
@@ -95,7 +102,7 @@ class Holding {
       const double root = 0.75 * hertz_contact(curvature[0], curvature[1]).force_factor;
       radii_[c] = root * root;
     }
-    if (radii_[c] > 0 && overlap(c) <= law(c).parting()) radii_[c] = 0;
+    if (radii_[c] > 0 && overlap(c) <= law_of(c).parting()) radii_[c] = 0;
   }
 
   World& world_;
