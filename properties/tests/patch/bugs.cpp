@@ -21,8 +21,8 @@ struct SeededPatch {
     void* library = dlopen(PLUMB_SEEDED_PATCH, RTLD_NOW | RTLD_LOCAL);
     EXPECT_NE(library, nullptr) << dlerror();
     return {reinterpret_cast<Solve*>(dlsym(library, "seeded_patch")),
-            reinterpret_cast<int (*)()>(dlsym(library, "seeded_patch_bugs")),
-            reinterpret_cast<const char* (*)(int)>(dlsym(library, "seeded_patch_name"))};
+            reinterpret_cast<int (*)()>(dlsym(library, "seeded_count")),
+            reinterpret_cast<const char* (*)(int)>(dlsym(library, "seeded_name"))};
   }
 };
 

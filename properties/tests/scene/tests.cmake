@@ -34,25 +34,5 @@ foreach(effect IN LISTS variants)
   set_tests_properties(scene/left_out.${effect} PROPERTIES TIMEOUT 300)
 endforeach()
 
-# Walls with seeded bugs, each of which a test must find: fuzz/bugs/walls/walls.json, sown by fuzz/bugs/seed.cmake.
-target_link_libraries(test_scene PRIVATE ${CMAKE_DL_LIBS})
-if(PLUMB_ONE_COMPILATION)  # the linter sows nothing
-  target_compile_definitions(test_scene PRIVATE PLUMB_SEEDED_WALLS="")
-  return()
-endif()
-set(bugs ${PROJECT_SOURCE_DIR}/fuzz/bugs)
-set(sown ${CMAKE_CURRENT_BINARY_DIR}/seeded_walls)
-file(GLOB pristine CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solver/scene/wall/*)
-add_custom_command(OUTPUT ${sown}/stamp
-  COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TABLES=${bugs}/walls/walls.json -D OUT=${sown} -P ${bugs}/seed.cmake
-  COMMAND ${CMAKE_COMMAND} -E touch ${sown}/stamp
-  DEPENDS ${bugs}/seed.cmake ${bugs}/walls/walls.json ${pristine} COMMENT "Seeding bugs of walls" VERBATIM)
-add_library(seeded_walls MODULE ${bugs}/walls/seeded_walls.cpp)
-set_source_files_properties(${bugs}/walls/seeded_walls.cpp PROPERTIES OBJECT_DEPENDS ${sown}/stamp)
-target_include_directories(seeded_walls BEFORE PRIVATE ${sown})
-target_link_libraries(seeded_walls PRIVATE plumb_solver Boost::headers plumb_flags)
-target_compile_options(seeded_walls PRIVATE -include ${bugs}/seeded_bug.hpp -ftls-model=initial-exec)
-target_link_options(seeded_walls PRIVATE -Wl,-Bsymbolic)
-set_target_properties(seeded_walls PROPERTIES PREFIX "" UNITY_BUILD OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-add_dependencies(test_scene seeded_walls)
-target_compile_definitions(test_scene PRIVATE PLUMB_SEEDED_WALLS="$<TARGET_FILE:seeded_walls>")
+# Walls with seeded bugs: fuzz/bugs/walls.
+plumb_add_sown_library(test_scene walls scene/wall plumb_solver Boost::headers)
