@@ -110,6 +110,24 @@ Body box(const Vec3<double>& half, const Vec3<double>& at, double exponent = 400
   return out;
 }
 
+TEST(Patch, OfABodyBehindAWallIsTheBody) {
+  Body body = ball(0.5, 0.25);
+  body.shape.semi_axes[2] = 0.75;
+  const double volume = 4 * pi / 3 * 0.5 * 0.5 * 0.75;
+  for (const double exponent : {2.0, 4.0}) {
+    body.shape.n1 = body.shape.n2 = exponent;
+    for (const double distance : {0.5, 1.0, 3.0, 4.5, 10.0, 1e3, 1e9, 1e300}) {
+      const Patch patch = patch_at_wall(body, Vec3<double>::UnitX(), {0.25 - distance, 1, 2}, 1e-3);
+      ASSERT_LE(patch.error, 1e-3) << exponent << " at " << distance;
+      if (exponent == 2) {
+        EXPECT_NEAR(patch.volume, volume, 1e-3 * volume) << distance;
+      }
+      EXPECT_LE(patch.area, 1e-3) << exponent << " at " << distance;
+      EXPECT_LE((patch.centre - body.position).norm(), 1e-3) << exponent << " at " << distance;
+    }
+  }
+}
+
 TEST(Patch, OfBoxesIsABox) {
   const double depth = 0.05, offset = 0.7;
   const Patch patch = patch_of({box({1, 1, 1}, {0, 0, 0}), box({1, 1, 1}, {offset, 0, 2 - depth})});
