@@ -153,7 +153,7 @@ Pair Simulation::pair_of(std::size_t contact) const {
 Snapshot Simulation::snapshot() const {
   Snapshot out{step_, totals_, world_->contacts.pairs, {}};
   for (const Column& column : world_->columns)
-    if (column.kind().is_kept) out.columns.emplace_back(column.name(), column.values());
+    if (column.kind().is_saved()) out.columns.emplace_back(column.name(), column.values());
   return out;
 }
 
@@ -165,7 +165,7 @@ std::optional<Simulation::Misfit> Simulation::misfit(const Snapshot& snapshot) c
   for (const auto& [name, values] : snapshot.columns) {
     const Column* column = world_->columns.find(name);
     const std::string field = "columns." + name;
-    if (column == nullptr || !column->kind().is_kept) return Misfit{field, "the scene keeps no such column"};
+    if (column == nullptr || !column->kind().is_saved()) return Misfit{field, "the scene keeps no such column"};
     if (!kept.insert(name).second) return Misfit{field, "stands twice"};
     const std::size_t entries = column->kind().of == ColumnKind::body ? world_->bodies.all() : snapshot.pairs.size();
     if (values.size() != entries * column->width())
@@ -173,7 +173,7 @@ std::optional<Simulation::Misfit> Simulation::misfit(const Snapshot& snapshot) c
                                std::to_string(entries * column->width())};
   }
   for (const Column& column : world_->columns)
-    if (column.kind().is_kept && !kept.contains(column.name()))
+    if (column.kind().is_saved() && !kept.contains(column.name()))
       return Misfit{"columns." + std::string(column.name()), "missing"};
   return std::nullopt;
 }

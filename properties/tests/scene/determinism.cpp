@@ -68,6 +68,20 @@ TEST(Determinism, ASnapshotGoesOnAsIfNothingHadHappened) {
     EXPECT_EQ(find_snapshot_change(cut(scene, long_enough), long_enough / 3), "") << scene.name;
 }
 
+// It stands where a later step finds none.
+TEST(Determinism, ASnapshotHasEachContactsLastAnswer) {
+  const Scene scene = crowd();
+  const auto whole = started(scene), resumed = started(scene);
+  step_to(*whole, 100);
+  ASSERT_TRUE(resumed->restore(whole->snapshot()));
+  ASSERT_FALSE(whole->world().contacts.touching.empty());
+  for (const char* name : {"overlap", "normal", "arm1", "arm2", "inverse_mass"}) {
+    const Column *last = whole->world().columns.find(name), *again = resumed->world().columns.find(name);
+    ASSERT_NE(last, nullptr) << name;
+    EXPECT_EQ(hash_of(again->values()), hash_of(last->values())) << name;
+  }
+}
+
 // From any step, also one whose list is about to change.
 TEST(Determinism, EverySnapshotGoesOn) {
   const Scene scene = crowd();

@@ -1,5 +1,6 @@
 // The state as named columns: so many numbers for each body (walls after the bodies), or for each pair of the contact list.
-// What is kept goes into checkpoints and the hash, whoever owns it; the rest is made anew in each step.
+// What is kept goes into checkpoints and the hash, whoever owns it. A contact's answer goes into checkpoints: where a step finds none,
+// the last one stands. The rest is made anew in each step.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,11 @@ struct ColumnKind {
   enum Of { body, pair } of = body;
   int width = 1;  ///< numbers an entry
   bool is_kept = false;
-  double initial = 0;    ///< of an entry that is new
-  bool forgets = false;  ///< a pair that does not touch has the initial value again
+  double initial = 0;      ///< of an entry that is new
+  bool forgets = false;    ///< a pair that does not touch has the initial value again
+  bool is_answer = false;  ///< of the solver, or made of its answer alone
+
+  [[nodiscard]] bool is_saved() const { return is_kept || is_answer; }
 };
 
 /// What a contact remembers for as long as it lasts.

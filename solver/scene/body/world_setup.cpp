@@ -43,19 +43,22 @@ void add_contacts(World& world, const Plan& plan) {
   const auto pair = [&](const char* name, const char* owner, int width, bool is_kept = false, double initial = 0) {
     return &world.columns.add(name, owner, {Kind::pair, width, is_kept, initial});
   };
+  const auto answer = [&](const char* name, const char* owner, int width) {
+    return &world.columns.add(name, owner, {.of = Kind::pair, .width = width, .is_answer = true});
+  };
   Contacts& contacts = world.contacts;
   contacts.range = plan.needs.range;
   contacts.is_pressing = pair("is_pressing", "contacts", 1, true);
   contacts.chart = pair("chart", "solver", 12, true, std::numeric_limits<double>::quiet_NaN());
-  if (plan.want.overlap) contacts.overlap = pair("overlap", "solver", 1);
-  if (plan.want.normal) contacts.normal = pair("normal", "solver", 3);
-  if (plan.want.points) contacts.point = pair("point", "solver", 3);
-  if (plan.want.curvature) contacts.curvature = pair("curvature", "solver", 2);
+  if (plan.want.overlap) contacts.overlap = answer("overlap", "solver", 1);
+  if (plan.want.normal) contacts.normal = answer("normal", "solver", 3);
+  if (plan.want.points) contacts.point = answer("point", "solver", 3);
+  if (plan.want.curvature) contacts.curvature = answer("curvature", "solver", 2);
   if (plan.needs.patch) {
-    contacts.volume = pair("volume", "patch", 1);
-    contacts.area = pair("area", "patch", 1);
-    contacts.patch_arms = pair("patch_arms", "patch", 9);
-    contacts.area_moment = pair("area_moment", "patch", 3);
+    contacts.volume = answer("volume", "patch", 1);
+    contacts.area = answer("area", "patch", 1);
+    contacts.patch_arms = answer("patch_arms", "patch", 9);
+    contacts.area_moment = answer("area_moment", "patch", 3);
     contacts.patch_tolerance = plan.want.patch_tolerance;
   }
   if (plan.needs.normal_force) {
@@ -64,14 +67,14 @@ void add_contacts(World& world, const Plan& plan) {
   }
   if (plan.needs.lives) contacts.life = &add_lives(world);
   if (plan.needs.contact_force) contacts.force = pair("contact_force", "contacts", 3);
-  if (plan.needs.radius) contacts.radius = pair("radius", "contacts", 1);
-  if (plan.needs.normal_mass) contacts.inverse_mass = pair("inverse_mass", "contacts", 1);
+  if (plan.needs.radius) contacts.radius = answer("radius", "contacts", 1);
+  if (plan.needs.normal_mass) contacts.inverse_mass = answer("inverse_mass", "contacts", 1);
   if (!plan.needs.normal_force || !plan.has_turning()) return;
-  contacts.arm1 = pair("arm1", "contacts", 3);
-  contacts.arm2 = pair("arm2", "contacts", 3);
+  contacts.arm1 = answer("arm1", "contacts", 3);
+  contacts.arm2 = answer("arm2", "contacts", 3);
   if (!plan.needs.normal_mass) return;
-  contacts.yield1 = pair("yield1", "contacts", 3);
-  contacts.yield2 = pair("yield2", "contacts", 3);
+  contacts.yield1 = answer("yield1", "contacts", 3);
+  contacts.yield2 = answer("yield2", "contacts", 3);
 }
 
 void set_body(World& world, std::size_t i, const SceneBody& b) {
