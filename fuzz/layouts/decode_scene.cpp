@@ -211,6 +211,16 @@ std::string read_forced(const Scene& scene, Bytes bytes) {
   return off.empty() ? "" : off[read(bytes, 3, 1) % off.size()];
 }
 
+bool has_patches(const Scene& scene, std::string_view forced) {
+  return scene.effects.volume || scene.effects.foundation || forced == Volume::name || forced == Foundation::name;
+}
+
+/// A patch costs a hundred times its contact.
+void shorten(Run& run) {
+  constexpr double most_steps = 8;
+  run.duration = std::min(run.duration, most_steps * *run.time_step);
+}
+
 }  // namespace
 
 SceneRecipe decode_scene(Bytes bytes) {
@@ -223,8 +233,9 @@ SceneRecipe decode_scene(Bytes bytes) {
     scene.walls.push_back(read_scene_wall(bytes, kFirstWall + k * kWallSize, scene.bodies));
   scene.effects = read_scene_effects(bytes, walls);
   set_time(scene, bytes);
-  const std::int64_t steps = make_plan(scene).steps;
   std::string forced = read_forced(scene, bytes);
+  if (has_patches(scene, forced)) shorten(scene.run);
+  const std::int64_t steps = make_plan(scene).steps;
   return {std::move(scene), std::move(forced), static_cast<std::int64_t>(read(bytes, 4, 1)) % steps};
 }
 

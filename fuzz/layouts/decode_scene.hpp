@@ -5,7 +5,7 @@
 // v < 256, else of a log scale; a vector is three.
 //    0   1  bodies: 2 + v % 5
 //    1   1  walls: v % 4
-//    2   1  steps: 2 + v % 31
+//    2   1  steps: 2 + v % 31, and 8 at most where there is a patch, asked for or forced
 //    3   1  which effect is forced on: v % as many as the plan has off
 //    4   1  the step of the snapshot: v % steps
 //    5   1  time step: % 3 = 0 the longest that the effects allow, 1 a quarter, 2 a 32nd of it
