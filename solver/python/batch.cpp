@@ -14,15 +14,15 @@ template <class T>
   return {data + offset, array.strides(0) / array.itemsize()};
 }
 
-/// Appends the columns of an array of shape (n,), (n, k) or (n, 2, 3) to those from `to` on.
-void append_columns(py::array array, Column<double>*& to) {
-  auto* const data = static_cast<double*>(array.mutable_data());
-  const auto step = [&](py::ssize_t axis) { return array.strides(axis) / array.itemsize(); };
-  const py::ssize_t bodies = array.ndim() == 3 ? array.shape(1) : 1;
-  const py::ssize_t columns = array.ndim() == 1 ? 1 : array.shape(array.ndim() - 1);
-  for (py::ssize_t b = 0; b < bodies; ++b)
-    for (py::ssize_t k = 0; k < columns; ++k)
-      *to++ = column_of(array, data, (bodies > 1 ? b * step(1) : 0) + (columns > 1 ? k * step(array.ndim() - 1) : 0));
+/// Appends the columns of an array of shape (n, ..), the last index fastest, to those from `to` on.
+template <class T>
+void append_columns(const py::array& array, T* data, Column<T>*& to, py::ssize_t axis = 1) {
+  if (axis == array.ndim()) {
+    *to++ = column_of(array, data, 0);
+    return;
+  }
+  const py::ssize_t step = array.strides(axis) / array.itemsize();
+  for (py::ssize_t k = 0; k < array.shape(axis); ++k) append_columns(array, data + k * step, to, axis + 1);
 }
 
 [[nodiscard]] BodyColumns body_columns(const py::tuple& arrays) {
@@ -31,9 +31,7 @@ void append_columns(py::array array, Column<double>*& to) {
   for (const py::handle item : arrays) {
     if (item.is_none()) continue;  // exponents, the last: all are 2
     const auto array = item.cast<py::array>();
-    const auto* const data = static_cast<const double*>(array.data());
-    for (py::ssize_t k = 0; k < array.shape(1); ++k)
-      *to++ = column_of(array, data, k * (array.strides(1) / array.itemsize()));
+    append_columns(array, static_cast<const double*>(array.data()), to);
   }
   return out;
 }
@@ -45,21 +43,37 @@ template <class T>
   return column_of(array, static_cast<T*>(array.mutable_data()), 0);
 }
 
-/// status, verdict, overlap, normal, points, contact_point, iterations, evaluations, each an array or None.
+void append_numbers(py::array array, Column<double>*& to) {
+  append_columns(array, static_cast<double*>(array.mutable_data()), to);
+}
+
+/// status, verdict, overlap, normal, points, contact_point, iterations, evaluations, charts, each an array or None.
 [[nodiscard]] ContactColumns contact_columns(const py::tuple& arrays) {
   constexpr std::array<std::size_t, 4> widths{1, 3, 6, 3};
   ContactColumns out{word_column<Status>(arrays[0]),
                      word_column<Verdict>(arrays[1]),
                      {},
-                     {word_column<int>(arrays[6]), word_column<int>(arrays[7])}};
+                     {word_column<int>(arrays[6]), word_column<int>(arrays[7])},
+                     {}};
   auto* to = out.numbers.data();
   for (std::size_t i = 0; i < widths.size(); ++i) {
     const py::object item = arrays[2 + i];
     if (item.is_none())
       to += widths[i];
     else
-      append_columns(item.cast<py::array>(), to);
+      append_numbers(item.cast<py::array>(), to);
   }
+  auto* charts = out.charts.data();
+  if (!arrays[8].is_none()) append_numbers(arrays[8].cast<py::array>(), charts);
+  return out;
+}
+
+[[nodiscard]] ChartColumns<const double> last_columns(const py::object& last) {
+  ChartColumns<const double> out;
+  auto* to = out.data();
+  if (last.is_none()) return out;
+  const auto array = last.cast<py::array>();
+  append_columns(array, static_cast<const double*>(array.data()), to);
   return out;
 }
 
@@ -70,9 +84,9 @@ template <class T>
 }
 
 [[nodiscard]] std::size_t solve_arrays(const py::tuple& body1, const py::tuple& body2, const py::tuple& contacts,
-                                       std::size_t size, const py::object& iteration_limit, const py::object& tolerance,
-                                       const py::object& threads) {
-  StridedBatch batch{size, body_columns(body1), body_columns(body2), contact_columns(contacts), {}};
+                                       const py::object& last, std::size_t size, const py::object& iteration_limit,
+                                       const py::object& tolerance, const py::object& threads) {
+  StridedBatch batch{size, body_columns(body1), body_columns(body2), contact_columns(contacts), {}, last_columns(last)};
   batch.want.iteration_limit = count_of(iteration_limit, "iteration_limit");
   batch.want.tolerance = tolerance_of(tolerance, "tolerance");
   const int workers = std::min(count_of(threads, "threads"), 1024);

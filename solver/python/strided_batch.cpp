@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <span>
 #include <system_error>
@@ -27,6 +28,15 @@ template <class T>
   const T* const first = from.data + static_cast<std::ptrdiff_t>(range.first) * from.stride;
   if (from.stride == 1) return {first, range.count};
   for (std::size_t i = 0; i < range.count; ++i) slot[i] = first[static_cast<std::ptrdiff_t>(i) * from.stride];
+  return {slot.data(), range.count};
+}
+
+/// A copy, also of what stands side by side: the batch may write where it came from.
+template <class T>
+[[nodiscard]] std::span<const T> copy(const Column<const T>& from, Range range, Slot<T>& slot) {
+  const std::span<const T> found = load(from, range, slot);
+  if (found.empty()) return {};
+  if (found.data() != slot.data()) std::ranges::copy(found, slot.begin());
   return {slot.data(), range.count};
 }
 
@@ -56,11 +66,42 @@ class BodyBlock {
   std::array<Slot<double>, 12> slots_;
 };
 
+/// What was known of each pair before it is solved again.
+class LastBlock {
+ public:
+  void load(const ChartColumns<const double>& from, Range range) {
+    for (std::size_t k = 0; k < slots_.size(); ++k) loaded_[k] = copy(from[k], range, slots_[k]);
+  }
+  [[nodiscard]] ChartArrays last() const { return step(0); }
+  [[nodiscard]] ChartArrays before_last() const { return step(6); }
+  /// The last step is the one before for the next. Of a cold batch none is known.
+  void store(const ChartColumns<double>& to, Range range) const {
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (to[6 + k].data == nullptr) continue;
+      double* const first = to[6 + k].data + static_cast<std::ptrdiff_t>(range.first) * to[6 + k].stride;
+      for (std::size_t i = 0; i < range.count; ++i)
+        first[static_cast<std::ptrdiff_t>(i) * to[6 + k].stride] =
+            loaded_[k].empty() ? std::numeric_limits<double>::quiet_NaN() : loaded_[k][i];
+    }
+  }
+
+ private:
+  [[nodiscard]] ChartArrays step(std::size_t first) const {
+    const auto of = [&](std::size_t k) { return loaded_[first + k]; };
+    return {{of(0), of(1), of(2)}, {of(3), of(4), of(5)}};
+  }
+
+  std::array<Slot<double>, 12> slots_;
+  std::array<std::span<const double>, 12> loaded_;
+};
+
 class ContactBlock {
  public:
   [[nodiscard]] ContactArrays place(const ContactColumns& to, Range range) {
     std::array<std::span<double>, 13> s;
     for (std::size_t k = 0; k < s.size(); ++k) s[k] = python::place(to.numbers[k], range, numbers_[k]);
+    std::array<std::span<double>, 6> charts;
+    for (std::size_t k = 0; k < charts.size(); ++k) charts[k] = python::place(to.charts[k], range, charts_[k]);
     return {python::place(to.status, range, status_),
             python::place(to.verdict, range, verdict_),
             s[0],
@@ -69,13 +110,16 @@ class ContactBlock {
             {s[7], s[8], s[9]},
             {s[10], s[11], s[12]},
             python::place(to.counts[0], range, counts_[0]),
-            python::place(to.counts[1], range, counts_[1])};
+            python::place(to.counts[1], range, counts_[1]),
+            {charts[0], charts[1], charts[2]},
+            {charts[3], charts[4], charts[5]}};
   }
   void store(const ContactColumns& to, Range range) const {
     python::store(to.status, range, status_);
     python::store(to.verdict, range, verdict_);
     for (std::size_t k = 0; k < numbers_.size(); ++k) python::store(to.numbers[k], range, numbers_[k]);
     for (std::size_t k = 0; k < counts_.size(); ++k) python::store(to.counts[k], range, counts_[k]);
+    for (std::size_t k = 0; k < charts_.size(); ++k) python::store(to.charts[k], range, charts_[k]);
   }
 
  private:
@@ -83,6 +127,7 @@ class ContactBlock {
   Slot<Verdict> verdict_;
   std::array<Slot<double>, 13> numbers_;
   std::array<Slot<int>, 2> counts_;
+  std::array<Slot<double>, 6> charts_;
 };
 
 /// What one thread works with; a hundred kilobytes.
@@ -100,14 +145,18 @@ class Worker {
 
  private:
   std::size_t solve_block(Range range) {
-    const PairArrays pairs{body1_.load(batch_.body1, range), body2_.load(batch_.body2, range)};
+    last_.load(batch_.last, range);
+    const PairArrays pairs{body1_.load(batch_.body1, range), body2_.load(batch_.body2, range), last_.last(),
+                           last_.before_last()};
     const BatchReport report = solve_batch(pairs, batch_.want, contacts_.place(batch_.contacts, range));
     contacts_.store(batch_.contacts, range);
+    last_.store(batch_.contacts.charts, range);
     return report.alone;
   }
 
   const StridedBatch& batch_;
   BodyBlock body1_, body2_;
+  LastBlock last_;
   ContactBlock contacts_;
 };
 

@@ -22,11 +22,16 @@ struct Column {
 /// Semi-axes (3), position (3), quaternion (4), exponents (2).
 using BodyColumns = std::array<Column<const double>, 12>;
 
+/// Where the local solve ended, on body 1 (3) and body 2 (3), then where that of the step before did.
+template <class T>
+using ChartColumns = std::array<Column<T>, 12>;
+
 struct ContactColumns {
   Column<Status> status;
   Column<Verdict> verdict;
   std::array<Column<double>, 13> numbers;  ///< overlap, normal (3), point 1 (3), point 2 (3), contact point (3)
   std::array<Column<int>, 2> counts;       ///< iterations, evaluations
+  ChartColumns<double> charts;
 };
 
 struct StridedBatch {
@@ -34,6 +39,7 @@ struct StridedBatch {
   BodyColumns body1, body2;
   ContactColumns contacts;
   Want want;
+  ChartColumns<const double> last{};  ///< warm starts; may be the charts of `contacts`
 };
 
 struct BatchRun {

@@ -73,6 +73,34 @@ class Batch(unittest.TestCase):
         for threads in (2, 3, 16):
             self.expect_same(plumb.solve_batch(*bodies, want=ALL, threads=threads), expected)
 
+    def test_warm_batches_have_the_answers_of_cold_ones_in_less_work(self):
+        for exponents in (None, (2, 8)):
+            bodies1, bodies2 = pairs(1000, exponents)
+            last = plumb.solve_batch(bodies1, bodies2, want="charts")
+            step = 1e-3 * np.random.default_rng(2).normal(size=bodies2.position.shape)
+            for _ in range(3):
+                bodies2.position[:] += step
+                cold = plumb.solve_batch(bodies1, bodies2, want=ALL)
+                warm = plumb.solve_batch(bodies1, bodies2, want=(*ALL, "charts"), last=last)
+                np.testing.assert_array_equal(warm.status, cold.status)
+                np.testing.assert_array_equal(warm.verdict, cold.verdict)
+                np.testing.assert_allclose(warm.overlap, cold.overlap, rtol=0, atol=1e-13)
+                self.assertLess(warm.evaluations.sum(), cold.evaluations.sum())
+                known = ~np.isnan(last.charts[:, 0]).any(axis=(1, 2))
+                np.testing.assert_array_equal(warm.charts[known, 1], last.charts[known, 0])
+                last = warm
+
+    def test_a_batch_may_start_where_it_writes(self):
+        bodies1, bodies2 = pairs(3000)
+        for order in ("C", "F"):
+            start = plumb.solve_batch(bodies1, bodies2, want=(*ALL, "charts"))
+            out = plumb.Contacts.empty(3000, (*ALL, "charts"), order)
+            for name, values in fields(start).items():
+                getattr(out, name)[:] = values
+            expected = plumb.solve_batch(bodies1, bodies2, want=(*ALL, "charts"), last=start)
+            self.assertIs(plumb.solve_batch(bodies1, bodies2, out=out, last=out, threads=2), out)
+            self.expect_same(out, expected)
+
     def test_python_threads_share_bodies(self):
         bodies = pairs(5000)
         expected, found = plumb.solve_batch(*bodies), [None] * 4

@@ -152,7 +152,7 @@ class Refusals(unittest.TestCase):
 
     def test_batch(self):
         bodies1, bodies2 = pairs(5)
-        wanted = "overlap, normal, points, iterations, evaluations"
+        wanted = "overlap, normal, points, iterations, evaluations, charts"
         empty = plumb.Contacts.empty
         for kind, text, named in (
             (TypeError, "bodies1: must be plumb.Bodies, not Body", {"bodies1": bodies1[0]}),
@@ -160,6 +160,9 @@ class Refusals(unittest.TestCase):
             (ValueError, f"want: no 'curvature' among {wanted}", {"want": ["curvature"]}),
             (ValueError, "want: must not be given with out, whose arrays say it", {"want": (), "out": empty(5)}),
             (TypeError, "out: must be plumb.Contacts, not dict", {"out": {}}),
+            (TypeError, "last: must be plumb.Contacts, not dict", {"last": {}}),
+            (ValueError, "last: has no charts; want them of the batch before", {"last": empty(5)}),
+            (ValueError, "last.charts: must have shape (5, 2, 2, 3), not (4, 2, 2, 3)", {"last": empty(4, "charts")}),
             (ValueError, "out.status: must have shape (5,), not (4,)", {"out": empty(4)}),
             (ValueError, "threads: must be at least 1", {"threads": 0}),
             (TypeError, "threads: must be a whole number, not str", {"threads": "all"}),

@@ -138,6 +138,7 @@ class Contacts:
     contact_point: _Floats | None = None  #: (n, 3) where a force would act; goes with points
     iterations: _Ints | None = None  #: (n,) steps of the solve that answered
     evaluations: _Ints | None = None  #: (n,) of the residual, over all there was
+    charts: _Floats | None = None  #: (n, 2, 2, 3) where this solve and the one before ended, on both bodies
 
     def __len__(self) -> int:
         return len(self.status)
@@ -149,7 +150,7 @@ class Contacts:
         """Arrays for ``solve_batch(..., out=)``, not filled in.
 
         size   how many; each array has so many rows
-        want   of overlap, normal, points (with contact_point), iterations, evaluations
+        want   of overlap, normal, points (with contact_point), iterations, evaluations, charts
         order  "F" by columns, which the solver writes in place, or "C" by rows
 
         ValueError names what is not among these.
@@ -165,7 +166,7 @@ class Contacts:
         return cls(**arrays)
 
 
-_TAILS: dict[str, tuple[int, ...]] = {"normal": (3,), "points": (2, 3), "contact_point": (3,)}
+_TAILS: dict[str, tuple[int, ...]] = {"normal": (3,), "points": (2, 3), "contact_point": (3,), "charts": (2, 2, 3)}
 _TYPES: dict[str, type] = {}
 for _field in fields(Contacts):
     _TAILS.setdefault(_field.name, ())
@@ -174,7 +175,7 @@ for _field in fields(Contacts):
 
 def _array_names(want: str | Iterable[str]) -> list[str]:
     words = words_of(want, "want")
-    known = ("overlap", "normal", "points", "iterations", "evaluations")
+    known = ("overlap", "normal", "points", "iterations", "evaluations", "charts")
     for word in words:
         if word not in known:
             raise ValueError(f"want: no {word!r} among {', '.join(known)}")
@@ -208,6 +209,23 @@ def _check_out(out: Contacts, size: int, inputs: tuple[_Floats | None, ...]) -> 
         seen.append(array)
 
 
+def _charts_of(last: Contacts | None, size: int) -> _Floats | None:
+    """What a warm batch starts from; None: cold."""
+    if last is None:
+        return None
+    if not isinstance(last, Contacts):
+        raise TypeError(f"last: must be plumb.Contacts, not {type(last).__name__}")
+    if last.charts is None:
+        raise ValueError("last: has no charts; want them of the batch before")
+    charts = np.asarray(last.charts)
+    shape = (size, *_TAILS["charts"])
+    if charts.dtype != np.float64:
+        raise TypeError(f"last.charts: must be of float64, not of {charts.dtype}")
+    if charts.shape != shape:
+        raise ValueError(f"last.charts: must have shape {_shape_text(shape)}, not {_shape_text(charts.shape)}")
+    return charts if charts.flags.aligned and _by_whole_numbers(charts) else charts.copy()
+
+
 def _size_of(bodies1: Bodies, bodies2: Bodies) -> int:
     for bodies, name in ((bodies1, "bodies1"), (bodies2, "bodies2")):
         if not isinstance(bodies, Bodies):
@@ -225,16 +243,18 @@ def solve_batch(
     *,
     want: str | Iterable[str] | None = None,
     out: Contacts | None = None,
+    last: Contacts | None = None,
     threads: int = 1,
     iteration_limit: int = 100,
     tolerance: float = 0.0,
 ) -> Contacts:
-    """Solves the contacts of all pairs by ``auto``, cold, several side by side in the processor's registers.
+    """Solves the contacts of all pairs by ``auto``, several side by side in the processor's registers.
 
     bodies1, bodies2  as many of each; one with arrays of one dimension only is paired with every other
-    want              of overlap, normal, points (with contact_point), iterations, evaluations, or "overlap,normal";
+    want              of overlap, normal, points (with contact_point), iterations, evaluations, charts, or "overlap,normal";
                       without it overlap, normal and points
     out               where the answers go, ``Contacts.empty`` or an earlier answer; it takes the place of ``want``
+    last              the answers of the step before, with charts, from which to start: the same to rounding; may be ``out``
     threads           1 or more, at most 1024 are used; the answers are the same bits whatever the number
     iteration_limit   of each local solve
     tolerance         residual relative to the size at which a solve may stop; 0: all that rounding allows
@@ -249,6 +269,7 @@ def solve_batch(
     """
     size = _size_of(bodies1, bodies2)
     inputs = bodies1._columns(size), bodies2._columns(size)
+    charts = _charts_of(last, size)
     if out is None:
         out = Contacts.empty(size, ("overlap", "normal", "points") if want is None else want)
     elif not isinstance(out, Contacts):
@@ -256,7 +277,7 @@ def solve_batch(
     elif want is not None:
         raise ValueError("want: must not be given with out, whose arrays say it")
     else:
-        _check_out(out, size, inputs[0] + inputs[1])
+        _check_out(out, size, (*inputs[0], *inputs[1], None if last is out else charts))
     arrays = tuple(getattr(out, field.name) for field in fields(out))
-    _native.solve_batch(*inputs, arrays, size, iteration_limit, tolerance, threads)
+    _native.solve_batch(*inputs, arrays, charts, size, iteration_limit, tolerance, threads)
     return out

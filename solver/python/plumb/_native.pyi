@@ -122,6 +122,7 @@ def solve_batch(
     body1: tuple[NDArray[np.float64] | None, ...],
     body2: tuple[NDArray[np.float64] | None, ...],
     contacts: tuple[NDArray[np.float64] | NDArray[np.int32] | None, ...],
+    last: NDArray[np.float64] | None,
     size: int,
     iteration_limit: int,
     tolerance: float,

@@ -13,15 +13,15 @@ line /= np.linalg.norm(line, axis=1, keepdims=True)
 eggs = plumb.Bodies(semi_axes=(1, 1, 2), position=(0, 0, 0), quaternion=random.normal(size=(n, 4)))
 others = plumb.Bodies(random.uniform(0.5, 1, (n, 3)), 2 * line, random.normal(size=(n, 4)))
 
-contacts = plumb.solve_batch(eggs, others, threads=2)
+contacts = plumb.solve_batch(eggs, others, want="overlap,normal,charts", threads=2)
 
 touching = contacts.verdict == plumb.Verdict.overlapping
 print(f"{touching.sum()} of {n} pairs overlap, by {contacts.overlap[touching].mean():.3f} on average")
 force = 1e5 * contacts.overlap[touching, None] * contacts.normal[touching]
 print("forces on body 2:", force.shape)
 
-# In a loop of time steps the arrays are used again.
+# In a loop of time steps the arrays are used again, and each pair starts where its last solve ended.
 others.position[:] *= 0.99
-plumb.solve_batch(eggs, others, out=contacts, threads=2)
+plumb.solve_batch(eggs, others, out=contacts, last=contacts, threads=2)
 assert (contacts.status == plumb.Status.converged).all()
 assert (contacts.verdict == plumb.Verdict.overlapping).sum() > touching.sum()
