@@ -34,9 +34,27 @@ std::string numbers_text(const Vec3<double>& x) {
 
 void refuse_what_cannot_be(const Scene& scene, const Plan& plan) {
   if (plan.analysis != Analysis::motion) throw SceneError("run", "nothing moves, and LAMMPS is for what does");
-  PartSettings settings{scene.effects, scene.walls, plan.time_step, scene.run.accuracy};
+  PartSettings settings{scene.effects, scene.walls, plan.time_step, scene.run.accuracy, {}, scene.material_pairs};
+  for (const Material& material : scene.materials) settings.materials.push_back({material});
+  for (const SceneBody& b : scene.bodies)
+    if (!scene.materials.empty())
+      ++(b.is_fixed ? settings.materials[b.material].fixed : settings.materials[b.material].movable);
   const Part part(settings);
+  for (std::size_t k = 0; k < scene.material_pairs.size(); ++k)
+    if (const auto [first, second] = scene.material_pairs[k].between; first == second)
+      throw SceneError(fmt::format("materials.pairs[{}]", k),
+                       "is of a material with itself, which pair_coeff cannot say");
 }
+
+/// Atoms of a type are of one material, and all move or none do: the materials in their order, then once more for what is fixed.
+struct Types {
+  std::size_t materials, all;
+
+  explicit Types(const Scene& scene)
+      : materials(std::max<std::size_t>(1, scene.materials.size())), all(2 * materials) {}
+  [[nodiscard]] std::size_t of(const SceneBody& b) const { return b.material + (b.is_fixed ? materials : 0) + 1; }
+  [[nodiscard]] std::size_t material_of(std::size_t type) const { return (type - 1) % materials; }
+};
 
 /// Around the bodies: LAMMPS makes it larger as they go, and never smaller.
 std::string box_text(const Scene& scene, const World& world) {
@@ -90,11 +108,12 @@ void add_section(std::string& text, const char* name, std::size_t bodies, const 
 std::string data_text(const Scene& scene, const World& world) {
   const std::size_t count = scene.bodies.size();
   const State& state = world.state;
+  const Types types(scene);
   std::string text =
-      fmt::format("plumb: the bodies of in.lammps\n\n{0} atoms\n{0} ellipsoids\n2 atom types\n\n", count);
+      fmt::format("plumb: the bodies of in.lammps\n\n{0} atoms\n{0} ellipsoids\n{1} atom types\n\n", count, types.all);
   text += box_text(scene, world);
   add_section(text, "Atoms # ellipsoid", count, [&](std::size_t i) {
-    text += fmt::format(" {} 1 {}", scene.bodies[i].is_fixed ? 2 : 1, shortest(scene.bodies[i].density));
+    text += fmt::format(" {} 1 {}", types.of(scene.bodies[i]), shortest(scene.bodies[i].density));
     add_dump_numbers(text, state.position->entry(i));
   });
   add_section(text, "Ellipsoids", count, [&](std::size_t i) {
@@ -164,12 +183,29 @@ std::string wall_text(const Scene& scene, std::size_t wall) {
           out += fmt::format(" angular_velocity {} pivot {}", numbers_text(motion.angular_velocity),
                              numbers_text(motion.pivot));
       }
+  if (!scene.materials.empty()) out += fmt::format(" type {}", scene.walls[wall].material + 1);
   return out + "\n";
+}
+
+/// A line for each type, and for each two that have something of their own.
+std::string materials_text(const Scene& scene) {
+  if (scene.materials.empty()) return "pair_coeff * *\n";
+  const Types types(scene);
+  std::string out;
+  for (std::size_t type = 1; type <= types.all; ++type) {
+    const Material& material = scene.materials[types.material_of(type)];
+    out += fmt::format("pair_coeff {0} {0}{1}\n", type, material_arguments_text({material.effects, material.is_rigid}));
+  }
+  for (std::size_t i = 1; i <= types.all; ++i)
+    for (std::size_t j = i + 1; j <= types.all; ++j)
+      if (const MaterialPair* given = given_pair(scene, types.material_of(i), types.material_of(j)); given != nullptr)
+        out += fmt::format("pair_coeff {} {}{}\n", i, j, material_arguments_text({given->effects, false}));
+  return out;
 }
 
 std::string forces_text(const Scene& scene) {
   std::string out = "pair_style plumb/cn " + pair_arguments_text({scene.effects, scene.run.accuracy});
-  out += "\npair_coeff * *\n";
+  out += "\n" + materials_text(scene);
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) out += wall_text(scene, wall);
   if (scene.effects.gravity && !scene.effects.gravity->acceleration.isZero(0)) {
     const Vec3<double>& g = scene.effects.gravity->acceleration;
@@ -182,7 +218,8 @@ std::string script_text(const Scene& scene, const Plan& plan, const World& world
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) least = std::min(least, world.bodies.radius[i]);
   const std::int64_t every = plan.steps_per_output > 0 ? plan.steps_per_output : plan.steps;
-  std::string out = fmt::format(R"(# plumb: scene {}. In this folder: mpirun -n 2 plumb-lammps -in in.lammps
+  std::string out =
+      fmt::format(R"(# plumb: scene {}. In this folder: mpirun -n 2 plumb-lammps -in in.lammps
 units lj
 atom_style ellipsoid
 boundary m m m
@@ -190,12 +227,13 @@ newton off
 comm_modify vel yes
 fix shapes all property/atom d_n1 d_n2 d_density ghost yes
 read_data data.lammps fix shapes NULL Shapes
-group moves type 1
+group moves type {}
 neighbor {} bin
 neigh_modify every 1 delay 0 check yes
 
 )",
-                                comment(scene.name), shortest(skin_share * least));
+                  comment(scene.name), scene.materials.size() > 1 ? fmt::format("1:{}", scene.materials.size()) : "1",
+                  shortest(skin_share * least));
   out += forces_text(scene);
   out += fmt::format(R"(fix motion moves plumb/nve
 timestep {}

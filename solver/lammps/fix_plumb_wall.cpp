@@ -39,7 +39,14 @@ struct WallWords {
   }
 };
 
-void read_motion(WallWords& words, scene::WallMotion& motion) {
+std::size_t read_type(WallWords& words, int types) {
+  const double type = words.number("type");
+  if (!(type >= 1 && type <= types) || type != std::floor(type))
+    throw scene::SceneError("type", fmt::format("must be one of the {} types of atoms", types));
+  return static_cast<std::size_t>(type);
+}
+
+void read_motion(WallWords& words, scene::WallMotion& motion, scene::Wall& wall, int types) {
   while (!words.left.empty()) {
     const std::string name = words.next("");
     if (name == "velocity")
@@ -52,8 +59,10 @@ void read_motion(WallWords& words, scene::WallMotion& motion) {
       motion.angular_velocity = words.vector("angular_velocity");
     else if (name == "pivot")
       motion.pivot = words.vector("pivot");
+    else if (name == "type")
+      wall.material = read_type(words, types) - 1;
     else
-      throw scene::SceneError(name, "is none of velocity, amplitude, frequency, angular_velocity, pivot");
+      throw scene::SceneError(name, "is none of velocity, amplitude, frequency, angular_velocity, pivot, type");
   }
 }
 
@@ -122,7 +131,7 @@ FixPlumbWall::FixPlumbWall(LAMMPS_NS::LAMMPS* lammps, int count, char** words) :
   try {
     WallWords rest{std::span(words, static_cast<std::size_t>(count)).subspan(3)};
     wall_ = read_wall(rest);
-    read_motion(rest, motion_);
+    read_motion(rest, motion_, wall_, atom->ntypes);
   } catch (const scene::SceneError& refusal) {
     error->all(FLERR, fmt::format("fix plumb/wall: {}: {}", refusal.field, refusal.what()));
   }

@@ -8,7 +8,8 @@
 //
 // PLACE   x y z, and the quaternion w x y z
 // SIDE    inside or outside; END, the lower and the upper: open, bare or closed
-// MOTION  [velocity v v v] [amplitude a a a] [frequency f] [angular_velocity w w w] [pivot p p p]
+// MOTION  [velocity v v v] [amplitude a a a] [frequency f] [angular_velocity w w w] [pivot p p p], and [type N]: its material is that of
+//         the atoms of type N, 1 if it is not given
 #pragma once
 
 #include "solver/lammps/lammps_headers.hpp"

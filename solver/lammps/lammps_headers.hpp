@@ -25,3 +25,4 @@ auto make_args_checked(const Format& /*format*/, const std::remove_reference_t<A
 #include <neighbor.h>
 #include <pair.h>
 #include <update.h>
+#include <utils.h>

@@ -12,6 +12,11 @@ namespace {
 struct Words {
   std::span<const std::string> left;
 
+  std::string name() {
+    const std::string name = left.front();
+    left = left.subspan(1);
+    return name;
+  }
   double number(const std::string& name) {
     if (left.empty()) throw SceneError(name, "needs a number after it");
     const double number = number_of(name, left.front());
@@ -40,6 +45,9 @@ struct FieldReader {
   void operator()(const char* /*field*/, std::vector<WallMotion>& /*motions*/, Range /*any*/) {}
 };
 
+/// Of all bodies, or of materials.
+enum class Holder { all, material };
+
 /// Why an effect is none of the pair style's; empty where it is.
 std::string_view why_not(std::string_view effect) {
   if (effect == Gravity::name) return "is fix gravity's";
@@ -48,14 +56,21 @@ std::string_view why_not(std::string_view effect) {
   return {};
 }
 
+template <class Parameters>
+std::string_view why_not(Holder holder) {
+  const bool is_mixed = Mixes<Parameters>;
+  if (const std::string_view why = why_not(Parameters::name); !why.empty()) return why;
+  return holder == Holder::material && !is_mixed ? "holds for all types: give it to pair_style" : "";
+}
+
 /// Whether there is such a field, which is read then.
-bool read_field(const std::string& name, Effects& effects, Words& words) {
+bool read_field(const std::string& name, Effects& effects, Words& words, Holder holder) {
   bool is_found = false;
   each_effect(effects, [&](auto& effect) {
     using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
     const std::string prefix = std::string(Parameters::name) + ".";
     if (!name.starts_with(prefix)) return;
-    if (const auto why = why_not(Parameters::name); !why.empty())
+    if (const auto why = why_not<Parameters>(holder); !why.empty())
       throw SceneError(std::string(Parameters::name), std::string(why));
     if (!effect) effect.emplace();
     FieldReader reader{name, name.substr(prefix.size()), words};
@@ -99,6 +114,17 @@ struct FieldWriter {
   void operator()(const char* /*field*/, const std::vector<WallMotion>& /*motions*/, Range /*any*/) const {}
 };
 
+/// Those that are the pair style's, a space before each word.
+std::string effects_text(const Effects& effects) {
+  std::string out;
+  each_effect(effects, [&](const auto& effect) {
+    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
+    if (effect && why_not(Parameters::name).empty())
+      Parameters::each_field(*effect, FieldWriter{Parameters::name, out});
+  });
+  return out;
+}
+
 }  // namespace
 
 double number_of(const std::string& name, const std::string& word) {
@@ -115,13 +141,12 @@ PairArguments parse_pair_arguments(std::span<const std::string> words) {
   std::set<std::string> given;
   Words rest{words};
   while (!rest.left.empty()) {
-    const std::string name = rest.left.front();
-    rest.left = rest.left.subspan(1);
+    const std::string name = rest.name();
     if (!given.insert(name).second) throw SceneError(name, "stands there twice");
     if (name == "accuracy") {
       out.accuracy = rest.number(name);
       if (!(out.accuracy > 0 && out.accuracy < 1)) throw SceneError(name, "must be a number between 0 and 1");
-    } else if (!read_field(name, out.effects, rest)) {
+    } else if (!read_field(name, out.effects, rest, Holder::all)) {
       throw SceneError(name, "is no field of an effect");
     }
   }
@@ -130,13 +155,30 @@ PairArguments parse_pair_arguments(std::span<const std::string> words) {
 }
 
 std::string pair_arguments_text(const PairArguments& arguments) {
-  std::string out = "accuracy " + shortest(arguments.accuracy);
-  each_effect(arguments.effects, [&](const auto& effect) {
-    using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
-    if (effect && why_not(Parameters::name).empty())
-      Parameters::each_field(*effect, FieldWriter{Parameters::name, out});
-  });
+  return "accuracy " + shortest(arguments.accuracy) + effects_text(arguments.effects);
+}
+
+MaterialArguments parse_material_arguments(std::span<const std::string> words) {
+  MaterialArguments out;
+  std::set<std::string> given;
+  Words rest{words};
+  while (!rest.left.empty()) {
+    const std::string name = rest.name();
+    if (!given.insert(name).second) throw SceneError(name, "stands there twice");
+    if (name == "rigid") {
+      const std::string word = rest.left.empty() ? "" : rest.name();
+      if (word != "yes" && word != "no") throw SceneError(name, "must be yes or no");
+      out.is_rigid = word == "yes";
+    } else if (!read_field(name, out.effects, rest, Holder::material)) {
+      throw SceneError(name, "is no field of an effect");
+    }
+  }
+  require_first_fields(out.effects, given);
   return out;
+}
+
+std::string material_arguments_text(const MaterialArguments& arguments) {
+  return (arguments.is_rigid ? " rigid yes" : "") + effects_text(arguments.effects);
 }
 
 }  // namespace plumb::scene

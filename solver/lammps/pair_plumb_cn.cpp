@@ -1,6 +1,7 @@
 #include "solver/lammps/pair_plumb_cn.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -51,7 +52,6 @@ PairPlumbCn::PairPlumbCn(LAMMPS_NS::LAMMPS* lammps) : Pair(lammps) {
   single_enable = 0;
   restartinfo = 0;
   respa_enable = 0;
-  one_coeff = 1;
   no_virial_fdotr_compute = 1;
 }
 
@@ -70,16 +70,41 @@ void PairPlumbCn::settings(int count, char** words) {
 }
 
 void PairPlumbCn::coeff(int count, char** words) {
-  if (count != 2 || std::strcmp(words[0], "*") != 0 || std::strcmp(words[1], "*") != 0)
-    error->all(FLERR, std::string("pair_coeff: plumb/cn takes `pair_coeff * *`: its effects hold for all atoms"));
+  require(count >= 2, "pair_coeff needs two types, or * *");
   const int types = atom->ntypes;
   if (allocated == 0) {
     memory->create(setflag, types + 1, types + 1, "pair:setflag");
     memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
     allocated = 1;
   }
-  for (int i = 1; i <= types; ++i)
-    for (int j = 1; j <= types; ++j) setflag[i][j] = 1;
+  std::array<int, 2> low{}, high{};
+  for (std::size_t k = 0; k < 2; ++k) LAMMPS_NS::utils::bounds(FLERR, words[k], 1, types, low[k], high[k], error);
+  try {
+    const auto given = scene::parse_material_arguments(std::vector<std::string>(words + 2, words + count));
+    for (int i = low[0]; i <= high[0]; ++i)
+      for (int j = std::max(i, low[1]); j <= high[1]; ++j) {
+        setflag[i][j] = 1;
+        if (count > 2) give(i, j, given);
+      }
+  } catch (const scene::SceneError& refusal) {
+    error->all(FLERR, fmt::format("pair_coeff {} {}: {}: {}", words[0], words[1], refusal.field, refusal.what()));
+  }
+}
+
+void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arguments) {
+  if (materials_.empty())
+    for (int type = 1; type <= atom->ntypes; ++type)
+      materials_.push_back({.name = fmt::format("type {}", type), .density = {}, .is_rigid = false, .effects = {}});
+  const std::size_t first = index(type1) - 1, second = index(type2) - 1;
+  if (first == second) {
+    materials_[first].is_rigid = arguments.is_rigid;
+    materials_[first].effects = arguments.effects;
+    return;
+  }
+  if (arguments.is_rigid) throw scene::SceneError("rigid", "is of one type: pair_coeff I I rigid yes");
+  std::erase_if(material_pairs_,
+                [&](const scene::MaterialPair& pair) { return pair.between == std::array{first, second}; });
+  material_pairs_.push_back({{first, second}, arguments.effects});
 }
 
 void PairPlumbCn::require(bool holds, const char* reason) const {
@@ -121,13 +146,26 @@ void PairPlumbCn::find_shapes() {
   require(n1_ >= 0 && n2_ >= 0 && density_ >= 0, "needs fix property/atom d_n1 d_n2 d_density ghost yes");
 }
 
+std::vector<scene::PartMaterial> PairPlumbCn::counted_materials() const {
+  const std::size_t types = materials_.size();
+  std::vector<long long> here(2 * types), all(2 * types);
+  for (int i = 0; i < atom->nlocal && types > 0; ++i) ++here[(is_fixed(i) ? types : 0) + index(atom->type[i]) - 1];
+  MPI_Allreduce(here.data(), all.data(), static_cast<int>(all.size()), MPI_LONG_LONG, MPI_SUM, world);
+  std::vector<scene::PartMaterial> out;
+  for (std::size_t k = 0; k < types; ++k)
+    out.push_back({materials_[k], static_cast<std::size_t>(all[k]), static_cast<std::size_t>(all[types + k])});
+  return out;
+}
+
 void PairPlumbCn::make_part() {
-  scene::PartSettings settings{arguments_.effects, {}, update->dt, arguments_.accuracy};
+  scene::PartSettings settings{arguments_.effects, {}, update->dt, arguments_.accuracy, counted_materials(),
+                               material_pairs_};
   scene::MovingWalls moving;
   for (const FixPlumbWall* fix : fixes_of<FixPlumbWall>(*modify)) {
     moving.motions.push_back(fix->motion());
     moving.motions.back().wall = static_cast<int>(settings.walls.size());
     settings.walls.push_back(fix->wall());
+    if (materials_.empty()) settings.walls.back().material = 0;
   }
   if (!moving.motions.empty()) settings.effects.moving_walls = moving;
   try {
@@ -168,6 +206,7 @@ scene::SceneBody PairPlumbCn::body(int i) const {
   out.body.shape = {vector_at(axes.data()), atom->dvector[n1_][i], atom->dvector[n2_][i]};
   out.density = atom->dvector[density_][i];
   out.is_fixed = is_fixed(i);
+  if (!materials_.empty()) out.material = index(atom->type[i]) - 1;
   const plumb::Pair alone{out.body, out.body};
   if (const InputError wrong = find_input_error(alone); !wrong.reason.empty())
     error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: {}: {}{}", atom->tag[i], wrong.field, wrong.reason,

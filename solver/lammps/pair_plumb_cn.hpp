@@ -56,6 +56,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void require(bool holds, const char* reason) const;
   void refuse_walls_of_points() const;
   void find_shapes();
+  void give(int type1, int type2, const scene::MaterialArguments& arguments);
+  [[nodiscard]] std::vector<scene::PartMaterial> counted_materials() const;
   void make_part();
   void weigh_atoms();
   void measure_types();
@@ -76,6 +78,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   [[nodiscard]] std::size_t place_of(std::size_t contact) const;
 
   scene::PairArguments arguments_;
+  std::vector<scene::Material> materials_;  ///< of the types, in their order; none: all are of one
+  std::vector<scene::MaterialPair> material_pairs_;
   std::unique_ptr<scene::Part> part_;
   FixPlumbNve* motion_ = nullptr;
   EllipsoidBonus shapes_;

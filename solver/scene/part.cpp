@@ -6,21 +6,45 @@
 
 #include "solver/scene/body/rotation.hpp"
 #include "solver/scene/body/world_setup.hpp"
+#include "solver/scene/check_scene.hpp"
 #include "solver/scene/facts.hpp"
 #include "solver/scene/passes.hpp"
 
 namespace plumb::scene {
 namespace {
 
-/// Two bodies that touch and turn, with the effects and walls asked for: from it follows all that a plan says of a part.
+/// Bodies that touch each other and turn.
+void add_bodies(Scene& scene, std::size_t material, std::size_t movable, std::size_t fixed) {
+  for (std::size_t i = 0; i < movable + fixed; ++i) {
+    SceneBody body;
+    body.body.shape = {{1, 1, 2}, 2, 2};
+    body.body.position = (scene.bodies.size() % 2 == 0 ? 0 : 1) * Vec3<double>::UnitX();
+    body.is_fixed = i >= movable;
+    if (!body.is_fixed) body.angular_velocity = Vec3<double>::UnitX();
+    body.material = material;
+    scene.bodies.push_back(body);
+  }
+}
+
+/// As few as tell which materials meet: of each one or two that move, and one that does not.
+void add_bodies(Scene& scene, const std::vector<PartMaterial>& materials) {
+  const bool has_any = std::ranges::any_of(materials, [](const PartMaterial& m) { return m.movable + m.fixed > 0; });
+  for (std::size_t k = 0; k < materials.size(); ++k) {
+    const std::size_t two = 2, one = 1;
+    add_bodies(scene, k, has_any ? std::min(materials[k].movable, two) : two, std::min(materials[k].fixed, one));
+    scene.materials.push_back(materials[k].material);
+  }
+}
+
+/// A scene with the effects, materials and walls asked for: from it follows all that a plan says of a part.
 Scene probe_of(const PartSettings& settings) {
   Scene scene;
-  SceneBody body;
-  body.body.shape = {{1, 1, 2}, 2, 2};
-  body.angular_velocity = Vec3<double>::UnitX();
-  scene.bodies = {body, body};
-  scene.bodies[1].body.position = Vec3<double>::UnitX();
+  if (settings.materials.empty())
+    add_bodies(scene, 0, 2, 0);
+  else
+    add_bodies(scene, settings.materials);
   scene.walls = settings.walls;
+  scene.material_pairs = settings.material_pairs;
   scene.effects = settings.effects;
   scene.run.duration = settings.time_step;
   scene.run.time_step = settings.time_step;
@@ -28,12 +52,21 @@ Scene probe_of(const PartSettings& settings) {
   return scene;
 }
 
-/// Whatever is asked for is on: of bodies to come nothing can be proved.
-PlanOptions all_of(const Effects& effects) {
+/// The scene's, and what only some pairs of materials have.
+Scene with_effects_of_all(const Scene& scene) {
+  check_scene(scene);
+  Scene out = scene;
+  out.effects = effects_of_all(scene, pair_effects(scene));
+  return out;
+}
+
+/// Whatever is asked for is on: of bodies to come nothing can be proved. But two materials have the law that is theirs.
+PlanOptions all_of(const Scene& probe) {
   PlanOptions options;
+  const Effects effects = with_effects_of_all(probe).effects;
   each_effect(effects, [&](const auto& effect) {
     using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
-    if (effect) options.forced.emplace(Parameters::name);
+    if (effect && (probe.materials.empty() || !IsElastic<Parameters>)) options.forced.emplace(Parameters::name);
   });
   return options;
 }
@@ -41,7 +74,7 @@ PlanOptions all_of(const Effects& effects) {
 Scene checked(Scene probe) {
   if (probe.effects.conduction)
     throw SceneError("effects.conduction", "a part of a scene keeps no temperatures: run the scene by itself");
-  if (elastic_laws(probe) == 0)
+  if (elastic_laws(with_effects_of_all(probe)) == 0)
     throw SceneError("effects", std::string("an elastic law is required: ") + names_of_elastic_laws);
   return probe;
 }
@@ -53,7 +86,7 @@ bool is_same(double a, double b) {
 }  // namespace
 
 Part::Part(const PartSettings& settings)
-    : probe_(checked(probe_of(settings))), plan_(make_plan(probe_, all_of(settings.effects))) {
+    : probe_(checked(probe_of(settings))), plan_(make_plan(probe_, all_of(probe_))) {
   plan_.broad_phase = BroadPhase::none;
   add_columns(world_, plan_);
   contact_forces_ = &world_.columns.add("contact_force", "contacts", {.of = ColumnKind::pair, .width = 3});

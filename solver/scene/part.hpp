@@ -21,11 +21,19 @@
 
 namespace plumb::scene {
 
+/// A material, and how many bodies in all parts are of it: rigid ones that cannot meet need no law.
+struct PartMaterial {
+  Material material;
+  std::size_t movable = 0, fixed = 0;
+};
+
 struct PartSettings {
-  Effects effects;  ///< all but conduction, and at least one elastic law
+  Effects effects;  ///< all but conduction, and at least one elastic law, here or in the materials
   std::vector<Wall> walls;
   double time_step = 1;
-  double accuracy = 1e-3;  ///< as Run::accuracy
+  double accuracy = 1e-3;                 ///< as Run::accuracy
+  std::vector<PartMaterial> materials{};  ///< none: all is of one
+  std::vector<MaterialPair> material_pairs{};
 };
 
 class Part {

@@ -20,13 +20,18 @@ std::vector<std::string> words_of(const std::string& text) {
   return out;
 }
 
-std::string refusal(const std::string& text) {
+template <class Parse>
+std::string refusal_by(const Parse& parse, const std::string& text) {
   try {
-    (void)parse_pair_arguments(words_of(text));
+    (void)parse(words_of(text));
   } catch (const SceneError& error) {
     return error.field + ": " + error.what();
   }
   return "none";
+}
+
+std::string refusal(const std::string& text) {
+  return refusal_by(parse_pair_arguments, text);
 }
 
 TEST(PairArguments, ReadBackAsTheyWereWritten) {
@@ -52,6 +57,27 @@ TEST(PairArguments, AreRefusedWithNameAndReason) {
             "friction.coefficient: is required with the other fields of its effect");
   EXPECT_EQ(refusal("gravity.acceleration 0 0 -1"), "gravity: is fix gravity's");
   EXPECT_EQ(refusal("accuracy 1"), "accuracy: must be a number between 0 and 1");
+}
+
+TEST(MaterialArguments, ReadBackAsTheyWereWritten) {
+  MaterialArguments arguments;
+  arguments.effects.hertz = Hertz{.youngs_modulus = 7e6, .poissons_ratio = 0.2};
+  arguments.effects.friction = Friction{.coefficient = 0.4};
+  const std::string text = material_arguments_text(arguments);
+  EXPECT_EQ(text.find(" hertz.youngs_modulus 7e+06 hertz.poissons_ratio 0.2 friction.coefficient 0.4"), 0U) << text;
+  EXPECT_EQ(material_arguments_text(parse_material_arguments(words_of(text))), text);
+  EXPECT_EQ(material_arguments_text(parse_material_arguments(words_of("rigid yes"))), " rigid yes");
+}
+
+TEST(MaterialArguments, AreRefusedWithNameAndReason) {
+  const auto refused = [](const std::string& text) { return refusal_by(parse_material_arguments, text); };
+  EXPECT_EQ(refused("rigid no friction.coefficient 0.5"), "none");
+  EXPECT_EQ(refused("rigid"), "rigid: must be yes or no");
+  EXPECT_EQ(refused("drag.coefficient 1"), "drag: holds for all types: give it to pair_style");
+  EXPECT_EQ(refused("volume.stiffness 1"), "volume: holds for all types: give it to pair_style");
+  EXPECT_EQ(refused("gravity.acceleration 0 0 -1"), "gravity: is fix gravity's");
+  EXPECT_EQ(refused("friction.coefficient 1 friction.coefficient 1"), "friction.coefficient: stands there twice");
+  EXPECT_EQ(refused("accuracy 0.1"), "accuracy: is no field of an effect");
 }
 
 TEST(LammpsFiles, NameEveryBodyWallAndEffect) {
@@ -109,6 +135,13 @@ TEST_F(ExportLammps, RefusesWithFileFieldAndReason) {
   (void)file("soft.json", format_scene({scene, {}, {}}));
   expect_refusal("export-lammps soft.json -o out",
                  "soft.json: effects: an elastic law is required: linear, hertz, volume or foundation");
+  scene = without(crowd(), Conduction::name);
+  scene.materials = {{.name = "wax", .density = {}, .is_rigid = false, .effects = {}}};
+  scene.material_pairs = {{{0, 0}, {}}};
+  scene.material_pairs[0].effects.friction = Friction{0.1};
+  (void)file("itself.json", format_scene({scene, {}, {}}));
+  expect_refusal("export-lammps itself.json -o out",
+                 "itself.json: materials.pairs[0]: is of a material with itself, which pair_coeff cannot say");
   scene = without(crowd(), Conduction::name);
   (void)file("good.json", format_scene({scene, {}, {}}));
   EXPECT_EQ(plumb("export-lammps good.json -o out").code, 0);

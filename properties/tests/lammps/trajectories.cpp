@@ -111,6 +111,32 @@ TEST_F(InLammps, HertzAndFixedBodies) {
   EXPECT_EQ(largest_deviation(scene, {1, 2}), 0);
 }
 
+// Balls of glass and of steel, one of them fixed, on a rigid floor; between the two what mixing does not give.
+TEST_F(InLammps, Materials) {
+  Scene scene;
+  scene.name = "materials";
+  scene.bodies = {made::ball(0.5, {0, 0, 0.499}), made::body({{0.6, 0.5, 0.4}, 3, 2}, {0.2, 0, 1.35}),
+                  made::ball(0.4, {-0.85, 0, 0.39})};
+  scene.bodies[1].material = scene.bodies[2].material = 1;
+  scene.bodies[2].is_fixed = true;
+  scene.walls = {made::floor_at()};
+  scene.walls[0].material = 2;
+  scene.materials = {{.name = "glass", .density = {}, .is_rigid = false, .effects = {}},
+                     {.name = "steel", .density = {}, .is_rigid = false, .effects = {}},
+                     {.name = "floor", .density = {}, .is_rigid = true, .effects = {}}};
+  scene.materials[0].effects.hertz = Hertz{7e4, 0.2};
+  scene.materials[1].effects.hertz = Hertz{2e5, 0.3};
+  scene.materials[0].effects.friction = Friction{0.3};
+  scene.materials[2].effects.friction = Friction{0.5};
+  scene.material_pairs = {{{0, 1}, {}}};
+  scene.material_pairs[0].effects.friction = Friction{0.2};
+  scene.effects.damping = Damping{0.6};
+  scene.effects.gravity = Gravity{{0, 0, -10}};
+  run_for(scene, 1e-3, 250);
+  EXPECT_GT(pressing_steps(scene), 25);
+  EXPECT_EQ(largest_deviation(scene, {1, 2}), 0);
+}
+
 // With what friction remembers of a patch's turning.
 TEST_F(InLammps, LawsOnPatches) {
   Scene scene;
@@ -290,6 +316,13 @@ TEST_F(InLammps, RefusesInOneLineWhatItCannotDo) {
       "pair_style plumb/cn linear.stiffness 1\npair_coeff * *\nfix motion all plumb/nve\n";
   EXPECT_NE(refused(ready + "dump d all custom 1 dump.rerun id x y z\nrun 1\nundump d\nrerun dump.rerun dump x y z\n")
                 .find("cannot rerun: a dump does not bring back orientations"),
+            std::string::npos);
+  EXPECT_NE(refused(ready + "pair_coeff 1 1 rigid yes\nfix f all plumb/wall 0 0 0 0 0 1\nrun 0\n")
+                .find("type 1 and type 1 are rigid and can meet"),
+            std::string::npos);
+  EXPECT_NE(refused(ready + "pair_coeff 1 1 drag.coefficient 1\n").find("pair_coeff 1 1: drag: holds for all types"),
+            std::string::npos);
+  EXPECT_NE(refused(ready + "fix f all plumb/wall 0 0 0 0 0 1 type 2\n").find("type: must be one of the 1 types"),
             std::string::npos);
   EXPECT_NE(refused(ready + "minimize 0 0 1 1\n").find("cannot minimize"), std::string::npos);
   EXPECT_NE(

@@ -31,6 +31,7 @@ struct Hertz {
 
   /// One material's that has the same E*.
   [[nodiscard]] static Hertz mixed(const Hertz& first, const Hertz& second) {
+    if (first.youngs_modulus == second.youngs_modulus && first.poissons_ratio == second.poissons_ratio) return first;
     return {.youngs_modulus = 2 / (first.compliance() + second.compliance()), .poissons_ratio = 0};
   }
   /// What a rigid material has.
