@@ -218,7 +218,7 @@ bool has_patches(const Scene& scene, std::string_view forced) {
 /// A patch costs a hundred times its contact.
 void shorten(Run& run) {
   constexpr double most_steps = 8;
-  run.duration = std::min(run.duration, most_steps * *run.time_step);
+  run.duration = std::min(run.duration, most_steps * run.time_step.value_or(0));
 }
 
 }  // namespace
