@@ -7,19 +7,20 @@ def oblique(factor, mass, radius, normal, across, restitution, friction, ratio=2
     """A ball that meets a plane, elastic force factor overlap^(3/2): velocity across and spin afterwards.
 
     overlap'' = -(N + c overlap') / m, N = factor overlap^(3/2), k = 3/2 factor overlap^(1/2), c = 2 beta sqrt(5/6 k m)
-    spring'   = velocity of the point of contact, whose lever is radius - overlap/2; force -ratio k spring, at most friction N
+    pull'     = -ratio k (velocity of the point of contact, whose lever is radius - overlap/2), and while k falls pull k'/k; at most friction N
     """
     log = math.log(restitution)
     beta = -log / math.hypot(math.pi, log)
     inertia = 0.4 * mass * radius ** 2
 
     def rates(state):
-        overlap, closing, v, spin, spring = state
+        overlap, closing, v, spin, pull = state
         overlap = max(overlap, 0.0)
         k = 1.5 * factor * math.sqrt(overlap)
         push = factor * overlap ** 1.5 + 2 * beta * math.sqrt(5 / 6 * k * mass) * closing
-        pull, lever = -ratio * k * spring, radius - overlap / 2
-        return closing, -push / mass, pull / mass, -lever * pull / inertia, v - lever * spin
+        lever = radius - overlap / 2
+        falls = pull * closing / (2 * overlap) if closing < 0 < overlap else 0.0
+        return closing, -push / mass, pull / mass, -lever * pull / inertia, -ratio * k * (v - lever * spin) + falls
 
     def moved(state, by, step):
         return [x + step * dx for x, dx in zip(state, by)]
@@ -34,5 +35,5 @@ def oblique(factor, mass, radius, normal, across, restitution, friction, ratio=2
         state = [x + step / 6 * (p + 2 * q + 2 * r + s) for x, p, q, r, s in zip(state, a, b, c, d)]
         if state[0] <= 0:
             return state[2], state[3]
-        longest = friction * state[0] / (1.5 * ratio)  # friction N / (ratio k)
-        state[4] = max(-longest, min(longest, state[4]))
+        most = friction * factor * state[0] ** 1.5
+        state[4] = max(-most, min(most, state[4]))

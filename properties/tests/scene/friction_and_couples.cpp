@@ -6,6 +6,7 @@
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
 #include "solver/scene/contact/stick_slip.hpp"
+#include "solver/scene/part.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -219,6 +220,74 @@ TEST(TwistingResistance, LetsABallRoll) {
   scene.run.duration = 0.4;
   const double exact = g * std::sin(0.2) / (1 + gyration / (resting.arm * resting.arm));
   EXPECT_NEAR(late_acceleration(scene), exact, 1e-6 * exact);
+}
+
+/// A ball on a floor that is led by hand, sticking.
+class LedBall {
+ public:
+  LedBall() {
+    PartSettings settings;
+    settings.effects.hertz = Hertz{1e4};
+    settings.effects.friction = Friction{.coefficient = 1e6};
+    settings.walls = {made::floor_at()};
+    part_ = std::make_unique<Part>(settings);
+    part_->renew(std::array{made::ball(1, Vec(0, 0, 0))}, {{0, 1}});
+  }
+
+  /// So much deeper and across, in small steps. What was done to the ball.
+  double move(double deeper, double across) {
+    constexpr int steps = 2000;
+    const Vec velocity(across, 0, -deeper);
+    double work = 0;
+    for (int i = 0; i < steps; ++i) {
+      const double before = force();
+      at_ += velocity / steps;
+      part_->place(0, at_, velocity, {1, 0, 0, 0}, Vec::Zero());
+      part_->press(0, 1.0 / steps);
+      work -= (before + force()) / 2 * across / steps;
+    }
+    return work;
+  }
+  /// Along x.
+  [[nodiscard]] double force() const { return part_->world().state.force->vector(0).x(); }
+  [[nodiscard]] double stored() {
+    const auto all = [](std::size_t /*contact*/) { return true; };
+    const double whole = part_->energy(all), depth = 1 - at_.z();
+    return whole - 2.0 / 5 * normal_factor() * std::pow(depth, 2.5);
+  }
+
+ private:
+  [[nodiscard]] static double normal_factor() { return 4.0 / 3 * Hertz{1e4}.contact_modulus(); }
+
+  std::unique_ptr<Part> part_;
+  Vec at_{0, 0, 1};
+};
+
+// The stiffness goes as the root of the depth.
+TEST(StickingInHertzContact, KeepsItsForceAsItIsPressedAndGivesWayAsItIsLetGo) {
+  LedBall ball;
+  ball.move(1e-3, 0);
+  ball.move(0, 1e-5);
+  const double held = ball.force();
+  EXPECT_LT(held, 0);
+  ball.move(3e-3, 0);
+  EXPECT_NEAR(ball.force() / held, 1, 1e-9);
+  ball.move(-3e-3, 0);
+  EXPECT_NEAR(ball.force() / held, 0.5, 1e-9);
+}
+
+// Pressed between there and back: a spring that stiffens with what it holds gives more than it took.
+TEST(StickingInHertzContact, MakesNoEnergy) {
+  LedBall ball;
+  ball.move(1e-3, 0);
+  double work = ball.move(0, 1e-5);
+  EXPECT_NEAR(ball.stored(), work, 1e-9 * work);
+  work += ball.move(3e-3, 0);
+  EXPECT_LT(ball.stored(), work);
+  work += ball.move(0, -1e-5);
+  work += ball.move(-3e-3, 0);
+  EXPECT_GT(work, 0);
+  EXPECT_LE(ball.stored(), work);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "solver/scene/effect/across/friction.hpp"
 
+#include <utility>
+
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/contact/stick_slip.hpp"
 #include "solver/scene/effect.hpp"
@@ -23,27 +25,47 @@ StickSlip law_of(const Friction& friction, const Contacts& contacts, std::size_t
   return {stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
 }
 
-void slide(const ByPair<Friction>& laws, Column& springs, World& world) {
+/// What springs keep of their stretch where their stiffness has changed since the step before. Of a law whose never does it is all.
+class Stiffening {
+ public:
+  Stiffening(World& world, const char* column) {
+    const Effects& effects = world.effects;
+    if (effects.hertz || effects.volume || effects.foundation)
+      before_ = &world.columns.add(column, Friction::name, history(1));
+  }
+
+  [[nodiscard]] double kept(std::size_t c, double stiffness) const {
+    if (before_ == nullptr) return 1;
+    const double before = std::exchange((*before_)[c], stiffness);
+    return stiffness > before && before > 0 ? before / stiffness : 1;
+  }
+
+ private:
+  Column* before_ = nullptr;
+};
+
+void slide(const ByPair<Friction>& laws, const Stiffening& stiffening, Column& springs, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const Levers levers = world.levers(c);
     const Vec3<double> velocity = world.relative_velocity(c, levers);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
-    springs.vector(c) = turned_across(springs.vector(c), normal);
-    world.push(c, law_of(laws.at(c), contacts, c).pull(springs.vector(c), across, world.time_step), levers);
+    const StickSlip law = law_of(laws.at(c), contacts, c);
+    springs.vector(c) = stiffening.kept(c, law.stiffness) * turned_across(springs.vector(c), normal);
+    world.push(c, law.pull(springs.vector(c), across, world.time_step), levers);
   }
 }
 
 /// A patch that turns about its normal slides at its radius.
-void turn(const ByPair<Friction>& laws, Column& angles, World& world) {
+void turn(const ByPair<Friction>& laws, const Stiffening& stiffening, Column& angles, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const double radius = contacts.patch_radius(c), square = radius * radius;
     const StickSlip slip = law_of(laws.at(c), contacts, c);
     const StickSlip law{slip.stiffness * square, slip.viscous * square, slip.limit * radius};
-    angles.vector(c) = normal.dot(angles.vector(c)) * normal;
+    angles.vector(c) = stiffening.kept(c, law.stiffness) * normal.dot(angles.vector(c)) * normal;
     world.turn(c, law.pull(angles.vector(c), normal.dot(world.relative_turn(c)) * normal, world.time_step));
   }
 }
@@ -78,11 +100,15 @@ Role role(const Friction& friction, const Scene& scene) {
 void install(const Friction& friction, World& world) {
   Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
   const ByPair<Friction> laws = by_pair(world, friction, &Effects::friction);
-  world.contact_passes.push_back({Friction::name, [laws, &springs, &world] { slide(laws, springs, world); }});
+  const Stiffening sliding(world, "friction_stiffness");
+  world.contact_passes.push_back(
+      {Friction::name, [laws, sliding, &springs, &world] { slide(laws, sliding, springs, world); }});
   Column* angles = nullptr;
   if (world.contacts.patch_arms != nullptr) {
     angles = &world.columns.add("friction_angle", Friction::name, history(3));
-    world.contact_passes.push_back({Friction::name, [laws, angles, &world] { turn(laws, *angles, world); }});
+    const Stiffening turning(world, "friction_turning");
+    world.contact_passes.push_back(
+        {Friction::name, [laws, turning, angles, &world] { turn(laws, turning, *angles, world); }});
   }
   world.energies.push_back(
       {Friction::name, [laws, &springs, angles, &world] { return stored(laws, springs, angles, world.contacts); }});
