@@ -41,8 +41,10 @@ bool may_touch(const World& world, Index i, Index j) {
   return (world.state.position->vector(j) - world.state.position->vector(i)).squaredNorm() <= reach * reach;
 }
 
-/// Where no warm start succeeded: a contact is never dropped because a start was bad.
-Contact<double> solve_cold(const World& world, std::size_t c, const Want& want) {
+/// Where no warm start succeeded: a contact is never dropped because a start was bad. With normal and points as a chunk has them: curvatures
+/// are those at the points.
+Contact<double> solve_cold(const World& world, std::size_t c, Want want) {
+  want.normal = want.points = true;
   const auto [i, j] = world.contacts.pairs[c];
   return automatic<double>({solver_body(world, i), solver_body(world, j)}, want, nullptr);
 }
