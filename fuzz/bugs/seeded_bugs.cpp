@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "corpus/solvers/auto_door.hpp"
+#include "solver/method/convex.hpp"
 
 namespace {
 
@@ -66,4 +67,9 @@ PLUMB_EXPORT int plumb_seeded_bug_select(const char* name) {
 PLUMB_EXPORT void plumb_seeded_bug_solve(const plumb::Pair& pair, const plumb::Want& want,
                                          const plumb::Contact<double>* last, plumb::Contact<double>& out) {
   out = plumb::automatic<double>(pair, want, last);
+}
+
+PLUMB_EXPORT void plumb_seeded_bug_solve_convex(const plumb::ConvexPair& pair, const plumb::Want& want,
+                                                plumb::Contact<double>& out) {
+  out = plumb::solve_convex(pair, want, nullptr);
 }

@@ -2,7 +2,7 @@
 // (reports/kills/): the door knows no warm start that `auto` would follow, and no answer but the whole one.
 #pragma once
 
-#include "solver/contact.hpp"
+#include "solver/shape/convex.hpp"
 
 /// In its binary, and in no program's: properties/tests/reports looks for it.
 #define PLUMB_SEEDED_BUGS_MARK "plumb: this solver has seeded bugs"
@@ -18,4 +18,7 @@ extern "C" {
 /// `auto`.
 void plumb_seeded_bug_solve(const plumb::Pair& pair, const plumb::Want& want, const plumb::Contact<double>* last,
                             plumb::Contact<double>& out);
+
+/// The same of two bodies of any shapes, without a contact before.
+void plumb_seeded_bug_solve_convex(const plumb::ConvexPair& pair, const plumb::Want& want, plumb::Contact<double>& out);
 }

@@ -12,7 +12,9 @@
 
 #include "corpus/command/in_parallel.hpp"
 #include "properties/doors/host_modes.hpp"
+#include "properties/laws/laws_convex.hpp"
 #include "properties/laws/laws_path.hpp"
+#include "solver/method/convex.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb::reports {
@@ -102,12 +104,10 @@ bool is_news(const Finding& finding, const Finding& of_control) {
   return of_control.kind == FindingKind::nonconverged && !is_flagged;
 }
 
-/// The answer without a bug: that of `auto`.
-Contact<double> control_answer(const SeededSolver& seeded, const Pair& pair, const std::string& where) {
-  Contact<double> out = seeded.solve(0, pair, Want{}, nullptr);
-  if (!same_answer(out, find_method("auto")->solve(pair, Want{}, nullptr)))
-    throw ControlDiffers(where + ": without a bug the library does not give the bits of auto");
-  return out;
+/// The answer without a bug, which must be that of `auto`.
+void require_auto(const Contact<double>& control, const Contact<double>& automatic, const std::string& where) {
+  if (same_answer(control, automatic)) return;
+  throw ControlDiffers(where + ": without a bug the library does not give the bits of auto");
 }
 
 WarmSolve with_bug(const SeededSolver& seeded, std::size_t bug) {
@@ -170,30 +170,59 @@ std::optional<std::string> dependence(const SeededSolver& seeded, std::size_t bu
   return std::nullopt;
 }
 
-}  // namespace
+/// A case before all bugs.
+struct Hunted {
+  std::function<Contact<double>(std::size_t bug)> solve;
+  std::function<Finding(std::size_t bug, const Contact<double>&)> judge;
+};
 
-Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Case(std::size_t)>& draw) {
+/// Case after case; what `at` gives is used by one thread.
+Hunt hunt_each(const Quarry& quarry, std::size_t cases,
+               const std::function<void(std::size_t, const std::function<void(const Hunted&)>&)>& at) {
   FirstKills kills(quarry.bugs.size());
   FirstFailure failure;
   std::atomic<std::uint64_t> control_findings{0};
+  const auto hunt = [&](std::size_t index, const Hunted& hunted) {
+    const Contact<double> control = hunted.solve(0);
+    const Finding of_control = hunted.judge(0, control);
+    if (of_control.kind != FindingKind::none) ++control_findings;
+    for (std::size_t i = 0; i < quarry.bugs.size(); ++i) {
+      if (!kills.is_open(i, index + 1)) continue;
+      const Contact<double> answer = hunted.solve(quarry.bugs[i]);
+      if (!same_answer(answer, control)) kills.note_change(i);
+      const Finding finding = hunted.judge(quarry.bugs[i], answer);
+      if (is_news(finding, of_control)) kills.add(i, index + 1, finding);
+    }
+  };
   in_parallel(cases, quarry.threads, [&](std::size_t index) {
-    failure.guard([&] {
-      const Case c = draw(index);
-      const Contact<double> control = control_answer(quarry.seeded, c.pair, c.name);
-      Judge judge(c.pair, quarry.source);
-      const Finding of_control = finding_of(quarry.seeded, 0, control, judge);
-      if (of_control.kind != FindingKind::none) ++control_findings;
-      for (std::size_t i = 0; i < quarry.bugs.size(); ++i) {
-        if (!kills.is_open(i, index + 1)) continue;
-        const Contact<double> answer = quarry.seeded.solve(quarry.bugs[i], c.pair, Want{}, nullptr);
-        if (!same_answer(answer, control)) kills.note_change(i);
-        const Finding finding = finding_of(quarry.seeded, quarry.bugs[i], answer, judge);
-        if (is_news(finding, of_control)) kills.add(i, index + 1, finding);
-      }
-    });
+    failure.guard([&] { at(index, [&](const Hunted& hunted) { hunt(index, hunted); }); });
   });
   failure.rethrow();
   return {cases, kills.take(), control_findings};
+}
+
+}  // namespace
+
+Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Case(std::size_t)>& draw) {
+  return hunt_each(quarry, cases, [&](std::size_t index, const auto& hunt) {
+    const Case c = draw(index);
+    const auto solve = [&](std::size_t bug) { return quarry.seeded.solve(bug, c.pair, Want{}, nullptr); };
+    require_auto(solve(0), find_method("auto")->solve(c.pair, Want{}, nullptr), c.name);
+    Judge judge(c.pair, quarry.source);
+    hunt({solve, [&](std::size_t bug, const Contact<double>& answer) {
+            return finding_of(quarry.seeded, bug, answer, judge);
+          }});
+  });
+}
+
+Hunt hunt_shapes(const Quarry& quarry, std::size_t pairs, const std::function<ConvexPair(std::size_t)>& draw) {
+  return hunt_each(quarry, pairs, [&](std::size_t index, const auto& hunt) {
+    const ConvexPair pair = draw(index);
+    const auto solve = [&](std::size_t bug) { return quarry.seeded.solve_convex(bug, pair); };
+    require_auto(solve(0), solve_convex(pair, {}, nullptr), fmt::format("pair {} of shapes", index));
+    hunt({solve,
+          [&](std::size_t, const Contact<double>& answer) { return judge_convex(pair, answer, {}, true).finding; }});
+  });
 }
 
 Hunt hunt_motions(const Quarry& quarry, const std::vector<Track>& tracks) {

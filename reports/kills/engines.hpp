@@ -43,6 +43,10 @@ class ControlDiffers : public std::runtime_error {
 /// All laws on each case. `draw(i)` for i < cases, from any thread.
 [[nodiscard]] Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Case(std::size_t)>& draw);
 
+/// All laws of shapes on each pair. `draw` as above.
+[[nodiscard]] Hunt hunt_shapes(const Quarry& quarry, std::size_t pairs,
+                               const std::function<ConvexPair(std::size_t)>& draw);
+
 /// A motion: its steps.
 using Track = std::vector<Pair>;
 

@@ -11,6 +11,7 @@
 #include "properties/generators/draft.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/generators/paths.hpp"
+#include "properties/generators/shapes.hpp"
 #include "reports/kills/table.hpp"
 
 namespace plumb::reports {
@@ -18,7 +19,7 @@ namespace {
 
 struct Options {
   std::string library = PLUMB_SOURCE_DIR "/build/bugs/bin/seeded_bugs.so";
-  std::string bugs, engines = "corpus,motions,work,modes,families,hard";
+  std::string bugs, engines = "corpus,motions,work,modes,families,hard,shapes";
   std::size_t cases = 1000, seeds = 6;
   std::uint64_t seed = 1;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
@@ -169,6 +170,18 @@ EngineHunts hunt_hard(const Quarry& quarry, const Options& options) {
   return hunt_drawn(quarry, options, "hard", names_of_families(true));
 }
 
+/// Each two shapes in turn. A pair takes a tenth of a case's time.
+EngineHunts hunt_each_two_shapes(const Quarry& quarry, const Options& options) {
+  constexpr std::size_t pairs_a_case = 10;
+  EngineHunts out{"shapes", "pairs", {}};
+  for (std::uint64_t seed = options.seed; seed < options.seed + options.seeds && !interrupted(); ++seed)
+    out.hunts.push_back(hunt_shapes(quarry, pairs_a_case * options.cases, [&](std::size_t i) {
+      Stream stream("shapes", seed, i);
+      return draw_shape_pair(shape_kinds(i % shape_pair_count), stream);
+    }));
+  return out;
+}
+
 /// "fuzz-contact", "plain-contact:code": the program, and whether it sees code alone; its seeds are its target's.
 EngineHunts hunt_with_fuzzer(const std::string& name, const Quarry& quarry, const Options& options) {
   const std::filesystem::path source = PLUMB_SOURCE_DIR;
@@ -189,18 +202,42 @@ EngineHunts hunt_with_fuzzer(const std::string& name, const Quarry& quarry, cons
 struct Engine {
   std::string name;
   std::function<EngineHunts(const Quarry&, const Options&)> hunt;
+  bool is_of_shapes = false;
 };
+
+bool is_of_shapes(const SeededBug& bug) {
+  return bug.file.starts_with("method/convex");
+}
+
+/// Of the bugs that an engine's cases can meet; the others are not killed by it.
+EngineHunts hunt_met(const Engine& engine, const Quarry& quarry, const Options& options) {
+  Quarry met{quarry.seeded, {}, quarry.threads, quarry.source};
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < quarry.bugs.size(); ++i)
+    if (is_of_shapes(quarry.seeded.bugs[quarry.bugs[i] - 1]) == engine.is_of_shapes) {
+      met.bugs.push_back(quarry.bugs[i]);
+      places.push_back(i);
+    }
+  EngineHunts out = engine.hunt(met, options);
+  for (Hunt& hunt : out.hunts) {
+    std::vector<Kill> all(quarry.bugs.size());
+    for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = std::move(hunt.kills[k]);
+    hunt.kills = std::move(all);
+  }
+  return out;
+}
 
 /// nullopt where there is none of that name; any fuzz-TARGET is one, and plain-TARGET, which is without its mutator.
 std::optional<Engine> find_engine(const std::string& name) {
   if (name.starts_with("fuzz-") || name.starts_with("plain-"))
     return Engine{name, [name](const Quarry& q, const Options& o) { return hunt_with_fuzzer(name, q, o); }};
-  const std::array<Engine, 6> engines{{{"corpus", hunt_corpus},
+  const std::array<Engine, 7> engines{{{"corpus", hunt_corpus},
                                        {"motions", hunt_along_motions},
                                        {"work", hunt_by_work},
                                        {"modes", hunt_in_modes_of_hosts},
                                        {"families", hunt_families},
-                                       {"hard", hunt_hard}}};
+                                       {"hard", hunt_hard},
+                                       {"shapes", hunt_each_two_shapes, true}}};
   const auto found = std::ranges::find(engines, name, &Engine::name);
   return found == engines.end() ? std::nullopt : std::optional(*found);
 }
@@ -252,7 +289,7 @@ int report(const Options& options) {
   for (const std::size_t bug : quarry.bugs) bugs.push_back(seeded.bugs[bug - 1]);
   std::vector<EngineHunts> done;
   for (const Engine& engine : engines) {
-    EngineHunts hunts = engine.hunt(quarry, options);
+    EngineHunts hunts = hunt_met(engine, quarry, options);
     if (interrupted()) break;  // who was not killed may have been later
     done.push_back(std::move(hunts));
   }

@@ -37,13 +37,24 @@ SeededSolver load_seeded(const std::string& path) {
   const auto table = symbol<decltype(&plumb_seeded_bug_table)>(handle, path, "plumb_seeded_bug_table");
   const auto select = symbol<decltype(&plumb_seeded_bug_select)>(handle, path, "plumb_seeded_bug_select");
   const auto solve = symbol<decltype(&plumb_seeded_bug_solve)>(handle, path, "plumb_seeded_bug_solve");
-  SeededSolver out{read_table(table()), {}};
+  const auto solve_convex =
+      symbol<decltype(&plumb_seeded_bug_solve_convex)>(handle, path, "plumb_seeded_bug_solve_convex");
+  SeededSolver out{read_table(table()), {}, {}};
   std::vector<std::string> names{"none"};
   for (const SeededBug& bug : out.bugs) names.push_back(bug.name);
-  out.solve = [names, select, solve](std::size_t bug, const Pair& pair, const Want& want, const Contact<double>* last) {
+  const auto choose = [names, select](std::size_t bug) {
     if (select(names[bug].c_str()) != 0) throw std::logic_error("the library does not know its bug " + names[bug]);
+  };
+  out.solve = [choose, solve](std::size_t bug, const Pair& pair, const Want& want, const Contact<double>* last) {
+    choose(bug);
     Contact<double> answer;
     solve(pair, want, last, answer);
+    return answer;
+  };
+  out.solve_convex = [choose, solve_convex](std::size_t bug, const ConvexPair& pair) {
+    choose(bug);
+    Contact<double> answer;
+    solve_convex(pair, Want{}, answer);
     return answer;
   };
   return out;

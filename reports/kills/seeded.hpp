@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/contact.hpp"
+#include "solver/shape/convex.hpp"
 
 namespace plumb::reports {
 
@@ -20,9 +20,13 @@ struct SeededBug {
 using SeededSolve =
     std::function<Contact<double>(std::size_t bug, const Pair& pair, const Want& want, const Contact<double>* last)>;
 
+/// The same of two bodies of any shapes.
+using SeededSolveConvex = std::function<Contact<double>(std::size_t bug, const ConvexPair& pair)>;
+
 struct SeededSolver {
   std::vector<SeededBug> bugs;  ///< bug k of `solve` is bugs[k - 1]
   SeededSolve solve;            ///< from any thread
+  SeededSolveConvex solve_convex;
 };
 
 /// Throws InputFailure for a library that is none of seeded bugs. It stays loaded.

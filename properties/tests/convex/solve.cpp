@@ -234,6 +234,9 @@ TEST(Convex, IllegalPairsAreRefused) {
 TEST(Convex, NothingIsAllocated) {
   std::vector<ConvexPair> pairs;
   for_drawn_pairs(1, 6, [&](const ConvexPair& pair) { pairs.push_back(pair); });
+  const auto ball = [](const void* /*data*/, const double* n, double* x) { std::copy_n(n, 3, x); };
+  for (const double z : {0.25, 2.5})
+    pairs.push_back(at(Box{{1, 1, 1}}, ForeignShape{ball, nullptr, nullptr, nullptr, 1, 1}, {0, 0.125, z}));
   const long before = allocations;
   for (const ConvexPair& pair : pairs) (void)solve_convex(pair, {}, nullptr);
   EXPECT_EQ(allocations, before);

@@ -11,7 +11,9 @@
 #include "properties/doors/host_modes.hpp"
 #include "properties/generators/families.hpp"
 #include "properties/generators/paths.hpp"
+#include "properties/generators/shapes.hpp"
 #include "properties/tests/corpus/programs.hpp"
+#include "solver/method/convex.hpp"
 #include "solver/method/methods.hpp"
 
 namespace plumb::reports {
@@ -121,6 +123,25 @@ TEST(KillEngines, AControlThatIsNotAutoIsRefused) {
     return answer;
   };
   EXPECT_THROW((void)hunt_cases({seeded, {}, 1}, 1, drawn), ControlDiffers);
+}
+
+TEST(KillEngines, ABugOfAShapeDiesAtItsFirstPair) {
+  SeededSolver seeded = solver_with({});
+  seeded.solve_convex = [](std::size_t bug, const ConvexPair& pair) {
+    Contact<double> answer = solve_convex(pair, {}, nullptr);
+    const bool has_box = std::holds_alternative<Box>(pair.body1.shape) || std::holds_alternative<Box>(pair.body2.shape);
+    if (bug == 1 && has_box) answer.point2[0] += 1e-9;
+    return answer;
+  };
+  const auto draw = [](std::size_t i) {
+    Stream stream("kills", 1, i);
+    return draw_shape_pair({1, i == 3 ? 5UL : 1UL}, stream);
+  };
+  const Hunt hunt = hunt_shapes({seeded, {1}, 2}, 5, draw);
+  EXPECT_EQ(hunt.control_findings, 0u);
+  EXPECT_EQ(hunt.kills[0].run, 4u);
+  seeded.solve_convex = [](std::size_t, const ConvexPair&) { return Contact<double>{}; };
+  EXPECT_THROW((void)hunt_shapes({seeded, {1}, 1}, 1, draw), ControlDiffers);
 }
 
 Track motion(std::size_t steps) {

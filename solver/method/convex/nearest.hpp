@@ -27,8 +27,13 @@ struct Mixture {
   [[nodiscard]] Vec3<double> w() const {
     return sum([](const Difference& d) { return d.w(); });
   }
-  /// Unit, of the triangle of three, on the side of `outside`.
+  /// Unit, of the triangle of three, on the side of `outside`; of two what of that is across their edge: close to M the nearest point's own
+  /// direction is known to rounding over the distance, and the edge to rounding.
   [[nodiscard]] std::optional<Vec3<double>> facet_normal(const Vec3<double>& outside) const {
+    if (count == 2) {
+      const Vec3<double> edge = of[1].w() - of[0].w(), across = outside - outside.dot(edge) / edge.squaredNorm() * edge;
+      return across.squaredNorm() > 0 ? std::optional(across.normalized().eval()) : std::nullopt;
+    }
     if (count != 3) return std::nullopt;
     const Vec3<double> n = (of[1].w() - of[0].w()).cross(of[2].w() - of[0].w());
     if (!(n.squaredNorm() > 0)) return std::nullopt;
