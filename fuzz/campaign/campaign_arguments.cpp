@@ -48,7 +48,8 @@ void require_replaceable(const CampaignArguments& args, const PreparedCampaign& 
 
 CommandOption* declare_campaign(CommandLine& app, CampaignArguments& args, const std::string& threads) {
   app.add_option("--family", args.family,
-                 fmt::format("{}, several with commas, or all", fmt::join(find_families("all"), ", ")))
+                 fmt::format("{}, several with commas, or all; of shapes: plumb families",
+                             fmt::join(find_families("all"), ", ")))
       ->required();
   app.add_option("--cases", args.cases, "cases of each family")->required()->check(refuse_count);
   declare_seed(app, args.seed, "same seed, same cases and results");
