@@ -17,7 +17,8 @@ using layout::pick;
 using layout::read;
 using Vec = Vec3<long double>;
 
-constexpr std::size_t kEffects = 12, kFirstBody = 120, kSceneBodySize = 48, kFirstWall = 408, kWallSize = 16;
+constexpr std::size_t kEffects = 12, kMaterials = 112, kFirstBody = 120, kSceneBodySize = 48, kFirstWall = 408,
+                      kWallSize = 16;
 
 constexpr std::array<double, 16> kParameters{0,   1,    10,   100,  1e3,   1e4, 1e5, 0.5,
                                              0.1, 1e-2, 1e-3, 1e-6, 1e-12, 2,   0.3, 1e6};
@@ -180,6 +181,34 @@ Wall read_scene_wall(Bytes bytes, std::size_t at, std::span<const SceneBody> bod
   return out;
 }
 
+/// What differs from the scene's effects: only where these have what it needs.
+Material read_material(Bytes bytes, std::size_t index, const Effects& effects) {
+  const std::size_t at = kMaterials + 2 * index;
+  const std::uint32_t flags = read(bytes, at, 1), number = read(bytes, at + 1, 1);
+  const bool has_law = effects.linear || effects.hertz || effects.volume || effects.foundation;
+  constexpr std::array<double, 4> factors{2, 10, 0.1, 1};
+  const double factor = factors[flags >> 4 & 3];
+  Material out{.name = {static_cast<char>('a' + index)}, .density = {}, .is_rigid = false, .effects = {}};
+  if (!has_law) return out;
+  if ((flags & 1) != 0) out.effects.friction = Friction{.coefficient = kFractions[number % kFractions.size()]};
+  if ((flags >> 1 & 1) != 0) out.effects.damping = Damping{std::max(kFractions[number / kFractions.size()], 1e-12)};
+  if ((flags >> 2 & 1) == 0) return out;
+  out.effects.linear = effects.linear;
+  out.effects.hertz = effects.hertz;
+  if (out.effects.linear) out.effects.linear->stiffness *= factor;
+  if (out.effects.hertz) out.effects.hertz->youngs_modulus *= factor;
+  return out;
+}
+
+void read_materials(Scene& scene, Bytes bytes) {
+  const std::size_t count = read(bytes, 11, 1) % 4;
+  for (std::size_t k = 0; k < count; ++k) scene.materials.push_back(read_material(bytes, k, scene.effects));
+  for (std::size_t k = 0; k < scene.bodies.size() && count > 0; ++k)
+    scene.bodies[k].material = read(bytes, kFirstBody + k * kSceneBodySize + 47, 1) % count;
+  for (std::size_t k = 0; k < scene.walls.size() && count > 0; ++k)
+    scene.walls[k].material = read(bytes, kFirstWall + k * kWallSize + 13, 1) % count;
+}
+
 /// So many steps, none longer than the effects allow.
 void set_time(Scene& scene, Bytes bytes) {
   constexpr double longest_share = 8;  // of the fastest thing that happens, as plan.cpp has it
@@ -232,6 +261,7 @@ SceneRecipe decode_scene(Bytes bytes) {
   for (std::size_t k = 0; k < walls; ++k)
     scene.walls.push_back(read_scene_wall(bytes, kFirstWall + k * kWallSize, scene.bodies));
   scene.effects = read_scene_effects(bytes, walls);
+  read_materials(scene, bytes);
   set_time(scene, bytes);
   std::string forced = read_forced(scene, bytes);
   if (has_patches(scene, forced)) shorten(scene.run);

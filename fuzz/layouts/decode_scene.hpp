@@ -14,11 +14,14 @@
 //           volume, foundation and hertz the first; what needs an elastic force is not where there is none, cohesion, dmt and jkr
 //           not where it is 0, jkr only with hertz
 //   10   1  accuracy: 10^-(1 + v % 8)
-//   11   1  unused
+//   11   1  materials: v % 4, 0 for none
 //   12 100  their fields in that order and that of each_field, asked for or not (moving_walls: 3 motions, without their wall):
 //           numbers 1e-6 .. 1e6, what has an upper bound 1e-6 .. 1, Poisson's ratio half of that, an exponent 1 more; a component of a vector
 //           is negative where v is odd
-//  112   8  unused
+//  112   6  materials, two bytes each: bits 0..2 of the first: friction, damping, elastic law of its own; bits 4, 5: the scene's
+//           stiffness times 2, 10, 0.1, 1. The second: its coefficient v % 16 and its restitution v / 16, of a table. None of it
+//           where the scene has no elastic law
+//  118   2  unused
 //  120  48  body 1, and so on to body 6
 //  408  16  wall 1, and so on to wall 3
 // A body
@@ -33,7 +36,7 @@
 //   42   2  spin                                                 number, 1e-4 .. 1e2
 //   44   2  density                                              number, 1e-3 .. 1e3
 //   46   1  temperature: 250 + v
-//   47   1  unused
+//   47   1  its material: v % as many as there are
 // A wall
 //    0   4  zenith of its normal                                 angle
 //    4   4  azimuth                                              angle
@@ -41,7 +44,8 @@
 //   10   1  which body: % as many as there are
 //   11   1  bit 0: the body is so far from it, not in it; bit 1: it touches it
 //   12   1  temperature: 250 + v
-//   13   3  unused
+//   13   1  its material, as a body's
+//   14   2  unused
 #pragma once
 
 #include <cstdint>

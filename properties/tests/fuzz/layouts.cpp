@@ -158,18 +158,21 @@ TEST(DecodeScene, LayoutIsStable) {
   EXPECT_EQ(hash_of_scene(noise(3, 200)), 17871525493846994116u);
 }
 
-// Every effect can be asked for, and every one forced on.
+// Every effect can be asked for, and every one forced on; of up to three materials.
 TEST(DecodeScene, ReachesEveryEffect) {
   std::set<std::string> asked, forced;
+  std::set<std::size_t> materials;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const scene::SceneRecipe recipe = scene::decode_scene(noise(seed, scene::kSceneLayoutSize));
     for (const scene::Effect& effect : scene::effects())
       if (effect.is_asked(recipe.scene.effects)) asked.emplace(effect.name);
     forced.insert(recipe.forced);
+    materials.insert(recipe.scene.materials.size());
   }
   forced.erase("");
   EXPECT_EQ(asked.size(), scene::effects().size());
   EXPECT_EQ(forced.size(), scene::effects().size());
+  EXPECT_EQ(materials.size(), 4U);
 }
 
 }  // namespace
