@@ -15,7 +15,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "checkpoints hold numbers as the machine has them");
 
 constexpr std::string_view magic = "plumb-checkpoint";
-constexpr std::uint64_t version = 1;
+constexpr std::uint64_t version = 2;
 
 class Packer {
  public:

@@ -19,7 +19,7 @@
 //           numbers 1e-6 .. 1e6, what has an upper bound 1e-6 .. 1, Poisson's ratio half of that, an exponent 1 more; a component of a vector
 //           is negative where v is odd
 //  112   6  materials, two bytes each: bits 0..2 of the first: friction, damping, elastic law of its own; bits 4, 5: the scene's
-//           stiffness times 2, 10, 0.1, 1. The second: its coefficient v % 16 and its restitution v / 16, of a table. None of it
+//           stiffness times 2, 10, 0.1, 1. The second: the friction's coefficient v % 16 and the damping's restitution v / 16, of a table. None of it
 //           where the scene has no elastic law
 //  118   2  unused
 //  120  48  body 1, and so on to body 6

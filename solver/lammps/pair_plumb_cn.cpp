@@ -81,17 +81,23 @@ void PairPlumbCn::coeff(int count, char** words) {
   for (std::size_t k = 0; k < 2; ++k) LAMMPS_NS::utils::bounds(FLERR, words[k], 1, types, low[k], high[k], error);
   try {
     const auto given = scene::parse_material_arguments(std::vector<std::string>(words + 2, words + count));
+    const bool are_same = low[0] == low[1] && high[0] == high[1];
+    if (!are_same && low[0] <= high[1] && low[1] <= high[0])
+      throw scene::SceneError(
+          "types", "must be the same twice, for their materials, or none in common, for what is between them");
     for (int i = low[0]; i <= high[0]; ++i)
-      for (int j = std::max(i, low[1]); j <= high[1]; ++j) {
-        setflag[i][j] = 1;
-        if (count > 2) give(i, j, given);
+      for (int j = low[1]; j <= high[1]; ++j) {
+        setflag[std::min(i, j)][std::max(i, j)] = 1;
+        if (!are_same || i == j) give(std::min(i, j), std::max(i, j), given, count > 2);
       }
   } catch (const scene::SceneError& refusal) {
     error->all(FLERR, fmt::format("pair_coeff {} {}: {}: {}", words[0], words[1], refusal.field, refusal.what()));
   }
 }
 
-void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arguments) {
+/// In the place of what was given before; where nothing is, materials have nothing of their own and pairs are mixed.
+void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any) {
+  if (materials_.empty() && !has_any) return;
   if (materials_.empty())
     for (int type = 1; type <= atom->ntypes; ++type)
       materials_.push_back({.name = fmt::format("type {}", type), .density = {}, .is_rigid = false, .effects = {}});
@@ -104,7 +110,7 @@ void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arg
   if (arguments.is_rigid) throw scene::SceneError("rigid", "is of one type: pair_coeff I I rigid yes");
   std::erase_if(material_pairs_,
                 [&](const scene::MaterialPair& pair) { return pair.between == std::array{first, second}; });
-  material_pairs_.push_back({{first, second}, arguments.effects});
+  if (has_any) material_pairs_.push_back({{first, second}, arguments.effects});
 }
 
 void PairPlumbCn::require(bool holds, const char* reason) const {

@@ -56,7 +56,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void require(bool holds, const char* reason) const;
   void refuse_walls_of_points() const;
   void find_shapes();
-  void give(int type1, int type2, const scene::MaterialArguments& arguments);
+  void give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any);
   [[nodiscard]] std::vector<scene::PartMaterial> counted_materials() const;
   void make_part();
   void weigh_atoms();

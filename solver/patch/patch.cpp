@@ -110,12 +110,13 @@ Patch patch_at_wall(const Body& body, const Vec3<double>& into_wall, const Vec3<
   const PlacedBody<double>& own = placed.body1;
   const NormValue<double> deepest = support_point<double>(own.shape, own.to_body_direction(into_wall));
   const double distance = into_wall.dot(placed.to_pair_point(wall_point, pair));
-  // The body reaches as far to both sides. Twice behind the plane is as good as any depth, and out of nothing's way.
+  // The body spans twice its support. From there on nothing changes, and no depth need be larger than twice that.
   const double overlap = std::min(deepest.value - distance, 4 * deepest.value), half = 4 * placed.size();
   if (!(overlap > 0)) return {.volume = 0, .area = 0, .error = 0};
   const Vec3<double> middle_of_wall = (deepest.value - overlap + half) * into_wall;
   const Lens lens(detail::PlacedGauge(own), detail::PlacedGauge::slab(middle_of_wall, -into_wall, half));
-  const Vec3<double> middle = own.to_pair_direction(deepest.gradient) - overlap / 2 * into_wall;
+  const Vec3<double> middle =
+      own.to_pair_direction(deepest.gradient) - std::min(overlap / 2, deepest.value) * into_wall;
   return patch_of_lens(lens, placed, pair, into_wall, middle, tolerance);
 }
 

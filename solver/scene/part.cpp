@@ -26,13 +26,15 @@ void add_bodies(Scene& scene, std::size_t material, std::size_t movable, std::si
   }
 }
 
-/// As few as tell which materials meet: of each one or two that move, and one that does not.
+/// As few as tell which materials meet: of each two that move, as more may come, and one that does not. Only of a rigid one, which may not meet
+/// itself, no more than there are.
 void add_bodies(Scene& scene, const std::vector<PartMaterial>& materials) {
   const bool has_any = std::ranges::any_of(materials, [](const PartMaterial& m) { return m.movable + m.fixed > 0; });
   for (std::size_t k = 0; k < materials.size(); ++k) {
-    const std::size_t two = 2, one = 1;
-    add_bodies(scene, k, has_any ? std::min(materials[k].movable, two) : two, std::min(materials[k].fixed, one));
-    scene.materials.push_back(materials[k].material);
+    const PartMaterial& m = materials[k];
+    const std::size_t two = 2, one = 1, movable = m.material.is_rigid ? std::min(m.movable, two) : two;
+    add_bodies(scene, k, m.movable > 0 || !has_any ? movable : 0, std::min(m.fixed, one));
+    scene.materials.push_back(m.material);
   }
 }
 
@@ -63,6 +65,7 @@ Scene with_effects_of_all(const Scene& scene) {
 /// Whatever is asked for is on: of bodies to come nothing can be proved. But two materials have the law that is theirs.
 PlanOptions all_of(const Scene& probe) {
   PlanOptions options;
+  options.may_always_touch = true;
   const Effects effects = with_effects_of_all(probe).effects;
   each_effect(effects, [&](const auto& effect) {
     using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;

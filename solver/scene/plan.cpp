@@ -293,7 +293,7 @@ Plan make_plan(const Scene& scene, const PlanOptions& options) {
   }
   Scene with_forced = scene;
   with_forced.effects = plan.asked;
-  const bool bodies_can_touch = can_touch(with_forced);
+  const bool bodies_can_touch = options.may_always_touch || can_touch(with_forced);
   for (const Effect& effect : effects()) {
     plan.effects.push_back(planned(effect, with_forced, plan, options, bodies_can_touch));
     add_needs(plan.needs, plan.effects.back().needs);

@@ -61,6 +61,7 @@ struct PlanOptions {
   /// Effects that are on whatever the scene asks for and whatever they can change, those it does not ask for at their neutral
   /// value: to test that an effect which is left out is one that changes nothing.
   std::set<std::string, std::less<>> forced;
+  bool may_always_touch = false;  ///< wherever the bodies are: others are to come
 };
 
 /// Throws SceneError for what is illegal or has no meaning.

@@ -137,6 +137,19 @@ TEST_F(InLammps, Materials) {
   EXPECT_EQ(largest_deviation(scene, {1, 2}), 0);
 }
 
+// Far from the origin and alone: where an atom is says nothing of where it will be.
+TEST_F(InLammps, OneBallOfAMaterialMeetsAWallFarAway) {
+  Scene scene;
+  scene.name = "one";
+  scene.bodies = {made::ball(0.5, {0, 0, -9.45}, {0, 0, -1})};
+  scene.walls = {made::floor_at(-10)};
+  scene.materials = {{.name = "glass", .density = {}, .is_rigid = false, .effects = {}}};
+  scene.materials[0].effects.hertz = Hertz{7e4, 0.2};
+  run_for(scene, 1e-3, 250);
+  EXPECT_GT(pressing_steps(scene), 5);
+  EXPECT_EQ(largest_deviation(scene, {1}), 0);
+}
+
 // With what friction remembers of a patch's turning.
 TEST_F(InLammps, LawsOnPatches) {
   Scene scene;

@@ -68,8 +68,8 @@ TEST(Checkpoints, OtherFilesAndVersionsAreNamed) {
   EXPECT_EQ(damage_of(""), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
   EXPECT_EQ(damage_of("{}"), "c.bin: is no checkpoint of plumb, or its beginning is damaged");
   std::string other = format_checkpoint(sample_checkpoint());
-  other[16] = 2;
-  EXPECT_EQ(damage_of(other), "c.bin: version: is 2, must be 1");
+  other[16] = 3;
+  EXPECT_EQ(damage_of(other), "c.bin: version: is 3, must be 2");
 }
 
 /// The checksum of what was changed, as whoever changes it may well put there.

@@ -1,6 +1,6 @@
 // The state as named columns: so many numbers for each body (walls after the bodies), or for each pair of the contact list.
 // What is kept goes into checkpoints and the hash, whoever owns it. A contact's answer goes into checkpoints: where a step finds none,
-// the last one stands. The rest is made anew in each step.
+// the last one stands (in a part of a scene until its list is new). The rest is made anew in each step.
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/contact/stick_slip.hpp"
+#include "solver/scene/contact/stiffening.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/effect/across/couple.hpp"
 #include "solver/scene/facts.hpp"
@@ -14,7 +15,7 @@ namespace plumb::scene {
 
 /// Turns the bodies of each pressing contact against their relative rotation; `springs` holds how far each has turned.
 template <class Part>
-void resist(const ByPair<Couple<Part>>& laws, Column& springs, World& world) {
+void resist(const ByPair<Couple<Part>>& laws, const Stiffening& stiffening, Column& springs, World& world) {
   const Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Couple<Part>& parameters = laws.at(c);
@@ -24,7 +25,7 @@ void resist(const ByPair<Couple<Part>>& laws, Column& springs, World& world) {
     const double critical = 2 * std::sqrt(stiffness * square / (*contacts.inverse_mass)[c]);
     const StickSlip law{stiffness, parameters.damping * critical,
                         parameters.coefficient * radius * (*contacts.normal_force)[c]};
-    springs.vector(c) = Part::of(springs.vector(c), normal);
+    springs.vector(c) = stiffening.kept(c, stiffness) * Part::of(springs.vector(c), normal);
     world.turn(c, law.pull(springs.vector(c), Part::of(world.relative_turn(c), normal), world.time_step));
   }
 }
@@ -63,13 +64,15 @@ template <class Part>
   return out;
 }
 
-/// Adds the springs' column, the pass and the energy.
+/// Adds the springs' column and that of their stiffness, which goes by the radius too, the pass and the energy.
 template <class Part>
 void install_couple(const Couple<Part>& couple, World& world, std::optional<Couple<Part>> Effects::* slot,
-                    const char* column) {
+                    const char* column, const char* stiffness_column) {
   const ByPair<Couple<Part>> laws = by_pair(world, couple, slot);
   Column& springs = world.columns.add(column, Part::name, history(3));
-  world.contact_passes.push_back({Part::name, [laws, &springs, &world] { resist(laws, springs, world); }});
+  const Stiffening stiffening(world, stiffness_column, Part::name);
+  world.contact_passes.push_back(
+      {Part::name, [laws, stiffening, &springs, &world] { resist(laws, stiffening, springs, world); }});
   world.energies.push_back({Part::name, [laws, &springs, &world] { return spring_energy(laws, springs, world); }});
 }
 

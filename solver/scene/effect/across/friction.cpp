@@ -1,9 +1,8 @@
 #include "solver/scene/effect/across/friction.hpp"
 
-#include <utility>
-
 #include "solver/scene/body/world.hpp"
 #include "solver/scene/contact/stick_slip.hpp"
+#include "solver/scene/contact/stiffening.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
 #include "solver/scene/material/by_pair.hpp"
@@ -24,25 +23,6 @@ StickSlip law_of(const Friction& friction, const Contacts& contacts, std::size_t
   const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
   return {stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
 }
-
-/// What springs keep of their stretch where their stiffness has changed since the step before. Of a law whose never does it is all.
-class Stiffening {
- public:
-  Stiffening(World& world, const char* column) {
-    const Effects& effects = world.effects;
-    if (effects.hertz || effects.volume || effects.foundation)
-      before_ = &world.columns.add(column, Friction::name, history(1));
-  }
-
-  [[nodiscard]] double kept(std::size_t c, double stiffness) const {
-    if (before_ == nullptr) return 1;
-    const double before = std::exchange((*before_)[c], stiffness);
-    return stiffness > before && before > 0 ? before / stiffness : 1;
-  }
-
- private:
-  Column* before_ = nullptr;
-};
 
 void slide(const ByPair<Friction>& laws, const Stiffening& stiffening, Column& springs, World& world) {
   Contacts& contacts = world.contacts;
@@ -68,6 +48,13 @@ void turn(const ByPair<Friction>& laws, const Stiffening& stiffening, Column& an
     angles.vector(c) = stiffening.kept(c, law.stiffness) * normal.dot(angles.vector(c)) * normal;
     world.turn(c, law.pull(angles.vector(c), normal.dot(world.relative_turn(c)) * normal, world.time_step));
   }
+}
+
+/// With the overlap or the patch: a linear force's stiffness never does.
+Stiffening stiffening_of(World& world, std::string_view column) {
+  const Effects& effects = world.effects;
+  const bool changes = effects.hertz || effects.volume || effects.foundation;
+  return changes ? Stiffening(world, column, Friction::name) : Stiffening();
 }
 
 /// The work that the springs hold.
@@ -100,13 +87,13 @@ Role role(const Friction& friction, const Scene& scene) {
 void install(const Friction& friction, World& world) {
   Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
   const ByPair<Friction> laws = by_pair(world, friction, &Effects::friction);
-  const Stiffening sliding(world, "friction_stiffness");
+  const Stiffening sliding = stiffening_of(world, "friction_stiffness");
   world.contact_passes.push_back(
       {Friction::name, [laws, sliding, &springs, &world] { slide(laws, sliding, springs, world); }});
   Column* angles = nullptr;
   if (world.contacts.patch_arms != nullptr) {
     angles = &world.columns.add("friction_angle", Friction::name, history(3));
-    const Stiffening turning(world, "friction_turning");
+    const Stiffening turning = stiffening_of(world, "friction_turning");
     world.contact_passes.push_back(
         {Friction::name, [laws, turning, angles, &world] { turn(laws, turning, *angles, world); }});
   }

@@ -5,8 +5,7 @@
 //   force   = - ratio * normal stiffness * spring - damping, cut to coefficient * elastic normal force; where it is, the spring
 //             is as long as leaves the sum there (Luding 2008)
 //   Where the normal stiffness changes, as Hertz's does with the overlap: while it grows the spring keeps its force, while it falls its
-//   stretch, so that no approach makes energy (Thornton, Cummins & Cleary 2011, Powder Technology 210, 189, after Mindlin & Deresiewicz
-//   1953; LAMMPS's mindlin_rescale/force)
+//   stretch (stiffening.hpp)
 //   Of a patch (volume, foundation) the same against turning about the normal, at the patch's radius
 #pragma once
 

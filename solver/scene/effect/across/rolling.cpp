@@ -9,7 +9,7 @@ Role role(const Rolling& rolling, const Scene& scene) {
 }
 
 void install(const Rolling& rolling, World& world) {
-  install_couple(rolling, world, &Effects::rolling, "rolling_spring");
+  install_couple(rolling, world, &Effects::rolling, "rolling_spring", "rolling_stiffness");
 }
 
 }  // namespace plumb::scene

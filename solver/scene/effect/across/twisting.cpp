@@ -9,7 +9,7 @@ Role role(const Twisting& twisting, const Scene& scene) {
 }
 
 void install(const Twisting& twisting, World& world) {
-  install_couple(twisting, world, &Effects::twisting, "twisting_spring");
+  install_couple(twisting, world, &Effects::twisting, "twisting_spring", "twisting_stiffness");
 }
 
 }  // namespace plumb::scene
