@@ -172,6 +172,8 @@ std::optional<std::string> dependence(const SeededSolver& seeded, std::size_t bu
 
 /// A case before all bugs.
 struct Hunted {
+  std::string name;
+  Contact<double> automatic;
   std::function<Contact<double>(std::size_t bug)> solve;
   std::function<Finding(std::size_t bug, const Contact<double>&)> judge;
 };
@@ -184,6 +186,7 @@ Hunt hunt_each(const Quarry& quarry, std::size_t cases,
   std::atomic<std::uint64_t> control_findings{0};
   const auto hunt = [&](std::size_t index, const Hunted& hunted) {
     const Contact<double> control = hunted.solve(0);
+    require_auto(control, hunted.automatic, hunted.name);
     const Finding of_control = hunted.judge(0, control);
     if (of_control.kind != FindingKind::none) ++control_findings;
     for (std::size_t i = 0; i < quarry.bugs.size(); ++i) {
@@ -207,9 +210,9 @@ Hunt hunt_cases(const Quarry& quarry, std::size_t cases, const std::function<Cas
   return hunt_each(quarry, cases, [&](std::size_t index, const auto& hunt) {
     const Case c = draw(index);
     const auto solve = [&](std::size_t bug) { return quarry.seeded.solve(bug, c.pair, Want{}, nullptr); };
-    require_auto(solve(0), find_method("auto")->solve(c.pair, Want{}, nullptr), c.name);
     Judge judge(c.pair, quarry.source);
-    hunt({solve, [&](std::size_t bug, const Contact<double>& answer) {
+    hunt({c.name, find_method("auto")->solve(c.pair, Want{}, nullptr), solve,
+          [&](std::size_t bug, const Contact<double>& answer) {
             return finding_of(quarry.seeded, bug, answer, judge);
           }});
   });
@@ -219,8 +222,7 @@ Hunt hunt_shapes(const Quarry& quarry, std::size_t pairs, const std::function<Co
   return hunt_each(quarry, pairs, [&](std::size_t index, const auto& hunt) {
     const ConvexPair pair = draw(index);
     const auto solve = [&](std::size_t bug) { return quarry.seeded.solve_convex(bug, pair); };
-    require_auto(solve(0), solve_convex(pair, {}, nullptr), fmt::format("pair {} of shapes", index));
-    hunt({solve,
+    hunt({fmt::format("pair {} of shapes", index), solve_convex(pair, {}, nullptr), solve,
           [&](std::size_t, const Contact<double>& answer) { return judge_convex(pair, answer, {}, true).finding; }});
   });
 }

@@ -93,6 +93,25 @@ void require_first_fields(const Effects& effects, const std::set<std::string>& g
   });
 }
 
+/// All words: fields of effects, and one name more, whose value `read_other` takes.
+template <class ReadOther>
+Effects read_effects(std::span<const std::string> words, Holder holder, std::string_view other,
+                     const ReadOther& read_other) {
+  Effects out;
+  std::set<std::string> given;
+  Words rest{words};
+  while (!rest.left.empty()) {
+    const std::string name = rest.name();
+    if (!given.insert(name).second) throw SceneError(name, "stands there twice");
+    if (name == other)
+      read_other(rest);
+    else if (!read_field(name, out, rest, holder))
+      throw SceneError(name, "is no field of an effect");
+  }
+  require_first_fields(out, given);
+  return out;
+}
+
 /// The shortest decimal that reads back to the same double.
 std::string shortest(double x) {
   std::array<char, 32> digits{};
@@ -138,19 +157,10 @@ double number_of(const std::string& name, const std::string& word) {
 
 PairArguments parse_pair_arguments(std::span<const std::string> words) {
   PairArguments out;
-  std::set<std::string> given;
-  Words rest{words};
-  while (!rest.left.empty()) {
-    const std::string name = rest.name();
-    if (!given.insert(name).second) throw SceneError(name, "stands there twice");
-    if (name == "accuracy") {
-      out.accuracy = rest.number(name);
-      if (!(out.accuracy > 0 && out.accuracy < 1)) throw SceneError(name, "must be a number between 0 and 1");
-    } else if (!read_field(name, out.effects, rest, Holder::all)) {
-      throw SceneError(name, "is no field of an effect");
-    }
-  }
-  require_first_fields(out.effects, given);
+  out.effects = read_effects(words, Holder::all, "accuracy", [&](Words& rest) {
+    out.accuracy = rest.number("accuracy");
+    if (!(out.accuracy > 0 && out.accuracy < 1)) throw SceneError("accuracy", "must be a number between 0 and 1");
+  });
   return out;
 }
 
@@ -160,20 +170,11 @@ std::string pair_arguments_text(const PairArguments& arguments) {
 
 MaterialArguments parse_material_arguments(std::span<const std::string> words) {
   MaterialArguments out;
-  std::set<std::string> given;
-  Words rest{words};
-  while (!rest.left.empty()) {
-    const std::string name = rest.name();
-    if (!given.insert(name).second) throw SceneError(name, "stands there twice");
-    if (name == "rigid") {
-      const std::string word = rest.left.empty() ? "" : rest.name();
-      if (word != "yes" && word != "no") throw SceneError(name, "must be yes or no");
-      out.is_rigid = word == "yes";
-    } else if (!read_field(name, out.effects, rest, Holder::material)) {
-      throw SceneError(name, "is no field of an effect");
-    }
-  }
-  require_first_fields(out.effects, given);
+  out.effects = read_effects(words, Holder::material, "rigid", [&](Words& rest) {
+    const std::string word = rest.left.empty() ? "" : rest.name();
+    if (word != "yes" && word != "no") throw SceneError("rigid", "must be yes or no");
+    out.is_rigid = word == "yes";
+  });
   return out;
 }
 
