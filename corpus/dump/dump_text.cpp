@@ -20,7 +20,9 @@ std::string dump_head(std::int64_t step, std::optional<double> time, std::size_t
                       const std::string& columns) {
   std::string text = time ? "ITEM: TIME\n" + shortest(*time) + "\n" : "";
   text += "ITEM: TIMESTEP\n" + std::to_string(step) + "\nITEM: NUMBER OF ATOMS\n" + std::to_string(count);
-  text += "\nITEM: BOX BOUNDS ss ss ss\n";
+  text += "\nITEM: BOX BOUNDS";
+  for (const bool is_periodic : bounds.is_periodic) text += is_periodic ? " pp" : " ss";
+  text += "\n";
   for (int axis = 0; axis < 3; ++axis) text += shortest(bounds.low[axis]) + " " + shortest(bounds.high[axis]) + "\n";
   return text + "ITEM: ATOMS " + columns + "\n";
 }

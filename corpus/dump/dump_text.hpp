@@ -1,6 +1,7 @@
 // A frame as the text of a dump: the one writer of them. Numbers are the shortest decimals that read back to the same double.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -15,6 +16,7 @@ namespace plumb {
 struct DumpBounds {
   Vec3<double> low = Vec3<double>::Constant(std::numeric_limits<double>::infinity());
   Vec3<double> high = Vec3<double>::Constant(-std::numeric_limits<double>::infinity());
+  std::array<bool, 3> is_periodic{};
   void include(const Vec3<double>& centre, double radius);
 };
 

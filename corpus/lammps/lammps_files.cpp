@@ -32,9 +32,23 @@ std::string numbers_text(const Vec3<double>& x) {
   return shortest(x[0]) + " " + shortest(x[1]) + " " + shortest(x[2]);
 }
 
+/// What a pair style has of them: the box is LAMMPS's own.
+Effects without_box(Effects effects) {
+  effects.periodic_box.reset();
+  return effects;
+}
+
+/// Its sides, 0 where it is open.
+Vec3<double> box_sides(const Scene& scene) {
+  return scene.effects.periodic_box.value_or(PeriodicBox{}).sides;
+}
+
 void refuse_what_cannot_be(const Scene& scene, const Plan& plan) {
   if (plan.analysis != Analysis::motion) throw SceneError("run", "nothing moves, and LAMMPS is for what does");
-  PartSettings settings{scene.effects, scene.walls, plan.time_step, scene.run.accuracy, {}, scene.material_pairs};
+  if (!scene.effects.periodic_box.value_or(PeriodicBox{}).rate.isZero(0))
+    throw SceneError("effects.periodic_box.rate", "is not exported: LAMMPS's fix deform changes a box by another law");
+  PartSettings settings{without_box(scene.effects), scene.walls, plan.time_step,
+                        scene.run.accuracy,         {},          scene.material_pairs};
   for (const Material& material : scene.materials) settings.materials.push_back({material});
   for (const SceneBody& b : scene.bodies)
     if (!scene.materials.empty())
@@ -56,7 +70,7 @@ struct Types {
   [[nodiscard]] std::size_t material_of(std::size_t type) const { return (type - 1) % materials; }
 };
 
-/// Around the bodies: LAMMPS makes it larger as they go, and never smaller.
+/// A box that repeats itself, or one around the bodies: LAMMPS makes that larger as they go, and never smaller.
 std::string box_text(const Scene& scene, const World& world) {
   std::string out;
   for (int axis = 0; axis < 3; ++axis) {
@@ -66,6 +80,7 @@ std::string box_text(const Scene& scene, const World& world) {
       low = std::min(low, x - world.bodies.radius[i]);
       high = std::max(high, x + world.bodies.radius[i]);
     }
+    if (const double side = box_sides(scene)[axis]; side > 0) low = 0, high = side;
     out += fmt::format("{0} {1} {2}lo {2}hi\n", shortest(low), shortest(high), "xyz"[axis]);
   }
   return out;
@@ -204,7 +219,7 @@ std::string materials_text(const Scene& scene) {
 }
 
 std::string forces_text(const Scene& scene) {
-  std::string out = "pair_style plumb/cn " + pair_arguments_text({scene.effects, scene.run.accuracy});
+  std::string out = "pair_style plumb/cn " + pair_arguments_text({without_box(scene.effects), scene.run.accuracy});
   out += "\n" + materials_text(scene);
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) out += wall_text(scene, wall);
   if (scene.effects.gravity && !scene.effects.gravity->acceleration.isZero(0)) {
@@ -218,11 +233,12 @@ std::string script_text(const Scene& scene, const Plan& plan, const World& world
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) least = std::min(least, world.bodies.radius[i]);
   const std::int64_t every = plan.steps_per_output > 0 ? plan.steps_per_output : plan.steps;
-  std::string out =
-      fmt::format(R"(# plumb: scene {}. In this folder: mpirun -n 2 plumb-lammps -in in.lammps
+  const Vec3<double> sides = box_sides(scene);
+  const auto boundary = [&](int axis) { return sides[axis] > 0 ? "p" : "m"; };
+  std::string out = fmt::format(R"(# plumb: scene {}. In this folder: mpirun -n 2 plumb-lammps -in in.lammps
 units lj
 atom_style ellipsoid
-boundary m m m
+boundary {} {} {}
 newton off
 comm_modify vel yes
 fix shapes all property/atom d_n1 d_n2 d_density ghost yes
@@ -232,8 +248,9 @@ neighbor {} bin
 neigh_modify every 1 delay 0 check yes
 
 )",
-                  comment(scene.name), scene.materials.size() > 1 ? fmt::format("1:{}", scene.materials.size()) : "1",
-                  shortest(skin_share * least));
+                                comment(scene.name), boundary(0), boundary(1), boundary(2),
+                                scene.materials.size() > 1 ? fmt::format("1:{}", scene.materials.size()) : "1",
+                                shortest(skin_share * least));
   out += forces_text(scene);
   out += fmt::format(R"(fix motion moves plumb/nve
 timestep {}

@@ -33,17 +33,23 @@ class Dump : public SceneOutput {
     return out;
   }
 
-  /// Around the bodies, walls left out.
+  /// Around the bodies, walls left out; those of a box that repeats itself where there is one.
   static DumpBounds bounds_of(const World& world) {
     DumpBounds out;
     for (std::size_t i = 0; i < world.bodies.count; ++i)
       out.include(world.state.position->vector(i), world.bodies.radius[i]);
+    for (int k = 0; k < 3 && world.state.box_sides != nullptr; ++k)
+      if (const double side = world.state.box_sides->vector(0)[k]; side > 0) {
+        out.low[k] = 0;
+        out.high[k] = side;
+        out.is_periodic[static_cast<std::size_t>(k)] = true;
+      }
     return out;
   }
 
   void add_body(std::string& text, const World& world, std::size_t i) const {
     const State& state = world.state;
-    Body body{world.bodies.shape[i], state.position->vector(i), {}};
+    Body body{world.bodies.shape[i], world.home(state.position->vector(i)), {}};
     std::ranges::copy(state.orientation->entry(i), body.quaternion.begin());
     add_dump_body(text, DumpFormat::lammps, i + 1, is_fixed_[i] ? 2 : 1, body);
     if (state.velocity != nullptr) add_dump_numbers(text, state.velocity->entry(i));

@@ -55,6 +55,17 @@ class Numbers {
   const char* separator_ = "";
 };
 
+/// Of the bodies.
+void add_positions(std::string& text, const World& world) {
+  text += ",\"position\":[";
+  Numbers numbers(text);
+  for (std::size_t i = 0; i < world.bodies.count; ++i) {
+    const Vec3<double> at = world.home(world.state.position->vector(i));
+    numbers << std::span(at.data(), 3);
+  }
+  text += "]";
+}
+
 /// The entries first .. last - 1 of a column as a flat array.
 void add_entries(std::string& text, const char* name, const Column& column, std::size_t first, std::size_t last) {
   text += fmt::format(",\"{}\":[", name);
@@ -98,7 +109,7 @@ class Playback : public SceneOutput {
     const World& world = run.world();
     std::string text = "{\"time\":";
     Numbers(text) << run.time();
-    add_entries(text, "position", *world.state.position, 0, world.bodies.count);
+    add_positions(text, world);
     add_entries(text, "orientation", *world.state.orientation, 0, world.bodies.count);
     add_entries(text, "wall", *world.state.position, world.bodies.count, world.bodies.all());
     if (const Column* temperature = world.columns.find("temperature"))

@@ -92,7 +92,9 @@ std::vector<PointArray> arrays_of_bodies(const World& world) {
 
 std::string bodies_text(const Simulation& run) {
   const World& world = run.world();
-  return polydata_text(run.time(), world.bodies.count, of_column("", *world.state.position), arrays_of_bodies(world));
+  const PointArray places{
+      "", 3, [&](std::string& text, std::size_t i) { add_numbers(text, world.home(world.state.position->vector(i))); }};
+  return polydata_text(run.time(), world.bodies.count, places, arrays_of_bodies(world));
 }
 
 std::string contacts_text(const Simulation& run) {

@@ -6,6 +6,8 @@
 #include "fuzz/layouts/decode.hpp"
 #include "fuzz/layouts/layout_fields.hpp"
 #include "solver/pose.hpp"
+#include "solver/scene/body/mass.hpp"
+#include "solver/scene/facts.hpp"
 #include "solver/scene/plan.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
@@ -17,8 +19,8 @@ using layout::pick;
 using layout::read;
 using Vec = Vec3<long double>;
 
-constexpr std::size_t kEffects = 12, kMaterials = 112, kFirstBody = 120, kSceneBodySize = 48, kFirstWall = 408,
-                      kWallSize = 16;
+constexpr std::size_t kEffects = 12, kMaterials = 112, kPeriodicBox = 118, kFirstBody = 120, kSceneBodySize = 48,
+                      kFirstWall = 408, kWallSize = 16;
 
 constexpr std::array<double, 16> kParameters{0,   1,    10,   100,  1e3,   1e4, 1e5, 0.5,
                                              0.1, 1e-2, 1e-3, 1e-6, 1e-12, 2,   0.3, 1e6};
@@ -119,7 +121,8 @@ Effects read_scene_effects(Bytes bytes, std::size_t walls) {
     using Slot = std::remove_cvref_t<decltype(slot)>;
     constexpr bool is_new = std::is_same_v<Slot, std::optional<Volume>> ||
                             std::is_same_v<Slot, std::optional<Foundation>> ||
-                            std::is_same_v<Slot, std::optional<Dmt>> || std::is_same_v<Slot, std::optional<Jkr>>;
+                            std::is_same_v<Slot, std::optional<Dmt>> || std::is_same_v<Slot, std::optional<Jkr>> ||
+                            std::is_same_v<Slot, std::optional<PeriodicBox>>;
     if constexpr (!is_new) fill(slot);
   });
   fill(effects.volume);
@@ -209,6 +212,25 @@ void read_materials(Scene& scene, Bytes bytes) {
     scene.walls[k].material = read(bytes, kFirstWall + k * kWallSize + 13, 1) % count;
 }
 
+/// `duration`: no run is longer.
+void read_periodic_box(Scene& scene, Bytes bytes, double duration) {
+  const std::uint32_t flags = read(bytes, kPeriodicBox, 1), changes = flags >> 3 & 3;
+  if ((flags & 7) == 0 || !scene.walls.empty()) return;
+  double radius = 0;
+  for (const SceneBody& b : scene.bodies) radius = std::max(radius, bounding_radius(b.body.shape));
+  const double shortest = shortest_side(radius, contact_range(scene));
+  const double side = shortest * (1 + read(bytes, kPeriodicBox + 1, 1) / 64.0);
+  const double rate = (changes == 1 ? -0.5 : 0.5) * (side - shortest) / duration;
+  const bool has_rate = changes != 0 && std::ranges::none_of(scene.bodies, &SceneBody::is_fixed);
+  PeriodicBox& box = scene.effects.periodic_box.emplace();
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((flags >> axis & 1) == 0) continue;
+    box.sides[axis] = side;
+    if (has_rate) box.rate[axis] = rate;
+  }
+  if ((flags >> 5 & 1) != 0 && (flags & 7) == 7 && rate < 0 && has_rate) box.pressure = 1;
+}
+
 /// So many steps, none longer than the effects allow.
 void set_time(Scene& scene, Bytes bytes) {
   constexpr double longest_share = 8;  // of the fastest thing that happens, as plan.cpp has it
@@ -216,6 +238,7 @@ void set_time(Scene& scene, Bytes bytes) {
   const double steps = 2 + read(bytes, 2, 1) % 31;
   scene.run.accuracy = std::pow(10.0, -1.0 - read(bytes, 10, 1) % 8);
   scene.run.duration = pick(read(bytes, 6, 2), kDurations, 1e-4, 1e2);
+  read_periodic_box(scene, bytes, scene.run.duration);
   scene.run.time_step = scene.run.duration / steps;
   const double longest = make_plan(scene).needs.fastest / longest_share / parts[read(bytes, 5, 1) % 3];
   scene.run.time_step = std::min(*scene.run.time_step, longest);

@@ -52,6 +52,7 @@ enum class Holder { all, material };
 std::string_view why_not(std::string_view effect) {
   if (effect == Gravity::name) return "is fix gravity's";
   if (effect == MovingWalls::name) return "are fix plumb/wall's: velocity, amplitude, frequency";
+  if (effect == PeriodicBox::name) return "is LAMMPS's own: boundary p";
   if (effect == Conduction::name) return "is not supported here: run the scene by plumb scene";
   return {};
 }

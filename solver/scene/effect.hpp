@@ -35,6 +35,7 @@ struct Needs {
 struct Role {
   Needs needs;
   std::string off;
+  bool is_of_space = false;  ///< there as well where nothing moves
 };
 
 /// One effect; the functions of one that is not asked for are never called.

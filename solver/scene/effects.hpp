@@ -21,6 +21,7 @@
 #include "solver/scene/effect/normal/jkr.hpp"
 #include "solver/scene/effect/normal/linear.hpp"
 #include "solver/scene/effect/normal/volume.hpp"
+#include "solver/scene/effect/periodic_box.hpp"
 
 #define PLUMB_EFFECTS(ROW)       \
   ROW(Gravity, gravity)          \
@@ -37,7 +38,8 @@
   ROW(Conduction, conduction)    \
   ROW(MovingWalls, moving_walls) \
   ROW(Dmt, dmt)                  \
-  ROW(Jkr, jkr)
+  ROW(Jkr, jkr)                  \
+  ROW(PeriodicBox, periodic_box)
 
 namespace plumb::scene {
 

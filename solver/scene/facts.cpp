@@ -62,16 +62,12 @@ double wall_reach(const Scene& scene, std::size_t wall) {
   return sum;
 }
 
-double range_of(const Scene& scene) {
-  return scene.effects.cohesion ? scene.effects.cohesion->range : 0;
-}
-
 bool can_touch_wall(const Scene& scene, const SceneBody& b, double radius) {
   for (std::size_t k = 0; k < scene.walls.size(); ++k) {
     const Wall& wall = scene.walls[k];
     const Vec3<double> from = b.body.position - wall.point;
     const double height = wall.is_plane() ? wall.normal.normalized().dot(from) : from.norm() - extent_of(wall.shape);
-    if (height <= radius + wall_reach(scene, k) + range_of(scene)) return true;
+    if (height <= radius + wall_reach(scene, k) + contact_range(scene)) return true;
   }
   return false;
 }
@@ -112,6 +108,11 @@ double foundation_time(const Scene& scene, double stiffness) {
   return std::numbers::pi * std::sqrt(mass / (stiffness * area));
 }
 
+/// A body's images meet others wherever it is.
+bool repeats_itself(const Scene& scene) {
+  return scene.effects.periodic_box && !scene.effects.periodic_box->sides.isZero(0);
+}
+
 /// Beyond so many bodies nobody would ask.
 constexpr std::size_t most_bodies = 1000;
 
@@ -121,10 +122,14 @@ bool can_move(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const SceneBody& b) { return !b.is_fixed; });
 }
 
+double contact_range(const Scene& scene) {
+  return scene.effects.cohesion ? scene.effects.cohesion->range : 0;
+}
+
 bool can_touch(const Scene& scene) {
   // A step longer than a slip lasts overshoots what drag does to a body.
   const bool is_overshooting = scene.run.time_step && *scene.run.time_step > slip_time(scene);
-  if (scene.bodies.size() > most_bodies || is_overshooting) return true;
+  if (scene.bodies.size() > most_bodies || is_overshooting || repeats_itself(scene)) return true;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SceneBody& a = scene.bodies[i];
     const double radius = reach(scene, a);
@@ -132,7 +137,7 @@ bool can_touch(const Scene& scene) {
     for (std::size_t j = 0; j < i; ++j) {
       const SceneBody& b = scene.bodies[j];
       if (a.is_fixed && b.is_fixed) continue;
-      if ((a.body.position - b.body.position).norm() <= radius + reach(scene, b) + range_of(scene)) return true;
+      if ((a.body.position - b.body.position).norm() <= radius + reach(scene, b) + contact_range(scene)) return true;
     }
   }
   return false;
@@ -201,6 +206,7 @@ double greatest_speed(const Scene& scene) {
       first = std::max(first, b.velocity.norm() + b.angular_velocity.norm() * bounding_radius(b.body.shape));
     box.extend(b.body.position);
   }
+  const double by_box = scene.effects.periodic_box ? scene.effects.periodic_box->rate.norm() : 0;
   for (const Wall& wall : scene.walls) {
     const Vec3<double> about = Vec3<double>::Constant(wall.is_plane() ? 0 : extent_of(wall.shape));
     box.extend(Eigen::AlignedBox3d(wall.point - about, wall.point + about));
@@ -208,7 +214,7 @@ double greatest_speed(const Scene& scene) {
   const double g = gravity_of(scene);
   const double height = box.isEmpty() ? 0 : box.diagonal().norm();
   const double own = std::min(first + g * scene.run.duration, std::sqrt(first * first + 2 * g * height));
-  return own + wind_of(scene) + fastest_wall(scene);
+  return own + wind_of(scene) + fastest_wall(scene) + by_box;
 }
 
 double longest_axis(const Scene& scene) {

@@ -13,6 +13,9 @@ namespace plumb::scene {
 /// (|v| + |u|) T + |g| T^2 / 2 about its start, u being the fluid's velocity, for as long as nothing touches.
 [[nodiscard]] bool can_touch(const Scene& scene);
 
+/// Bodies so far apart are contacts.
+[[nodiscard]] double contact_range(const Scene& scene);
+
 /// How many of linear, hertz, volume and foundation are asked for, and their names.
 [[nodiscard]] int elastic_laws(const Scene& scene);
 inline constexpr const char* names_of_elastic_laws = "linear, hertz, volume or foundation";

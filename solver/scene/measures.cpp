@@ -81,6 +81,7 @@ std::map<std::string, Memory> memory_of(const Scene& scene, const Plan& plan) {
   std::map<std::string, Memory> out;
   for (const Column& column : world.columns) {
     Memory& of_owner = out[std::string(column.owner())];
+    if (column.kind().of == ColumnKind::scene) continue;
     (column.kind().of == ColumnKind::body ? of_owner.body : of_owner.pair) += column.width() * sizeof(double);
   }
   return out;

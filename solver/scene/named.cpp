@@ -18,6 +18,7 @@ constexpr std::array list{
     NamedScene{"dice", "dice thrown onto a table: they come to rest on their faces", 4, named::dice},
     NamedScene{"tower", "dice on each other, face on face on an elastic foundation: they stand still", 5, named::tower},
     NamedScene{"wall", "bricks in bond, each on two, settle under their weight", 30, named::wall},
+    NamedScene{"packing", "a box that repeats itself shrinks until its ellipsoids jam", 64, named::packing},
     NamedScene{"drum", "superquadrics in a drum of triangles that turns", 60, named::drum},
     NamedScene{"silo", "superquadrics flow out of a cylinder through a cone", 60, named::silo},
     NamedScene{"mixer", "a blade of triangles stirs superquadrics in a pot", 60, named::mixer},

@@ -77,6 +77,8 @@ PlanOptions all_of(const Scene& probe) {
 Scene checked(Scene probe) {
   if (probe.effects.conduction)
     throw SceneError("effects.conduction", "a part of a scene keeps no temperatures: run the scene by itself");
+  if (probe.effects.periodic_box)
+    throw SceneError("effects.periodic_box", "a part of a scene has no box of its own: it is the engine's");
   if (elastic_laws(with_effects_of_all(probe)) == 0)
     throw SceneError("effects", std::string("an elastic law is required: ") + names_of_elastic_laws);
   return probe;

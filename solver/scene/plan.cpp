@@ -43,13 +43,14 @@ void add_needs(Needs& all, const Needs& one) {
   all.normal_force |= one.normal_force;
   all.normal_mass |= one.normal_mass;
   all.radius |= one.radius;
+  all.contact_force |= one.contact_force;
   all.range = std::max(all.range, one.range);
   all.fastest = std::min(all.fastest, one.fastest);
 }
 
 /// Why it is off; empty where it is on.
 std::string why_off(const Role& role, const Plan& plan, bool bodies_can_touch) {
-  if (plan.analysis != Analysis::motion) return "nothing moves";
+  if (plan.analysis != Analysis::motion && !role.is_of_space) return "nothing moves";
   if (!role.off.empty()) return role.off;
   if (role.needs.contacts && !bodies_can_touch) return "no two bodies can meet: the balls that they can reach do not";
   return {};
@@ -142,7 +143,7 @@ void plan_contacts(Plan& plan, const Scene& scene) {
       plan.needs.contacts && (outputs.contacts || outputs.vtk || outputs.playback || outputs.lives || outputs.bulk);
   plan.needs.points = plan.needs.points || plan.analysis == Analysis::contacts || is_shown;
   plan.needs.lives = outputs.lives && plan.analysis == Analysis::motion;
-  plan.needs.contact_force = (outputs.contacts || outputs.bulk) && plan.needs.normal_force;
+  plan.needs.contact_force = (plan.needs.contact_force || outputs.contacts || outputs.bulk) && plan.needs.normal_force;
 }
 
 void plan_turning(Plan& plan, const Scene& scene) {

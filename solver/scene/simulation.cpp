@@ -146,8 +146,7 @@ void Simulation::observe(std::function<void(std::span<const SolveNote>)> look) {
 }
 
 Pair Simulation::pair_of(std::size_t contact) const {
-  const auto [i, j] = world_->contacts.pairs[contact];
-  return {solver_body(*world_, i), solver_body(*world_, j)};
+  return solver_pair(*world_, contact);
 }
 
 Snapshot Simulation::snapshot() const {
@@ -167,7 +166,7 @@ std::optional<Simulation::Misfit> Simulation::misfit(const Snapshot& snapshot) c
     const std::string field = "columns." + name;
     if (column == nullptr || !column->kind().is_saved()) return Misfit{field, "the scene keeps no such column"};
     if (!kept.insert(name).second) return Misfit{field, "stands twice"};
-    const std::size_t entries = column->kind().of == ColumnKind::body ? world_->bodies.all() : snapshot.pairs.size();
+    const std::size_t entries = column->kind().of == ColumnKind::pair ? snapshot.pairs.size() : column->size();
     if (values.size() != entries * column->width())
       return Misfit{field, "has " + std::to_string(values.size()) + " numbers, and the scene " +
                                std::to_string(entries * column->width())};

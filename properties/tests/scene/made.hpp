@@ -65,6 +65,16 @@ using Vec = Vec3<double>;
   return sum;
 }
 
+/// The field that the error of a scene's plan names, which gives a reason; empty where there is none.
+[[nodiscard]] inline std::string refused_field(const Scene& scene) {
+  try {
+    (void)make_plan(scene);
+  } catch (const SceneError& error) {
+    return std::string(error.what()).empty() ? "no reason" : error.field;
+  }
+  return {};
+}
+
 /// A ball of radius 1 that rests on the floor under gravity g, pressed in as the linear force wants it.
 struct Resting {
   static constexpr double g = 10, stiffness = 1e6;

@@ -29,8 +29,8 @@ std::unique_ptr<Simulation> watched_to_end(const Scene& scene, double& greatest_
   return run;
 }
 
-TEST(NamedScenes, AreFourteenAndLegal) {
-  EXPECT_EQ(named_scenes().size(), 14U);
+TEST(NamedScenes, AreFifteenAndLegal) {
+  EXPECT_EQ(named_scenes().size(), 15U);
   for (const NamedScene& named : named_scenes()) {
     const Scene scene = make(named.name);
     EXPECT_EQ(scene.name, named.name);
@@ -47,7 +47,7 @@ TEST(NamedScenes, AreFourteenAndLegal) {
 
 TEST(NamedScenes, StartApart) {
   for (const char* name :
-       {"impact", "pile", "hopper", "dice", "tower", "wall", "rod", "billiards", "drum", "silo", "mixer"})
+       {"impact", "pile", "hopper", "dice", "tower", "wall", "rod", "billiards", "packing", "drum", "silo", "mixer"})
     EXPECT_TRUE(started(make(name))->world().contacts.touching.empty()) << name;
   EXPECT_EQ(started(make("chain"))->world().contacts.touching.size(), 9U);
 }
@@ -57,7 +57,7 @@ TEST(NamedScenes, ThatTakeANumberOfBodiesHaveIt) {
     const auto movable = [&](std::string_view name) {
       return std::ranges::count(find_named_scene(name)->make(bodies).bodies, false, &SceneBody::is_fixed);
     };
-    for (const char* name : {"pile", "hopper", "dice", "tower", "wall", "chain", "billiards"})
+    for (const char* name : {"pile", "hopper", "dice", "tower", "wall", "chain", "billiards", "packing"})
       EXPECT_EQ(movable(name), bodies) << name;
   }
 }

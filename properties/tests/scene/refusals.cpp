@@ -18,27 +18,16 @@ struct Spoiled {
   std::function<void(Scene&)> spoil;
 };
 
-/// The field that the error names; empty where there is none.
-std::string refused_field(const Scene& scene) {
-  try {
-    (void)make_plan(scene);
-  } catch (const SceneError& error) {
-    EXPECT_STRNE(error.what(), "");
-    return error.field;
-  }
-  return {};
-}
-
 void expect_refused(const std::vector<Spoiled>& all) {
   for (const Spoiled& one : all) {
     Scene scene = crowd();
     one.spoil(scene);
-    EXPECT_EQ(refused_field(scene), one.field);
+    EXPECT_EQ(made::refused_field(scene), one.field);
   }
 }
 
 TEST(RefusedScene, IsNoneThatIsFine) {
-  EXPECT_EQ(refused_field(crowd()), "");
+  EXPECT_EQ(made::refused_field(crowd()), "");
 }
 
 TEST(RefusedScene, AsksForAShareOfNoForce) {

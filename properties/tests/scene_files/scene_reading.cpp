@@ -47,7 +47,8 @@ TEST(SceneReading, EveryEffectIsRead) {
     "damping": {"restitution": 0.5}, "friction": {"coefficient": 0.1, "stiffness_ratio": 0.2, "damping": 0.3},
     "rolling": {"coefficient": 0.4}, "twisting": {"coefficient": 0.5}, "cohesion": {"pull_off": 6, "range": 0.1},
     "drag": {"viscosity": 7, "fluid_velocity": [1, 0, 0]}, "conduction": {"conductivity": 8, "heat_capacity": 9},
-    "moving_walls": {"motions": [{"wall": 0, "velocity": [0, 0, 1], "amplitude": [0, 1, 0], "frequency": 2}]}})";
+    "moving_walls": {"motions": [{"wall": 0, "velocity": [0, 0, 1], "amplitude": [0, 1, 0], "frequency": 2}]},
+    "periodic_box": {"sides": [50, 60, 0], "rate": [-1, 0, 0]}})";
   const Effects read = parsed(sample_scene_of(effects)).effects;
   EXPECT_FALSE(read.linear.has_value());
   EXPECT_EQ(read.gravity.value_or(Gravity{}).acceleration, (Vec3<double>{1, 2, 3}));
@@ -57,6 +58,8 @@ TEST(SceneReading, EveryEffectIsRead) {
   EXPECT_EQ(read.drag.value_or(Drag{}).fluid_velocity, (Vec3<double>{1, 0, 0}));
   EXPECT_EQ(read.moving_walls.value_or(MovingWalls{}).motions.at(0).amplitude, (Vec3<double>{0, 1, 0}));
   EXPECT_EQ(read.moving_walls.value_or(MovingWalls{}).motions.at(0).frequency, 2);
+  EXPECT_EQ(read.periodic_box.value_or(PeriodicBox{}).sides, (Vec3<double>{50, 60, 0}));
+  EXPECT_EQ(read.periodic_box.value_or(PeriodicBox{}).pressure, 0);
 }
 
 TEST(SceneReading, ForeignNamesAreKept) {

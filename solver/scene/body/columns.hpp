@@ -1,4 +1,4 @@
-// The state as named columns: so many numbers for each body (walls after the bodies), or for each pair of the contact list.
+// The state as named columns: so many numbers for each body (walls after the bodies), for each pair of the contact list, or once.
 // What is kept goes into checkpoints and the hash, whoever owns it. A contact's answer goes into checkpoints: where a step finds none,
 // the last one stands (in a part of a scene until its list is new). The rest is made anew in each step.
 #pragma once
@@ -14,7 +14,7 @@
 namespace plumb::scene {
 
 struct ColumnKind {
-  enum Of { body, pair } of = body;
+  enum Of { body, pair, scene } of = body;
   int width = 1;  ///< numbers an entry
   bool is_kept = false;
   double initial = 0;      ///< of an entry that is new

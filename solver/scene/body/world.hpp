@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <chrono>
+#include <cmath>
 #include <functional>
 
 #include "solver/scene/body/columns.hpp"
@@ -43,6 +44,8 @@ struct State {
   Column* angular_velocity = nullptr;  ///< 3, world axes, made from the momentum
   Column* force = nullptr;             ///< 3
   Column* torque = nullptr;            ///< 3, about the centre
+  Column* box_sides = nullptr;         ///< 3, of the scene: of a box that repeats itself, 0 along an open axis
+  Column* box_rates = nullptr;         ///< 3, of the scene: of the sides
 
   [[nodiscard]] Eigen::Quaterniond orientation_of(std::size_t body) const {
     const auto q = orientation->entry(body);
@@ -58,12 +61,14 @@ struct Contacts {
   std::vector<std::uint32_t> parted;    ///< those that overlapped in the step before, and no longer do
   double range = 0;
   Column* is_pressing = nullptr;  ///< 1 or 0
-  Column* chart = nullptr;        ///< 12: where the solver starts next time, the step before's last
-  Column* overlap = nullptr;      ///< 1
-  Column* normal = nullptr;       ///< 3, from body 1 to body 2
-  Column* point = nullptr;        ///< 3: where the force acts
-  Column* volume = nullptr;       ///< 1: of the patch, as the next two; the normal and the point are the patch's then
-  Column* area = nullptr;         ///< 1
+  Column* image =
+      nullptr;  ///< 3: from body 2 to the image of it that is nearest to body 1, in a box that repeats itself
+  Column* chart = nullptr;    ///< 12: where the solver starts next time, the step before's last
+  Column* overlap = nullptr;  ///< 1
+  Column* normal = nullptr;   ///< 3, from body 1 to body 2
+  Column* point = nullptr;    ///< 3: where the force acts
+  Column* volume = nullptr;   ///< 1: of the patch, as the next two; the normal and the point are the patch's then
+  Column* area = nullptr;     ///< 1
   Column* patch_arms =
       nullptr;  ///< 9: of the roots of its three second moments along their axes, each times the normal
   Column* area_moment = nullptr;  ///< 3: about the point; 0 of a ball
@@ -128,8 +133,14 @@ struct World {
     return bodies.is_sphere[body] != 0 ? Eigen::Quaterniond::Identity() : state.orientation_of(body);
   }
 
+  /// Where a contact has body 2: the image of it that is nearest to body 1.
+  [[nodiscard]] Vec3<double> second_position(std::size_t contact) const;
+  /// In the box at the origin, where there is one that repeats itself.
+  [[nodiscard]] Vec3<double> home(const Vec3<double>& position) const;
   [[nodiscard]] Levers levers(std::size_t contact) const;
-  /// Of body 2, or of a wall where it is touched.
+  /// How fast a box that changes parts two places.
+  [[nodiscard]] Vec3<double> by_box(const Vec3<double>& apart) const;
+  /// Of body 2, and what the box adds to it as body 1 sees it; or of a wall where it is touched.
   [[nodiscard]] Vec3<double> second_velocity(std::size_t contact) const;
   /// The velocity of body 2's point of contact as body 1's sees it, where bodies turn.
   [[nodiscard]] Vec3<double> relative_velocity(std::size_t contact, const Levers& levers) const;
@@ -153,17 +164,42 @@ inline double Contacts::patch_radius(std::size_t contact) const {
   return Eigen::Map<const Eigen::Matrix3d>(patch_arms->entry(contact).data()).norm();
 }
 
+inline Vec3<double> World::second_position(std::size_t contact) const {
+  const Vec3<double> position = state.position->vector(contacts.pairs[contact][1]);
+  return contacts.image == nullptr ? position : Vec3<double>(position + contacts.image->vector(contact));
+}
+
+inline Vec3<double> World::home(const Vec3<double>& position) const {
+  if (state.box_sides == nullptr) return position;
+  Vec3<double> out = position;
+  for (int k = 0; k < 3; ++k)
+    if (const double side = state.box_sides->vector(0)[k]; side > 0) out[k] -= side * std::floor(out[k] / side);
+  return out;
+}
+
 inline Levers World::levers(std::size_t contact) const {
   const auto [i, j] = contacts.pairs[contact];
   const Vec3<double> point = contacts.point->vector(contact);
   return {point - state.position->vector(i),
-          bodies.is_wall(j) ? Vec3<double>::Zero() : Vec3<double>(point - state.position->vector(j))};
+          bodies.is_wall(j) ? Vec3<double>::Zero() : Vec3<double>(point - second_position(contact))};
+}
+
+inline Vec3<double> World::by_box(const Vec3<double>& apart) const {
+  Vec3<double> out = Vec3<double>::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (const double side = state.box_sides->vector(0)[k]; side > 0)
+      out[k] = state.box_rates->vector(0)[k] / side * apart[k];
+  return out;
 }
 
 inline Vec3<double> World::second_velocity(std::size_t contact) const {
-  const std::uint32_t j = contacts.pairs[contact][1];
+  const auto [i, j] = contacts.pairs[contact];
   const Vec3<double> velocity = state.velocity->vector(j);
-  if (!bodies.is_wall(j) || bodies.wall_spin[j - bodies.count].isZero(0)) return velocity;
+  if (!bodies.is_wall(j)) {
+    if (contacts.image == nullptr) return velocity;
+    return velocity + by_box(second_position(contact) - state.position->vector(i));
+  }
+  if (bodies.wall_spin[j - bodies.count].isZero(0)) return velocity;
   return velocity +
          bodies.wall_spin[j - bodies.count].cross(contacts.point->vector(contact) - state.position->vector(j));
 }

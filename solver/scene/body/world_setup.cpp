@@ -147,7 +147,6 @@ void add_columns(World& world, const Plan& plan) {
     const double nowhere = std::numeric_limits<double>::quiet_NaN();
     world.boxes = &world.columns.add("box", "broad phase", {Kind::body, box_width, true, nowhere});
   }
-  if (plan.analysis != Analysis::motion) return;
   for (const PlannedEffect& planned : plan.effects)
     if (planned.is_on) planned.effect->install(plan.asked, world);
 }
@@ -156,6 +155,7 @@ void set_up(World& world, const Scene& scene, const Plan& plan) {
   world.bodies = bodies_of(scene, plan);
   add_columns(world, plan);
   world.columns.renew(Kind::body, world.bodies.all());
+  world.columns.renew(Kind::scene, 1);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) set_body(world, i, scene.bodies[i]);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) set_wall(world, i, scene.walls[i]);
   for (const auto& start : world.starts) start(scene);

@@ -33,16 +33,35 @@ Region box_of_all(const World& world) {
   return out;
 }
 
+/// A box that repeats itself as it is, where there is one.
+Region with_box(const World& world, Region region) {
+  if (world.state.box_sides == nullptr) return region;
+  const Vec3<double> sides = world.state.box_sides->vector(0);
+  for (int k = 0; k < 3; ++k)
+    if (sides[k] > 0) region.low[k] = 0, region.high[k] = sides[k];
+  return region;
+}
+
+/// Where a body counts: along the box's axes, everywhere.
+Region without_box(const World& world, Region region) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (world.state.box_sides == nullptr) return region;
+  const Vec3<double> sides = world.state.box_sides->vector(0);
+  for (int k = 0; k < 3; ++k)
+    if (sides[k] > 0) region.low[k] = -infinite, region.high[k] = infinite;
+  return region;
+}
+
 double volume_of(const Region& region) {
   return (region.high - region.low).prod();
 }
 
-double packing_fraction(const World& world, const Region& region) {
+double volume_within(const World& world, const Region& region) {
   double sum = 0;
   for (std::size_t i = 0; i < world.bodies.count; ++i)
     sum += mass_properties(world.bodies.shape[i]).volume *
            share_within(region, world.bodies.shape[i], world.state.position->vector(i), world.solver_orientation(i));
-  return sum / volume_of(region);
+  return sum;
 }
 
 /// The bodies that count, and the contacts between all.
@@ -154,7 +173,8 @@ std::optional<Vec3<double>> order_of(const World& world, const Packing& packing)
 Eigen::Matrix3d stress_of(const World& world, const Packing& packing, double volume) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   packing.each_end([&](std::uint32_t c, std::uint32_t body, double sign) {
-    const Vec3<double> arm = world.contacts.point->vector(c) - world.state.position->vector(body);
+    const Levers levers = world.levers(c);
+    const Vec3<double>& arm = body == world.contacts.pairs[c][0] ? levers.r1 : levers.r2;
     sum += sign * arm * world.contacts.force->vector(c).transpose();
   });
   return sum / volume;
@@ -194,10 +214,11 @@ std::optional<ForceDistribution> forces_of(const World& world, const Packing& pa
 
 Bulk bulk_of(const World& world, const std::optional<Region>& region) {
   Bulk out;
-  out.region = region ? *region : box_of_all(world);
-  const Packing packing(world, out.region);
+  out.region = with_box(world, region ? *region : box_of_all(world));
+  const Region counted = without_box(world, out.region);
+  const Packing packing(world, counted);
   const double volume = volume_of(out.region);
-  out.packing_fraction = packing_fraction(world, out.region);
+  out.packing_fraction = volume_within(world, counted) / volume;
   count_contacts(world, packing, out);
   if (out.bodies == 0) return out;
   out.fabric = fabric_of(world, packing);

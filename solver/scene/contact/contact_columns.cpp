@@ -15,9 +15,9 @@ namespace {
 using Index = std::uint32_t;
 
 /// arm = (point - centre) x normal, which is 0 for a sphere whatever rounding says.
-Vec3<double> arm_of(const World& world, Index i, const Vec3<double>& point, const Vec3<double>& normal) {
-  if (world.bodies.is_sphere[i]) return Vec3<double>::Zero();
-  return (point - world.state.position->vector(i)).cross(normal);
+Vec3<double> arm_of(bool is_sphere, const Vec3<double>& from_centre, const Vec3<double>& normal) {
+  if (is_sphere) return Vec3<double>::Zero();
+  return from_centre.cross(normal);
 }
 
 /// The arms of the normal, and the mass that it feels: 1 / mass and what turning adds to it, of both bodies.
@@ -27,8 +27,10 @@ void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
   const bool is_wall = world.bodies.is_wall(j);
   double inverse_mass = world.bodies.inverse_mass[i] + world.bodies.inverse_mass[j];
   if (contacts.arm1 != nullptr) {
-    const Vec3<double> arm1 = arm_of(world, i, answer.contact_point, answer.normal);
-    const Vec3<double> arm2 = is_wall ? Vec3<double>::Zero() : arm_of(world, j, answer.contact_point, answer.normal);
+    const Vec3<double> arm1 =
+        arm_of(world.bodies.is_sphere[i] != 0, answer.contact_point - world.state.position->vector(i), answer.normal);
+    const Vec3<double> arm2 = arm_of(is_wall || world.bodies.is_sphere[j] != 0,
+                                     answer.contact_point - world.second_position(c), answer.normal);
     contacts.arm1->vector(c) = arm1;
     contacts.arm2->vector(c) = arm2;
     if (contacts.yield1 != nullptr) {
@@ -44,7 +46,7 @@ void keep_arms(World& world, std::size_t c, const Contact<double>& answer) {
 double radius_at(const World& world, std::size_t c, const Vec3<double>& point) {
   const auto [i, j] = world.contacts.pairs[c];
   const double inverse = 1 / (point - world.state.position->vector(i)).norm();
-  return 1 / (world.bodies.is_wall(j) ? inverse : inverse + 1 / (point - world.state.position->vector(j)).norm());
+  return 1 / (world.bodies.is_wall(j) ? inverse : inverse + 1 / (point - world.second_position(c)).norm());
 }
 
 /// All but the curvature.
@@ -57,12 +59,11 @@ void keep_first_order(World& world, std::size_t c, const Contact<double>& answer
   keep_arms(world, c, answer);
 }
 
-/// Of a body's surface on the ray through a point, world axes.
-Curvatures curvatures_at(const World& world, Index i, const Vec3<double>& point) {
+/// Of a body's surface on the ray from its centre through a point, world axes.
+Curvatures curvatures_at(const World& world, Index i, const Vec3<double>& from_centre) {
   const Superellipsoid<double>& shape = world.bodies.shape[i];
   const Eigen::Quaterniond q = world.solver_orientation(i);
-  PrincipalCurvature<double> at =
-      principal_curvature<double>(shape, Vec3<double>(q.conjugate() * (point - world.state.position->vector(i))));
+  PrincipalCurvature<double> at = principal_curvature<double>(shape, Vec3<double>(q.conjugate() * from_centre));
   at.direction1 = q * at.direction1;
   return Curvatures::of(at, shape.semi_axes.maxCoeff());
 }
@@ -73,10 +74,11 @@ void keep_curvature(World& world, std::size_t c, const Curvatures& first, const 
 
 /// The point on the normal through a ball's centre, and two balls' normal through both: there they are up to the solver's tolerance, but
 /// a ball's arm is zero by its shape, and what is left of it would be angular momentum made from nothing.
-void straighten(const World& world, Index i, Index j, Contact<double>& answer) {
+void straighten(const World& world, std::size_t c, Contact<double>& answer) {
+  const auto [i, j] = world.contacts.pairs[c];
   const bool is_ball1 = world.bodies.is_sphere[i] != 0, is_ball2 = world.bodies.is_sphere[j] != 0;
   if (!is_ball1 && !is_ball2) return;
-  const Vec3<double> x1 = world.state.position->vector(i), x2 = world.state.position->vector(j);
+  const Vec3<double> x1 = world.state.position->vector(i), x2 = world.second_position(c);
   if (is_ball1 && is_ball2 && x1 != x2) answer.normal = (x2 - x1).normalized();
   const Vec3<double>& centre = is_ball1 ? x1 : x2;
   answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
@@ -126,17 +128,18 @@ bool keep_contact(World& world, std::size_t c, Contact<double> answer) {
   const auto [i, j] = world.contacts.pairs[c];
   bool is_complete = true;
   if (world.contacts.volume != nullptr) {
-    const Pair pair{solver_body(world, i), solver_body(world, j)};
+    const Pair pair = solver_pair(world, c);
     const PlacedPair<double> placed = place<double>(pair);
     is_complete = keep_patch(world, c, answer, [&] {
       return patch_at(pair, answer.normal, placed.to_pair_point(answer.point1, pair),
                       placed.to_pair_point(answer.point2, pair), world.contacts.patch_tolerance);
     });
   }
-  straighten(world, i, j, answer);
+  straighten(world, c, answer);
   keep_first_order(world, c, answer);
   if (world.contacts.curvature != nullptr)
-    keep_curvature(world, c, curvatures_at(world, i, answer.point1), curvatures_at(world, j, answer.point2));
+    keep_curvature(world, c, curvatures_at(world, i, answer.point1 - world.state.position->vector(i)),
+                   curvatures_at(world, j, answer.point2 - world.second_position(c)));
   return is_complete;
 }
 
@@ -149,10 +152,11 @@ bool keep_wall_contact(World& world, std::size_t c, Contact<double> answer) {
       const Vec3<double> on_wall = is_plane ? Vec3<double>(world.state.position->vector(j)) : answer.point2;
       return patch_at_wall(solver_body(world, i), answer.normal, on_wall, world.contacts.patch_tolerance);
     });
-    straighten(world, i, j, answer);
+    straighten(world, c, answer);
   }
   keep_first_order(world, c, answer);
-  if (world.contacts.curvature != nullptr) keep_curvature(world, c, curvatures_at(world, i, answer.point1), {});
+  if (world.contacts.curvature != nullptr)
+    keep_curvature(world, c, curvatures_at(world, i, answer.point1 - world.state.position->vector(i)), {});
   return is_complete;
 }
 

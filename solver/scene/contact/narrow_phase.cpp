@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "solver/method/automatic.hpp"
@@ -35,18 +36,28 @@ bool meet_plane(World& world, std::size_t c, Totals& round) {
   return true;
 }
 
+/// Of body 2 the image that is nearest to body 1: the one that it can touch. Walls have none.
+void set_image(World& world, std::size_t c) {
+  const auto [i, j] = world.contacts.pairs[c];
+  const Vec3<double> sides = world.state.box_sides->vector(0);
+  const Vec3<double> apart = world.state.position->vector(j) - world.state.position->vector(i);
+  for (int k = 0; k < 3; ++k)
+    world.contacts.image->vector(c)[k] =
+        sides[k] > 0 && !world.bodies.is_wall(j) ? -sides[k] * std::round(apart[k] / sides[k]) : 0;
+}
+
 /// Whether the balls around two bodies do.
-bool may_touch(const World& world, Index i, Index j) {
+bool may_touch(const World& world, std::size_t c) {
+  const auto [i, j] = world.contacts.pairs[c];
   const double reach = world.bodies.radius[i] + world.bodies.radius[j] + world.contacts.range;
-  return (world.state.position->vector(j) - world.state.position->vector(i)).squaredNorm() <= reach * reach;
+  return (world.second_position(c) - world.state.position->vector(i)).squaredNorm() <= reach * reach;
 }
 
 /// Where no warm start succeeded: a contact is never dropped because a start was bad. With normal and points as a chunk has them: curvatures
 /// are those at the points.
 Contact<double> solve_cold(const World& world, std::size_t c, Want want) {
   want.normal = want.points = true;
-  const auto [i, j] = world.contacts.pairs[c];
-  return automatic<double>({solver_body(world, i), solver_body(world, j)}, want, nullptr);
+  return automatic<double>(solver_pair(world, c), want, nullptr);
 }
 
 /// Pairs of the list that follow each other. What is alike among them is asked side by side; a pair's answer depends on itself alone.
@@ -77,10 +88,11 @@ class Block {
 
   /// A pair that touched is solved from its last answer. One that did not is first asked, by its first direction or from its last answer.
   void sort(std::size_t c) {
-    const auto [i, j] = world_.contacts.pairs[c];
+    const std::uint32_t j = world_.contacts.pairs[c][1];
+    if (world_.contacts.image != nullptr) set_image(world_, c);
     if (world_.bodies.is_wall(j))
       sort_wall(c, j - world_.bodies.count);
-    else if (!may_touch(world_, i, j))
+    else if (!may_touch(world_, c))
       return;
     else if (!want_.is_yes_or_no() && (touched(c) || world_.contacts.range > 0))
       to_solve_.add(c);
@@ -192,6 +204,13 @@ void sort_out(Contacts& contacts, const std::vector<char>& touches) {
 Body solver_body(const World& world, std::uint32_t i) {
   const Eigen::Quaterniond q = world.solver_orientation(i);
   return {world.bodies.shape[i], world.state.position->vector(i), {q.w(), q.x(), q.y(), q.z()}};
+}
+
+Pair solver_pair(const World& world, std::size_t contact) {
+  const auto [i, j] = world.contacts.pairs[contact];
+  Pair out{solver_body(world, i), solver_body(world, j)};
+  out.body2.position = world.second_position(contact);
+  return out;
 }
 
 Totals solve_contacts(World& world, const Want& want, std::vector<SolveNote>* notes) {

@@ -9,6 +9,8 @@ namespace plumb::scene {
 
 /// A body as the solver takes it.
 [[nodiscard]] Body solver_body(const World& world, std::uint32_t i);
+/// The two bodies of a contact, the second where its nearest image is; no wall.
+[[nodiscard]] Pair solver_pair(const World& world, std::size_t contact);
 
 /// Brings every column of contacts up to date with the poses. With `notes`, every full solve is noted there.
 ///

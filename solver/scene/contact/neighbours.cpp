@@ -29,9 +29,27 @@ Vec3<double> high_of(const Column& boxes, std::size_t i) {
   return Vec3<double>::Map(boxes.entry(i).data() + 3);
 }
 
-Box box_of(const Column& boxes, std::size_t i) {
-  const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
+/// In the box at the origin, where there is one that repeats itself, and from there by `shift`.
+Box box_of(const World& world, const Column& boxes, std::size_t i, const Vec3<double>& shift = Vec3<double>::Zero()) {
+  Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
+  if (world.state.box_sides != nullptr) {
+    const Vec3<double> centre = (low + high) / 2, by = world.home(centre) - centre + shift;
+    low += by;
+    high += by;
+  }
   return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+}
+
+/// visit(shift) for each image of the box at the origin that is beside it, and for itself.
+template <class Visit>
+void each_image(const World& world, const Visit& visit) {
+  if (world.state.box_sides == nullptr) return visit(Vec3<double>(Vec3<double>::Zero()));
+  const Vec3<double> sides = world.state.box_sides->vector(0);
+  std::array<int, 3> last{};
+  for (int k = 0; k < 3; ++k) last[static_cast<std::size_t>(k)] = sides[k] > 0 ? 1 : 0;
+  for (int x = -last[0]; x <= last[0]; ++x)
+    for (int y = -last[1]; y <= last[1]; ++y)
+      for (int z = -last[2]; z <= last[2]; ++z) visit(Vec3<double>(x * sides[0], y * sides[1], z * sides[2]));
 }
 
 bool can_meet(const Bodies& bodies, std::uint32_t i, std::uint32_t j) {
@@ -54,20 +72,25 @@ double margin_of(const World& world, std::size_t i) {
 
 using Tree = geometry::index::rtree<Entry, geometry::index::linear<16>>;
 
-Tree tree_of(const Column& boxes, std::size_t bodies) {
+Tree tree_of(const World& world, const Column& boxes) {
   std::vector<Entry> entries;
-  entries.reserve(bodies);
-  for (std::uint32_t i = 0; i < bodies; ++i) entries.emplace_back(box_of(boxes, i), i);
+  entries.reserve(world.bodies.count);
+  for (std::uint32_t i = 0; i < world.bodies.count; ++i) entries.emplace_back(box_of(world, boxes, i), i);
   return Tree(entries);  // packed: built at once
 }
 
-/// Bodies after body i whose fat boxes meet its, sorted.
+/// Bodies after body i whose fat boxes meet its or an image of it, sorted.
 void add_bodies(const World& world, const Column& boxes, const Tree& tree, std::uint32_t i, Pairs& pairs) {
   const auto first = static_cast<std::ptrdiff_t>(pairs.size());
   const auto is_pair = [&](const Entry& other) { return other.second > i && can_meet(world.bodies, i, other.second); };
-  const auto query = geometry::index::intersects(box_of(boxes, i)) && geometry::index::satisfies(is_pair);
-  for (auto met = tree.qbegin(query); met != tree.qend(); ++met) pairs.push_back({i, met->second});
-  std::sort(pairs.begin() + first, pairs.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  each_image(world, [&](const Vec3<double>& shift) {
+    const Box box = box_of(world, boxes, i, shift);
+    if (!geometry::intersects(box, tree.bounds())) return;
+    const auto query = geometry::index::intersects(box) && geometry::index::satisfies(is_pair);
+    for (auto met = tree.qbegin(query); met != tree.qend(); ++met) pairs.push_back({i, met->second});
+  });
+  std::sort(pairs.begin() + first, pairs.end());
+  pairs.erase(std::unique(pairs.begin() + first, pairs.end()), pairs.end());
 }
 
 /// Whether a wall may reach into a box: of a plane by its normal, of others by the ball about their point, whose turning is nothing.
@@ -160,10 +183,22 @@ void fatten(const World& world, Column& boxes) {
   }
 }
 
+void stretch(const World& world, const Vec3<double>& factor, Column& boxes) {
+  const double most = (factor.array() - 1).abs().maxCoeff();
+  for (const std::uint32_t i : world.bodies.movable) {
+    const Vec3<double> low = low_of(boxes, i), high = high_of(boxes, i);
+    // A fat box that shrinks has less room for its body, which does not.
+    boxes.entry(i)[6] -=
+        most * ((high - low).maxCoeff() / 2 + world.state.velocity->vector(i).norm() * world.time_step);
+    Vec3<double>::Map(boxes.entry(i).data()) = factor.cwiseProduct(low);
+    Vec3<double>::Map(boxes.entry(i).data() + 3) = factor.cwiseProduct(high);
+  }
+}
+
 Pairs meeting_pairs(const World& world, const Column& boxes) {
   constexpr std::size_t worth_waking = 256;
   const std::size_t bodies = world.bodies.count;
-  const Tree tree = tree_of(boxes, bodies);
+  const Tree tree = tree_of(world, boxes);
   const double margin = wall_margin(world);
   std::vector<Pairs> parts(bodies / worth_waking + 1);
   for_each_part(bodies, worth_waking, world.threads, [&](std::size_t part, std::size_t first, std::size_t end) {

@@ -22,7 +22,10 @@ inline constexpr int box_width = 7;
 /// Fattens all boxes anew, by a twentieth of the body's radius or twenty steps of its motion.
 void fatten(const World& world, Column& boxes);
 
-/// Pairs whose fat boxes meet, one of them movable, and bodies with walls that reach into theirs: sorted, body 1 < body 2; a wall as often
+/// Takes the fat boxes along with a box that repeats itself, whose sides have become `factor` times as long.
+void stretch(const World& world, const Vec3<double>& factor, Column& boxes);
+
+/// Pairs whose fat boxes meet, or images of theirs, one of them movable, and bodies with walls that reach into theirs: sorted, body 1 < body 2; a wall as often
 /// as it has places.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> meeting_pairs(const World& world, const Column& boxes);
 

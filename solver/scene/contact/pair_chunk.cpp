@@ -26,20 +26,20 @@ auto firsts(Columns& columns, std::size_t count) {
 
 }  // namespace
 
-void PairChunk::set(const World& world, std::size_t body, std::size_t k, Side& to) {
+void PairChunk::set(const World& world, std::size_t body, const Vec3<double>& position, std::size_t k, Side& to) {
   const Superellipsoid<double>& shape = world.bodies.shape[body];
   const Eigen::Quaterniond q = world.solver_orientation(body);
   put(to.semi_axes, k, std::span(shape.semi_axes.data(), 3));
   to.n1[k] = shape.n1;
   to.n2[k] = shape.n2;
-  put(to.position, k, world.state.position->entry(body));
+  put(to.position, k, std::span(position.data(), 3));
   put(to.quaternion, k, std::array{q.w(), q.x(), q.y(), q.z()});
 }
 
 void PairChunk::add(const World& world, std::size_t contact) {
   const auto [i, j] = world.contacts.pairs[contact];
-  set(world, i, count_, side1_);
-  set(world, j, count_, side2_);
+  set(world, i, world.state.position->vector(i), count_, side1_);
+  set(world, j, world.second_position(contact), count_, side2_);
   const auto charts = world.contacts.chart->entry(contact);
   put(side1_.last, count_, charts.subspan(0, 3));
   put(side2_.last, count_, charts.subspan(3, 3));

@@ -34,7 +34,7 @@ class PairChunk {
     std::array<Column, 4> quaternion;
   };
 
-  static void set(const World& world, std::size_t body, std::size_t k, Side& to);
+  static void set(const World& world, std::size_t body, const Vec3<double>& position, std::size_t k, Side& to);
   [[nodiscard]] BodyArrays arrays(const Side& of) const;
   [[nodiscard]] PairArrays pairs() const;
   [[nodiscard]] ContactArrays verdicts();

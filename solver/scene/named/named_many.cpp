@@ -142,4 +142,26 @@ Scene wall(int bodies) {
   return scene;
 }
 
+// Frictionless: apart at first, on a lattice, each turned and moving its own way. Overlaps are about 1e-4 of a body at that pressure.
+Scene packing(int bodies) {
+  const Vec3<double> semi_axes(0.00625, 0.005, 0.004);
+  const double spacing = 2.02 * semi_axes.maxCoeff();
+  const int along = std::max(2, static_cast<int>(std::ceil(std::cbrt(bodies))));
+  Scene scene;
+  scene.name = "packing";
+  Draw draw;
+  for (int i = 0; i < bodies; ++i) {
+    scene.bodies.push_back(body_at(lattice_place(i, along, along, spacing, 0), {semi_axes, 2, 2}, 2500));
+    scene.bodies.back().body.quaternion = draw.orientation();
+    scene.bodies.back().velocity = draw.in_box(0.02);
+  }
+  scene.effects.linear = Linear{4000};
+  scene.effects.damping = Damping{0.5};
+  scene.effects.drag = Drag{0.2};
+  const Vec3<double> sides = Vec3<double>::Constant(spacing * along);
+  scene.effects.periodic_box = PeriodicBox{.sides = sides, .rate = -0.4 * sides, .pressure = 40};
+  run_for(scene, 3, 1e-2);
+  return scene;
+}
+
 }  // namespace plumb::scene::named

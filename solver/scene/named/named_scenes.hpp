@@ -20,6 +20,7 @@ namespace plumb::scene::named {
 [[nodiscard]] Scene dice(int bodies);
 [[nodiscard]] Scene tower(int bodies);
 [[nodiscard]] Scene wall(int bodies);
+[[nodiscard]] Scene packing(int bodies);
 [[nodiscard]] Scene drum(int bodies);
 [[nodiscard]] Scene silo(int bodies);
 [[nodiscard]] Scene mixer(int bodies);
