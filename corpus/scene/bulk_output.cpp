@@ -40,6 +40,7 @@ Json bulk_json(const Simulation& run, const std::optional<Region>& region) {
   out["bodies"] = bulk.bodies;
   out["rattlers"] = bulk.rattlers;
   out["packing_fraction"] = bulk.packing_fraction;
+  for (std::size_t k = 0; k < 3; ++k) out["profiles"][std::string(1, "xyz"[k])] = bulk.profiles[k];
   add(out, "coordination", bulk.coordination);
   add(out, "coordination_without_rattlers", bulk.coordination_without_rattlers);
   add(out, "fabric", bulk.fabric);

@@ -1,6 +1,8 @@
 // Measures of a packing against closed forms.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "properties/tests/scene/made.hpp"
 #include "solver/scene/bulk/bulk.hpp"
 #include "solver/scene/bulk/region.hpp"
@@ -72,6 +74,29 @@ TEST(Bulk, OfALatticeThatNothingHoldsIsAllRattlers) {
   EXPECT_FALSE(bulk.coordination_without_rattlers.has_value());
   EXPECT_TRUE(bulk.region.low.isApprox(Vec::Constant(-1), 1e-12));
   EXPECT_TRUE(bulk.region.high.isApprox(Vec::Constant(2 * step + 1), 1e-12));
+}
+
+// A ball of radius 1 in slices a quarter high: pi h (r^2 - z^2 - h^2 / 12).
+TEST(Bulk, HasProfilesOfWhatIsInEachSlice) {
+  Scene scene;
+  scene.bodies = {ball(1, Vec::Zero())};
+  scene.run.outputs.bulk = true;
+  const auto run = made::started(scene);
+  const Bulk bulk = bulk_of(run->world(), Region{Vec::Constant(-1.25), Vec::Constant(1.25)});
+  constexpr double h = 0.25;
+  for (const auto& profile : bulk.profiles)
+    for (std::size_t k = 1; k < 9; ++k) {
+      const double z = (static_cast<double>(k) - 4.5) * h;
+      EXPECT_NEAR(profile[k], std::numbers::pi * (1 - z * z - h * h / 12) / (2.5 * 2.5), 3e-3) << k;
+    }
+  for (const auto& profile : bulk.profiles) EXPECT_EQ(profile[0] + profile[9], 0);
+}
+
+TEST(Bulk, HasProfilesWhoseMeanIsThePackingFraction) {
+  const auto run = made::started(lattice(true));
+  const Bulk bulk = bulk_of(run->world(), Region{Vec::Constant(0.3), Vec(3, 2.5, 3.3)});
+  for (const auto& profile : bulk.profiles)
+    EXPECT_NEAR(std::accumulate(profile.begin(), profile.end(), 0.0) / 10, bulk.packing_fraction, 1e-3);
 }
 
 TEST(Bulk, OfARegionIsOfTheBodiesWhoseCentresAreInIt) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numeric>
 
 #include "properties/laws/laws_scene.hpp"
 #include "properties/tests/scene/made.hpp"
@@ -158,14 +159,18 @@ double error_of_work(double accuracy) {
   Scene scene = gas();
   scene.effects.periodic_box->rate = {-1, 0.5, 0};
   scene.run.accuracy = accuracy;
-  scene.run.outputs.bulk = true;
+  scene.run.outputs.contacts = true;
   const auto run = made::started(scene);
   const World& world = run->world();
   const auto power = [&] {
-    const Bulk bulk = bulk_of(world, {});
-    const Eigen::Matrix3d stress = *bulk.stress + *bulk.kinetic;
-    const Vec sides = world.state.box_sides->vector(0), rates = world.state.box_rates->vector(0);
-    return sides.prod() * stress.diagonal().dot(rates.cwiseQuotient(sides));
+    double sum = 0;
+    for (const std::uint32_t i : world.bodies.movable)
+      sum -= world.bodies.mass[i] * velocity(*run, i).dot(world.by_box(velocity(*run, i)));
+    for (const std::uint32_t c : world.contacts.touching) {
+      const Vec apart = world.second_position(c) - world.state.position->vector(world.contacts.pairs[c][0]);
+      sum -= world.contacts.force->vector(c).dot(world.by_box(apart));
+    }
+    return sum;
   };
   const double before = made::total_energy(*run);
   double work = 0, last = power();
@@ -283,6 +288,12 @@ TEST(PeriodicBox, HasTheMeasuresOfItsWholeSpace) {
   EXPECT_TRUE(bulk.region.low.isZero(0));
   EXPECT_TRUE(bulk.region.high.isApprox(Vec::Constant(side)));
   EXPECT_EQ(bulk.bodies, 2U);
+  for (const auto& profile : bulk.profiles)
+    EXPECT_NEAR(std::accumulate(profile.begin(), profile.end(), 0.0) / 10, bulk.packing_fraction, 1e-12);
+  const auto cap = [](double h) {
+    return std::numbers::pi * h * h * (3 - h) / 3;
+  };  // of the second, and of the first's image
+  EXPECT_NEAR(bulk.profiles[0][9], (cap(0.5 + overlap) + cap(0.5)) / (side * side), 1e-3);
   EXPECT_NEAR((*bulk.stress)(0, 0), -stiffness * overlap * (2 - overlap) / volume, 1e-9);
   EXPECT_NEAR((*bulk.stress)(1, 1), 0, 1e-12);
 }

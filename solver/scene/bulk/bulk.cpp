@@ -64,6 +64,14 @@ double volume_within(const World& world, const Region& region) {
   return sum;
 }
 
+Profiles profiles_of(const World& world, const Region& counted, const Region& box) {
+  Profiles out{};
+  for (std::size_t i = 0; i < world.bodies.count; ++i)
+    add_to_profiles(counted, box, world.bodies.shape[i], world.state.position->vector(i), world.solver_orientation(i),
+                    mass_properties(world.bodies.shape[i]).volume, out);
+  return out;
+}
+
 /// The bodies that count, and the contacts between all.
 class Packing {
  public:
@@ -219,6 +227,7 @@ Bulk bulk_of(const World& world, const std::optional<Region>& region) {
   const Packing packing(world, counted);
   const double volume = volume_of(out.region);
   out.packing_fraction = volume_within(world, counted) / volume;
+  out.profiles = profiles_of(world, counted, out.region);
   count_contacts(world, packing, out);
   if (out.bodies == 0) return out;
   out.fabric = fabric_of(world, packing);

@@ -2,6 +2,7 @@
 //
 // A body is of the region if its centre is in it, and counts if it can move; packing_fraction alone takes parts of bodies, and fixed ones too.
 //
+//   profiles   the packing fraction of each of ten slices across x, across y and across z
 //   stress     1/V sum over bodies and their contacts of (contact - centre) (x) force on the body: the mean of bodies at rest; tension > 0
 //   kinetic    -1/V sum of m (v - mean) (x) (v - mean)
 //   fabric     mean of n (x) n over the bodies' contacts, trace 1; I/3: no direction is preferred
@@ -14,6 +15,7 @@
 #include <optional>
 
 #include "solver/scene/body/world.hpp"
+#include "solver/scene/bulk/region.hpp"
 
 namespace plumb::scene {
 
@@ -29,6 +31,7 @@ struct Bulk {
   Region region;
   std::size_t bodies = 0, rattlers = 0;
   double packing_fraction = 0;
+  Profiles profiles{};
   std::optional<double> coordination;                   ///< contacts a body, walls included
   std::optional<double> coordination_without_rattlers;  ///< contacts between those that are left, and with walls
   std::optional<Eigen::Matrix3d> fabric;
