@@ -1,0 +1,75 @@
+"""The packings' shapes are what they say, their scenes start apart, and a short run ends in a row of the table."""
+
+import contextlib
+import io
+import itertools
+import math
+import pathlib
+import random
+import tempfile
+import unittest
+from unittest import mock
+
+import packings
+from shapes import SHAPES
+
+
+def share_inside(shape, points):
+    """Of a box around it, by points drawn in it."""
+    draw = random.Random(1)
+    inside = sum(sum(abs(draw.uniform(-1, 1)) ** shape.exponent for _ in range(3)) <= 1 for _ in range(points))
+    return inside / points
+
+
+class Shapes(unittest.TestCase):
+    def test_all_have_the_volume_of_the_ball(self):
+        for shape in SHAPES:
+            a, b, c = shape.semi_axes()
+            self.assertAlmostEqual(8 * a * b * c * share_inside(shape, 20000), math.pi / 6, delta=0.01, msg=shape.name)
+
+    def test_the_ball_has_diameter_one(self):
+        self.assertAlmostEqual(SHAPES[0].semi_axes()[0], 0.5, places=12)
+        self.assertAlmostEqual(SHAPES[0].radius(), 0.5, places=12)
+
+
+class Scenes(unittest.TestCase):
+    def test_bodies_start_apart_in_every_image(self):
+        for shape in SHAPES:
+            scene = packings.scene_of(shape, 30, seed=2)
+            side = scene["effects"]["periodic_box"]["sides"][0]
+            for one, other in itertools.combinations(scene["bodies"], 2):
+                apart = [(x - y + side / 2) % side - side / 2 for x, y in zip(one["position"], other["position"])]
+                self.assertGreater(math.hypot(*apart), 2 * shape.radius(), shape.name)
+
+    def test_seeds_differ_and_are_kept(self):
+        self.assertEqual(packings.scene_of(SHAPES[1], 30, 1), packings.scene_of(SHAPES[1], 30, 1))
+        self.assertNotEqual(packings.scene_of(SHAPES[1], 30, 1), packings.scene_of(SHAPES[1], 30, 2))
+
+
+class Table(unittest.TestCase):
+    def test_interval_is_students(self):
+        mean, half = packings.interval([1.0, 2.0, 3.0])
+        self.assertEqual(mean, 2.0)
+        self.assertAlmostEqual(half, 4.303 / math.sqrt(3), places=12)
+        self.assertEqual(packings.text_of([0.5], 2), "0.50")
+
+    @mock.patch.object(packings, "DURATION", 2)
+    def test_a_run_is_a_row_and_is_not_run_twice(self):
+        with tempfile.TemporaryDirectory() as folder:
+            asked = packings.parsed(["--shapes", "ball", "--bodies", "30", "--seeds", "2", "--out", folder])
+            with contextlib.redirect_stderr(io.StringIO()):
+                table = packings.table_of(asked)
+                ended = pathlib.Path(folder, "ball-30-1", "bulk.jsonl")
+                before = ended.stat().st_mtime_ns
+                self.assertEqual(packings.table_of(asked), table)
+            self.assertEqual(ended.stat().st_mtime_ns, before)
+            self.assertRegex(table.splitlines()[1], r"^ball +0\.\d{4} \+- 0\.\d{4} .*0\.64")
+
+    def test_a_scene_that_is_refused_is_said(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(packings, "STIFFNESS", -1):
+            with self.assertRaisesRegex(packings.Failed, "effects.linear.stiffness"):
+                packings.packed(SHAPES[0], 30, 1, pathlib.Path(folder))
+
+
+if __name__ == "__main__":
+    unittest.main()
