@@ -99,7 +99,8 @@ std::array<double, 2> errors(const Scene& scene, const Outcome& of, const Outcom
 }
 
 bool dissipates(const Plan& plan) {
-  for (const std::string_view name : {"damping", "friction", "rolling", "twisting", "drag", "moving_walls"})
+  for (const std::string_view name :
+       {"damping", "friction", "rolling", "twisting", "drag", "moving_walls", "periodic_box"})
     if (plan.is_on(name)) return true;
   return false;
 }
