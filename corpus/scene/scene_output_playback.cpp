@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "corpus/json/fields.hpp"
 #include "corpus/scene/scene_output.hpp"
 #include "corpus/scene/scene_view.hpp"
+#include "solver/scene/bulk/bulk.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -55,17 +57,6 @@ class Numbers {
   const char* separator_ = "";
 };
 
-/// Of the bodies.
-void add_positions(std::string& text, const World& world) {
-  text += ",\"position\":[";
-  Numbers numbers(text);
-  for (std::size_t i = 0; i < world.bodies.count; ++i) {
-    const Vec3<double> at = world.home(world.state.position->vector(i));
-    numbers << std::span(at.data(), 3);
-  }
-  text += "]";
-}
-
 /// The entries first .. last - 1 of a column as a flat array.
 void add_entries(std::string& text, const char* name, const Column& column, std::size_t first, std::size_t last) {
   text += fmt::format(",\"{}\":[", name);
@@ -98,10 +89,19 @@ void add_energies(std::string& text, const Simulation& run) {
   text += "}";
 }
 
+void add_bulk(std::string& text, const Simulation& run, const std::optional<Region>& region) {
+  const Bulk bulk = bulk_of(run.world(), region);
+  text += ",\"bulk\":{\"packing_fraction\":";
+  Numbers(text) << bulk.packing_fraction;
+  text += ",\"coordination\":";
+  Numbers(text) << bulk.coordination.value_or(std::numeric_limits<double>::quiet_NaN());
+  text += "}";
+}
+
 class Playback : public SceneOutput {
  public:
   Playback(const Scene& scene, const Plan& plan, const std::filesystem::path& folder, std::uint64_t length)
-      : SceneOutput(folder, "playback.jsonl", length) {
+      : SceneOutput(folder, "playback.jsonl", length), outputs_(scene.run.outputs) {
     if (length == 0) file().add(write_json(head_json(scene, plan)) + "\n");
   }
 
@@ -109,13 +109,14 @@ class Playback : public SceneOutput {
     const World& world = run.world();
     std::string text = "{\"time\":";
     Numbers(text) << run.time();
-    add_positions(text, world);
+    add_entries(text, "position", *world.state.position, 0, world.bodies.count);
     add_entries(text, "orientation", *world.state.orientation, 0, world.bodies.count);
     add_entries(text, "wall", *world.state.position, world.bodies.count, world.bodies.all());
     if (const Column* temperature = world.columns.find("temperature"))
       add_entries(text, "temperature", *temperature, 0, world.bodies.count);
     add_contacts(text, run);
     add_energies(text, run);
+    if (outputs_.bulk) add_bulk(text, run, outputs_.region);
     file().add(text + "}\n");
   }
 
@@ -125,6 +126,9 @@ class Playback : public SceneOutput {
         {"failed", run.totals().failed}, {"shares", end.shares}};
     file().add(write_json({{"end", json}}) + "\n");
   }
+
+ private:
+  Outputs outputs_;
 };
 
 }  // namespace

@@ -99,7 +99,8 @@ std::string bodies_text(const Simulation& run) {
 
 std::string contacts_text(const Simulation& run) {
   const std::vector<ContactView> contacts = contacts_of(run);
-  const PointArray places{"", 3, [&](std::string& text, std::size_t i) { add_numbers(text, contacts[i].point); }};
+  const PointArray places{
+      "", 3, [&](std::string& text, std::size_t i) { add_numbers(text, run.world().home(contacts[i].point)); }};
   std::vector<PointArray> arrays;
   arrays.push_back({"normal", 3, [&](auto& text, auto i) { add_numbers(text, contacts[i].normal); }});
   arrays.push_back({"overlap", 1, [&](auto& text, auto i) { add_numbers(text, std::array{contacts[i].overlap}); }});

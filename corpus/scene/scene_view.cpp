@@ -22,11 +22,11 @@ Vec3<double> vector_in(const Column* column, std::size_t i) {
 /// Where the plan asks for no points, spheres still have one.
 Vec3<double> point_of(const World& world, std::uint32_t c) {
   const Contacts& contacts = world.contacts;
-  if (contacts.point != nullptr) return world.home(contacts.point->vector(c));
+  if (contacts.point != nullptr) return contacts.point->vector(c);
   const std::uint32_t i = contacts.pairs[c][0];
   if (world.bodies.is_sphere[i] == 0 || contacts.normal == nullptr) return not_valid<double>();
   const double reach = world.bodies.radius[i] - (*contacts.overlap)[c] / 2;
-  return world.home(world.state.position->vector(i) + reach * contacts.normal->vector(c));
+  return world.state.position->vector(i) + reach * contacts.normal->vector(c);
 }
 
 /// null where it is not finite.
@@ -115,7 +115,10 @@ Json energy_json(const Simulation& run) {
 Json contacts_json(const Simulation& run) {
   Json out = head_of(run);
   out["contacts"] = Json::array();
-  for (const ContactView& contact : contacts_of(run)) out["contacts"].push_back(contact_json(contact));
+  for (ContactView& contact : contacts_of(run)) {
+    contact.point = run.world().home(contact.point);
+    out["contacts"].push_back(contact_json(contact));
+  }
   return out;
 }
 

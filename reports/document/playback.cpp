@@ -82,7 +82,8 @@ class PlaybackReader {
   [[nodiscard]] std::size_t frames() const { return frames_; }
 
   [[nodiscard]] Json document() {
-    for (auto& [name, values] : out_["energy"].items()) pad(values, frames_);
+    for (const char* what : {"energy", "bulk"})
+      for (auto& [name, values] : out_[what].items()) pad(values, frames_);
     const double largest = largest_force();
     Packed forces;
     for (const double force : forces_) forces.add_part(largest > 0 ? force / largest : 0);
@@ -121,6 +122,7 @@ class PlaybackReader {
     out_["times"] = Json::array();
     out_["contacts"] = {{"counts", Json::array()}, {"deepest", Json::array()}};
     out_["energy"] = Json::object();
+    out_["bulk"] = Json::object();
     out_["end"] = nullptr;
   }
 
@@ -160,7 +162,8 @@ class PlaybackReader {
     take_orientations(line.member("orientation"));
     if (walls_ > 0) pack_points(wall_points_, many_numbers(line.member("wall"), 3 * walls_));
     take_contacts(line.member("contacts").elements());
-    take_energy(line.member("energy"));
+    take_series("energy", line.member("energy"));
+    if (line.has("bulk")) take_series("bulk", line.member("bulk"));
     out_["times"].push_back(time.number());
     ++frames_;
   }
@@ -246,12 +249,12 @@ class PlaybackReader {
   }
 
   /// A name that a frame does not have is null there.
-  void take_energy(const Field& energy) {
-    require_map(energy);
-    for (const auto& [name, value] : energy.value().items()) {
-      Json& values = out_["energy"][name];
+  void take_series(const char* what, const Field& numbers) {
+    require_map(numbers);
+    for (const auto& [name, value] : numbers.value().items()) {
+      Json& values = out_[what][name];
       pad(values, frames_);
-      values.push_back(value.is_null() ? Json() : Json(energy.member(name).number()));
+      values.push_back(value.is_null() ? Json() : Json(numbers.member(name).number()));
     }
   }
 

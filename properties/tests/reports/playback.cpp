@@ -100,6 +100,14 @@ TEST_F(PlaybackReport, AnEnergyThatAFrameDoesNotHaveIsNull) {
   EXPECT_EQ(energy["lost"], Json({nullptr, nullptr}));
 }
 
+TEST_F(PlaybackReport, HasThePackingWhereTheSceneWroteIt) {
+  Json first = frame(0, 8), second = frame(1, 4);
+  second["bulk"] = {{"packing_fraction", 0.5}, {"coordination", nullptr}};
+  const Json scene = report_of({head(), first, second})["playbacks"][0];
+  EXPECT_EQ(scene["bulk"], Json({{"packing_fraction", {nullptr, 0.5}}, {"coordination", {nullptr, nullptr}}}));
+  EXPECT_EQ(report_of({head(), first})["playbacks"][0]["bulk"], Json::object());
+}
+
 TEST_F(PlaybackReport, OfScenesAloneNothingOfCampaignsIsWritten) {
   const Json report = report_of({head(), frame(0, 8)});
   EXPECT_TRUE(report["playbacks"][0]["end"].is_null());

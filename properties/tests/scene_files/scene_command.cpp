@@ -279,6 +279,32 @@ TEST_F(SceneCommand, BulkIsALineAFrame) {
   EXPECT_GE(lines.back()["coordination"].get<double>(), 1);
 }
 
+// A ball at -0.5 touches one at 9 through the side of a box of ten: what is written is within the box, and a playback goes on beyond it.
+TEST_F(SceneCommand, APeriodicBoxHasAllOfItsBodiesWithinIt) {
+  const auto body = [](const char* x) {
+    return fmt::format(R"({{"shape": {{"superellipsoid": {{"semi_axes": [1, 1, 1]}}}}, "position": [{}, 5, 5],
+      "orientation": {{"quaternion_wxyz": [1, 0, 0, 0]}}}})",
+                       x);
+  };
+  (void)file("p.json",
+             fmt::format(R"({{"format": "plumb/scene-1", "bodies": [{}, {}], "effects": {{"linear": {{"stiffness": 10}},
+    "periodic_box": {{"sides": [10, 12, 0], "rate": [0.1, 0, 0]}}}},
+    "run": {{"duration": 0.01, "outputs": {{"write": ["contacts", "dump", "vtk", "playback", "bulk"]}}}}}})",
+                         body("-0.5"), body("9")));
+  ASSERT_EQ(plumb("scene p.json --out s").code, 0);
+  EXPECT_NE(read("s/dump.lammpstrj").find("BOX BOUNDS pp pp ss\n0 10\n0 12\n4 6\n"), std::string::npos);
+  EXPECT_NE(read("s/dump.lammpstrj").find("\n1 1 9.5 5 5 "), std::string::npos);
+  const Json contact = lines_of(read("s/contacts.jsonl")).front()["contacts"][0];
+  EXPECT_EQ(contact["normal"], Json({-1.0, 0.0, 0.0}));
+  EXPECT_NEAR(contact["point"][0].get<double>(), 9.25, 1e-12);
+  EXPECT_NE(read("s/vtk/bodies_0000000000.vtp").find("\n9.5 5 5 "), std::string::npos);
+  const Json frame = lines_of(read("s/playback.jsonl")).at(1);
+  EXPECT_EQ(frame["position"][0], -0.5);
+  EXPECT_NEAR(frame["contacts"][0][2].get<double>(), -0.75, 1e-9);
+  EXPECT_GT(frame["bulk"]["packing_fraction"].get<double>(), 0);
+  EXPECT_EQ(frame["bulk"]["coordination"], 1.0);
+}
+
 TEST_F(SceneCommand, ThePlanSaysWhatEachPairOfMaterialsHas) {
   (void)file("m.json", sample_with_materials());
   const std::string table = plumb("scene m.json --plan").out;

@@ -177,10 +177,30 @@ test("beside campaigns it is one section more", () =>
     },
   ));
 
+test("a scene that writes bulk has a figure of its packing, and no other has", () => {
+  const lines = playbackLines({ bodies: 5, frames: 6 });
+  const bare = playbackOf(
+    lines.map(({ bulk, ...line }) => line),
+    "bare",
+  );
+  return withPage(makeSceneReport(playbackOf(lines), bare), {}, async (page, noticed) => {
+    const figures = (nth) =>
+      page.$$eval(`#playback article:nth-of-type(${nth}) figcaption`, (all) =>
+        all.map((caption) => caption.textContent),
+      );
+    assert.deepEqual(await figures(2), ["Energy against time"]);
+    assert.deepEqual(await figures(1), ["Energy against time", "Packing against time"]);
+    await bring(page, "#playback article:nth-of-type(1) figure:nth-of-type(2) .plot");
+    const words = await page.$eval("#playback article:nth-of-type(1)", (part) => part.innerHTML);
+    assert.match(words, /packing fraction from 0\D?2 to 0\D?6/);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+});
+
 test("a single frame of one body, without walls, contacts or energy", () => {
   const lines = playbackLines({ bodies: 1, frames: 1 });
   Object.assign(lines[0], { walls: [], effects: [] });
-  Object.assign(lines[1], { wall: [], contacts: [], energy: {} });
+  Object.assign(lines[1], { wall: [], contacts: [], energy: {}, bulk: {} });
   return withPage(makeSceneReport(playbackOf(lines)), {}, async (page, noticed) => {
     await bring(page, "#playback canvas");
     await page.click('#playback button[title="Play"]');

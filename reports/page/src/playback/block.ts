@@ -4,6 +4,7 @@ import { button, h } from "../dom";
 import { theme } from "../theme";
 import { load3d, loaded3d, NO_WEBGL } from "../view3d/cards";
 import type { Look, PlaybackView } from "../view3d/playback_view";
+import { bulkFigure } from "./bulk";
 import { Clock } from "./clock";
 import { SCALE } from "./colours";
 import { energyFigure } from "./energy";
@@ -15,7 +16,7 @@ const CAPTION =
 
 export class PlaybackBlock {
   readonly element: HTMLElement;
-  readonly energy: HTMLElement;
+  readonly figures: HTMLElement[];
   private readonly clock: Clock;
   private readonly canvas: HTMLCanvasElement;
   private readonly key = h("div", { class: "scale-key" });
@@ -37,18 +38,19 @@ export class PlaybackBlock {
       this.look,
       () => this.show(),
     );
-    const figure = energyFigure(playback, (time) => this.clock.seek(time));
-    this.energy = figure.element;
+    const seek = (time: number) => this.clock.seek(time);
+    const figures = [energyFigure(playback, seek), bulkFigure(playback, seek)].filter((figure) => figure !== null);
+    this.figures = figures.map(({ element }) => element);
     const reset = button("Reset view", () => this.view?.reset(), { class: "quiet" });
     const bar = h("div", { class: "view-bar" }, this.key, reset);
     const caption = h("p", { class: "view-caption" }, CAPTION);
     this.element = h("div", { class: "view3d" }, this.canvas, player.element, bar, caption);
     this.canvas.addEventListener("keydown", (event) => this.keyed(event, player));
     this.clock.time.watch((time) => {
-      figure.mark(time);
+      for (const figure of figures) figure.mark(time);
       this.show();
     });
-    figure.mark(this.clock.time.value);
+    for (const figure of figures) figure.mark(this.clock.time.value);
     theme.watch(() => this.recolour());
     this.watch();
   }

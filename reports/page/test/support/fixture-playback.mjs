@@ -60,7 +60,9 @@ function frameAt(time, all, touching, wallPoints) {
   );
   const elastic = 1e-2 * contacts.length;
   const energy = { kinetic, elastic, gravity: potential, total: kinetic + elastic + potential };
-  return { time, position, orientation, wall: wallPoints.flat(), contacts, energy };
+  const coordination = contacts.length > 0 ? (2 * contacts.length) / all.length : null;
+  const bulk = { packing_fraction: 0.2 + (0.4 * time) / LONG, coordination };
+  return { time, position, orientation, wall: wallPoints.flat(), contacts, energy, bulk };
 }
 
 /** Neighbours in their beds, and the lowest with the floor. */
@@ -172,7 +174,10 @@ export function playbackOf([head, ...others], name = "pile") {
     bodies.reduce((sum, _, body) => sum + frames[0].position[3 * body + axis] / bodies.length, 0),
   );
   const fromOrigin = (x) => x.map((value, i) => (value - origin[i % 3]) / size);
-  const kinds = [...new Set(frames.flatMap(({ energy }) => Object.keys(energy)))];
+  const seriesOf = (what) => {
+    const names = [...new Set(frames.flatMap((frame) => Object.keys(frame[what] ?? {})))];
+    return Object.fromEntries(names.map((name) => [name, frames.map((frame) => frame[what]?.[name] ?? null)]));
+  };
   return {
     name,
     folder: `runs/${name}`,
@@ -197,7 +202,8 @@ export function playbackOf([head, ...others], name = "pile") {
       frames.flatMap(({ wall }) => fromOrigin(wall)),
     ),
     contacts: packedContacts(frames, fromOrigin),
-    energy: Object.fromEntries(kinds.map((kind) => [kind, frames.map(({ energy }) => energy[kind] ?? null)])),
+    energy: seriesOf("energy"),
+    bulk: seriesOf("bulk"),
     end: others.find((line) => line.end)?.end ?? null,
   };
 }
