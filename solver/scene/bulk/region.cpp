@@ -38,13 +38,13 @@ void each_chord(const Superellipsoid<double>& shape, const Vec3<double>& centre,
 }
 
 /// Of a chord middle + t along: from `first` to `last`.
-struct Part {
+struct Piece {
   double first, last;
   [[nodiscard]] double length() const { return std::max(0.0, last - first); }
 };
 
 /// The part of middle + t along, -half <= t <= half, that is within the box; `along` is a unit vector.
-Part part_within(const Region& region, const Vec3<double>& middle, const Vec3<double>& along, double half) {
+Piece part_within(const Region& region, const Vec3<double>& middle, const Vec3<double>& along, double half) {
   double first = -half, last = half;
   for (int k = 0; k < 3; ++k) {
     const double to_low = region.low[k] - middle[k], to_high = region.high[k] - middle[k];
@@ -96,14 +96,14 @@ void add_to_profiles(const Region& region, const Region& box, const Superellipso
   double all = 0;
   each_chord(shape, centre, axes, [&](const Vec3<double>& middle, double half) {
     all += 2 * half;
-    const Part part = part_within(region, middle, along, half);
-    if (!(part.length() > 0)) return;
+    const Piece piece = part_within(region, middle, along, half);
+    if (!(piece.length() > 0)) return;
     for (int k = 0; k < 3; ++k) {
-      const double a = (middle[k] + part.first * along[k] - box.low[k]) / slice[k];
-      const double b = (middle[k] + part.last * along[k] - box.low[k]) / slice[k];
+      const double a = (middle[k] + piece.first * along[k] - box.low[k]) / slice[k];
+      const double b = (middle[k] + piece.last * along[k] - box.low[k]) / slice[k];
       constexpr double lost = 1e6;
       if (std::abs(a) < lost && std::abs(b) < lost)
-        spread(part.length(), std::min(a, b), std::max(a, b), std::isinf(region.low[k]),
+        spread(piece.length(), std::min(a, b), std::max(a, b), std::isinf(region.low[k]),
                added[static_cast<std::size_t>(k)]);
     }
   });
