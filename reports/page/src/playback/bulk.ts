@@ -51,7 +51,13 @@ function draw(playback: Playback): Drawing {
         range: [playback.times[0] as number, playback.times.at(-1) as number],
       },
       yaxis: { ...titled(MEASURES[0] as Measure, 0), gridcolor: grid, zerolinecolor: grid },
-      yaxis2: { ...titled(MEASURES[1] as Measure, 1), overlaying: "y", side: "right", showgrid: false },
+      yaxis2: {
+        ...titled(MEASURES[1] as Measure, 1),
+        overlaying: "y",
+        side: "right",
+        showgrid: false,
+        tickmode: "auto",
+      },
       margin: { l: 64, r: 64, t: 10, b: 44 },
     },
   };
