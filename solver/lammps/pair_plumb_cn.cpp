@@ -8,6 +8,7 @@
 #include "solver/lammps/fix_plumb_nve.hpp"
 #include "solver/lammps/fix_plumb_wall.hpp"
 #include "solver/scene/body/mass.hpp"
+#include "solver/scene/body/rotation.hpp"
 #include "solver/scene/body/world_setup.hpp"
 
 namespace plumb::lammps {
@@ -61,58 +62,6 @@ PairPlumbCn::~PairPlumbCn() {
   memory->destroy(cutsq);
 }
 
-void PairPlumbCn::settings(int count, char** words) {
-  try {
-    arguments_ = scene::parse_pair_arguments(std::vector<std::string>(words, words + count));
-  } catch (const scene::SceneError& refusal) {
-    error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
-  }
-}
-
-void PairPlumbCn::coeff(int count, char** words) {
-  require(count >= 2, "pair_coeff needs two types, or * *");
-  const int types = atom->ntypes;
-  if (allocated == 0) {
-    memory->create(setflag, types + 1, types + 1, "pair:setflag");
-    memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
-    allocated = 1;
-  }
-  std::array<int, 2> low{}, high{};
-  for (std::size_t k = 0; k < 2; ++k) LAMMPS_NS::utils::bounds(FLERR, words[k], 1, types, low[k], high[k], error);
-  try {
-    const auto given = scene::parse_material_arguments(std::vector<std::string>(words + 2, words + count));
-    const bool are_same = low[0] == low[1] && high[0] == high[1];
-    if (!are_same && low[0] <= high[1] && low[1] <= high[0])
-      throw scene::SceneError(
-          "types", "must be the same twice, for their materials, or none in common, for what is between them");
-    for (int i = low[0]; i <= high[0]; ++i)
-      for (int j = low[1]; j <= high[1]; ++j) {
-        setflag[std::min(i, j)][std::max(i, j)] = 1;
-        if (!are_same || i == j) give(std::min(i, j), std::max(i, j), given, count > 2);
-      }
-  } catch (const scene::SceneError& refusal) {
-    error->all(FLERR, fmt::format("pair_coeff {} {}: {}: {}", words[0], words[1], refusal.field, refusal.what()));
-  }
-}
-
-/// In the place of what was given before; where nothing is, materials have nothing of their own and pairs are mixed.
-void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any) {
-  if (materials_.empty() && !has_any) return;
-  if (materials_.empty())
-    for (int type = 1; type <= atom->ntypes; ++type)
-      materials_.push_back({.name = fmt::format("type {}", type), .density = {}, .is_rigid = false, .effects = {}});
-  const std::size_t first = index(type1) - 1, second = index(type2) - 1;
-  if (first == second) {
-    materials_[first].is_rigid = arguments.is_rigid;
-    materials_[first].effects = arguments.effects;
-    return;
-  }
-  if (arguments.is_rigid) throw scene::SceneError("rigid", "is of one type: pair_coeff I I rigid yes");
-  std::erase_if(material_pairs_,
-                [&](const scene::MaterialPair& pair) { return pair.between == std::array{first, second}; });
-  if (has_any) material_pairs_.push_back({{first, second}, arguments.effects});
-}
-
 void PairPlumbCn::require(bool holds, const char* reason) const {
   if (!holds) error->all(FLERR, fmt::format("pair_style plumb/cn: {}", reason));
 }
@@ -152,22 +101,13 @@ void PairPlumbCn::find_shapes() {
   require(n1_ >= 0 && n2_ >= 0 && density_ >= 0, "needs fix property/atom d_n1 d_n2 d_density ghost yes");
 }
 
-std::vector<scene::PartMaterial> PairPlumbCn::counted_materials() const {
-  const std::size_t types = materials_.size();
-  std::vector<long long> here(2 * types), all(2 * types);
-  for (int i = 0; i < atom->nlocal && types > 0; ++i) ++here[(is_fixed(i) ? types : 0) + index(atom->type[i]) - 1];
-  MPI_Allreduce(here.data(), all.data(), static_cast<int>(all.size()), MPI_LONG_LONG, MPI_SUM, world);
-  std::vector<scene::PartMaterial> out;
-  for (std::size_t k = 0; k < types; ++k)
-    out.push_back({materials_[k], static_cast<std::size_t>(all[k]), static_cast<std::size_t>(all[types + k])});
-  return out;
-}
-
 void PairPlumbCn::make_part() {
   scene::PartSettings settings{arguments_.effects, {}, update->dt, arguments_.accuracy, counted_materials(),
                                material_pairs_};
   scene::MovingWalls moving;
+  std::vector<std::string> walls;
   for (const FixPlumbWall* fix : fixes_of<FixPlumbWall>(*modify)) {
+    walls.emplace_back(fix->id);
     moving.motions.push_back(fix->motion());
     moving.motions.back().wall = static_cast<int>(settings.walls.size());
     settings.walls.push_back(fix->wall());
@@ -179,7 +119,7 @@ void PairPlumbCn::make_part() {
   } catch (const scene::SceneError& refusal) {
     error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
   }
-  motion_->keep_only(part_->history_names());
+  motion_->keep_only(part_->history_names(), walls, row_width());
   is_stale_ = true;
 }
 
@@ -234,19 +174,6 @@ bool PairPlumbCn::is_fixed(int i) const {
 
 bool PairPlumbCn::is_owned(std::uint32_t body) const {
   return body < atom_of_body_.size() && atom_of_body_[body] < atom->nlocal;
-}
-
-double PairPlumbCn::key_of(std::uint32_t body, std::size_t place) const {
-  constexpr double places = 64;  // of a wall: more than any has
-  if (body < atom_of_body_.size()) return static_cast<double>(atom->tag[atom_of_body_[body]]);
-  return -1.0 - static_cast<double>(body - atom_of_body_.size()) - static_cast<double>(place) / places;
-}
-
-std::size_t PairPlumbCn::place_of(std::size_t contact) const {
-  const auto& pairs = part_->world().contacts.pairs;
-  std::size_t place = 0;
-  while (place < contact && pairs[contact - place - 1] == pairs[contact]) ++place;
-  return place;
 }
 
 std::vector<PairPlumbCn::AtomPair> PairPlumbCn::listed_pairs() const {
@@ -317,55 +244,25 @@ void PairPlumbCn::renew() {
   }
   part_->renew(bodies, contact_pairs(listed));
   refuse_two_images();
+  motion_->forget_new_atoms(row_width());
   recall();
   is_stale_ = false;
 }
 
-void PairPlumbCn::recall() {
-  const auto& pairs = part_->world().contacts.pairs;
-  const std::size_t width = part_->history_width();
-  for (std::size_t c = 0; c < pairs.size(); ++c) {
-    const auto [a, b] = pairs[c];
-    const std::uint32_t mine = is_owned(a) ? a : b;
-    const double other = key_of(mine == a ? b : a, place_of(c));
-    const std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
-    if (!memory.empty() && memory[0] != key_of(mine))
-      error->one(FLERR,
-                 std::string("pair_style plumb/cn: atoms have other IDs than in the run before, by which contacts "
-                             "are known: use `delete_atoms .. compress no`"));
-    for (std::size_t at = 1; at < memory.size(); at += width + 1)
-      if (memory[at] == other) part_->set_history(c, std::span(memory).subspan(at + 1, width));
-  }
-}
-
-void PairPlumbCn::remember() {
-  store();
-  is_stale_ = true;
-}
-
-void PairPlumbCn::store() {
-  if (is_stale_) return;  // the atoms have it: nothing was pressed since
-  motion_->forget_all();
-  std::vector<double> row(part_->history_width());
-  const auto& pairs = part_->world().contacts.pairs;
-  for (std::size_t c = 0; c < pairs.size(); ++c) {
-    if (!part_->has_history(c)) continue;
-    part_->history(c, row);
-    const auto [a, b] = pairs[c];
-    for (const auto& [mine, other] : {std::pair(a, b), std::pair(b, a)}) {
-      if (!is_owned(mine)) continue;
-      std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
-      if (memory.empty()) memory.push_back(key_of(mine));
-      memory.push_back(key_of(other, place_of(c)));
-      memory.insert(memory.end(), row.begin(), row.end());
-    }
-  }
+/// Of a fixed body that a fix of LAMMPS turns: what it is told is kept as the angular momentum of an ellipsoid, I = m/5 (b^2 + c^2).
+Vec3<double> PairPlumbCn::told_angular_velocity(int i) const {
+  const auto axes = shapes_.semi_axes(i);
+  const Vec3<double> squares = vector_at(axes.data()).cwiseAbs2();
+  const Vec3<double> inertia = atom->rmass[i] / 5 * (Vec3<double>::Constant(squares.sum()) - squares);
+  const auto [w, x, y, z] = shapes_.quaternion(i);
+  return scene::angular_velocity({w, x, y, z}, vector_at(atom->angmom[i]), inertia.cwiseInverse());
 }
 
 void PairPlumbCn::place_bodies() {
   for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
     const int i = atom_of_body_[k];
     part_->place(k, vector_at(atom->x[i]), vector_at(atom->v[i]), shapes_.quaternion(i), vector_at(atom->angmom[i]));
+    if (is_fixed(i)) part_->world().state.angular_velocity->vector(k) = told_angular_velocity(i);
   }
 }
 
@@ -379,7 +276,7 @@ void PairPlumbCn::compute(int eflag, int vflag) {
   part_->keep_contact_forces(vflag_either != 0);
   place_bodies();
   const double step = update->setupflag != 0 ? 0 : update->dt;
-  part_->press(static_cast<double>(update->ntimestep) * update->dt, step);
+  part_->press(motion_->time(), step);
   add_forces();
   if (eflag_atom != 0) share_energy();
   if (eflag_global == 0) return;

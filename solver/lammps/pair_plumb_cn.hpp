@@ -37,10 +37,12 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   [[nodiscard]] bool has_closing() const { return part_->has_closing(); }
   /// Once all forces of contacts are there.
   void tally_virial();
-  /// What the contacts remember, to the atoms and back. remember(): the atoms are about to move between processes.
+  /// What the contacts remember, to the atoms and back; store() on all processes. remember(): the atoms are about to move between them.
   void store();
   void remember();
   void recall();
+  /// Of what an atom remembers of a contact: whom it is with, and the contact's history.
+  [[nodiscard]] std::size_t row_width() const { return part_->history_width() + 1; }
   /// The body that an atom of this process is, in bodies().
   [[nodiscard]] std::size_t body_of(int atom) const { return static_cast<std::size_t>(body_of_atom_[index(atom)]); }
   /// Of an atom of this process, also between two runs: principal, body axes.
@@ -67,6 +69,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   [[nodiscard]] scene::SceneBody body(int atom) const;
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> contact_pairs(const std::vector<AtomPair>& listed) const;
   void refuse_two_images() const;
+  [[nodiscard]] Vec3<double> told_angular_velocity(int atom) const;
   void place_bodies();
   void add_forces() const;
   void share_energy();
@@ -74,6 +77,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   [[nodiscard]] bool is_owned(std::uint32_t body) const;
   /// The atom's ID, or for a wall -1, -2, .., less a part of 1 for each place of it before.
   [[nodiscard]] double key_of(std::uint32_t body, std::size_t place = 0) const;
+  void note(std::uint32_t mine, double other, std::span<const double> row);
+  void ask_ghosts();
   /// Which of a pair's contacts it is.
   [[nodiscard]] std::size_t place_of(std::size_t contact) const;
 
