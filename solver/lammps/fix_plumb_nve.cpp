@@ -6,6 +6,7 @@
 #include <span>
 #include <sstream>
 
+#include "solver/lammps/refusals.hpp"
 #include "solver/scene/body/rotation.hpp"
 
 namespace plumb::lammps {
@@ -92,7 +93,7 @@ void FixPlumbNve::refuse_order() const {
   bool is_behind = false;
   for (int k = 0; k < modify->nfix; ++k) {
     const LAMMPS_NS::Fix& fix = *modify->fix[k];
-    if (is_behind && (modify->fmask[k] & LAMMPS_NS::FixConst::POST_FORCE) != 0)
+    if (is_behind && (modify->fmask[k] & LAMMPS_NS::FixConst::POST_FORCE) != 0 && !replaces_forces(fix.style))
       error->all(FLERR, fmt::format("fix plumb/nve: must stand after fix {}: dashpots go by all other forces", fix.id));
     is_behind = is_behind || &fix == this;
   }

@@ -20,6 +20,7 @@ void PairPlumbCn::coeff(int count, char** words) {
   if (allocated == 0) {
     memory->create(setflag, types + 1, types + 1, "pair:setflag");
     memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+    for (int type = 0; type <= types; ++type) std::fill_n(setflag[type], types + 1, 0);
     allocated = 1;
   }
   std::array<int, 2> low{}, high{};
@@ -61,7 +62,8 @@ void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arg
 std::vector<scene::PartMaterial> PairPlumbCn::counted_materials() const {
   const std::size_t types = materials_.size();
   std::vector<long long> here(2 * types), all(2 * types);
-  for (int i = 0; i < atom->nlocal && types > 0; ++i) ++here[(is_fixed(i) ? types : 0) + index(atom->type[i]) - 1];
+  for (int i = 0; i < atom->nlocal && types > 0; ++i)
+    if (is_body(i)) ++here[(is_fixed(i) ? types : 0) + index(atom->type[i]) - 1];
   MPI_Allreduce(here.data(), all.data(), static_cast<int>(all.size()), MPI_LONG_LONG, MPI_SUM, world);
   std::vector<scene::PartMaterial> out;
   for (std::size_t k = 0; k < types; ++k)

@@ -7,6 +7,7 @@
 
 #include "solver/lammps/fix_plumb_nve.hpp"
 #include "solver/lammps/fix_plumb_wall.hpp"
+#include "solver/lammps/refusals.hpp"
 #include "solver/scene/body/mass.hpp"
 #include "solver/scene/body/rotation.hpp"
 #include "solver/scene/body/world_setup.hpp"
@@ -76,22 +77,28 @@ void PairPlumbCn::init_style() {
   require(update->whichflag != minimizing, "cannot minimize");
   require(CommandOf::name(*input) != "rerun", "cannot rerun: a dump does not bring back orientations");
   require(std::strcmp(update->integrate_style, "verlet") == 0, "needs run_style verlet");
+  require(compute_flag != 0, "cannot be left out: no `pair_modify compute no`");
   const auto motions = fixes_of<FixPlumbNve>(*modify);
   require(motions.size() == 1, "needs one fix plumb/nve");
   motion_ = motions.front();
-  refuse_walls_of_points();
   find_shapes();
   make_part();
+  refuse_what_goes_wrong(
+      {*lmp, *motion_, has_closing(), [&](int i) { return is_body(i); }, [&](int i) { return is_ellipsoid(i); }});
   weigh_atoms();
   measure_types();
   neighbor->request(this, instance_me);
 }
 
-void PairPlumbCn::refuse_walls_of_points() const {
-  for (int k = 0; k < modify->nfix; ++k)
-    if (const std::string_view style = modify->fix[k]->style; style.starts_with("wall/") || style == "indent")
-      error->all(FLERR, fmt::format("pair_style plumb/cn: fix {}: {} takes atoms for points: use fix plumb/wall",
-                                    modify->fix[k]->id, modify->fix[k]->style));
+bool PairPlumbCn::is_body(int i) const {
+  const int type = atom->type[i];
+  for (int other = 1; other <= atom->ntypes; ++other)
+    if (setflag[std::min(type, other)][std::max(type, other)] != 0) return true;
+  return false;
+}
+
+bool PairPlumbCn::is_ellipsoid(int i) const {
+  return atom->dvector[n1_][i] == 2 && atom->dvector[n2_][i] == 2;
 }
 
 void PairPlumbCn::find_shapes() {
@@ -126,6 +133,7 @@ void PairPlumbCn::make_part() {
 /// A body's mass follows from its shape; read_data gave that of an ellipsoid.
 void PairPlumbCn::weigh_atoms() {
   for (int i = 0; i < atom->nlocal; ++i) {
+    if (!is_body(i)) continue;
     const scene::SceneBody one = body(i);
     atom->rmass[i] = one.density * scene::mass_properties(one.body.shape).volume;
   }
@@ -134,6 +142,7 @@ void PairPlumbCn::weigh_atoms() {
 void PairPlumbCn::measure_types() {
   std::vector<double> here(index(atom->ntypes) + 1);
   for (int i = 0; i < atom->nlocal; ++i) {
+    if (!is_body(i)) continue;
     double& radius = here[index(atom->type[i])];
     radius = std::max(radius, scene::bounding_radius(body(i).body.shape));
   }
@@ -176,13 +185,22 @@ bool PairPlumbCn::is_owned(std::uint32_t body) const {
   return body < atom_of_body_.size() && atom_of_body_[body] < atom->nlocal;
 }
 
+/// Whether bonds of the kind that special_bonds numbers so leave a pair out.
+bool PairPlumbCn::is_bonded_apart(int kind) const {
+  const double factor = force->special_lj[kind];
+  if (factor != 0 && factor != 1)
+    error->one(FLERR, std::string("pair_style plumb/cn: a contact is there or not: special_bonds must be 0 or 1"));
+  return factor == 0;
+}
+
 std::vector<PairPlumbCn::AtomPair> PairPlumbCn::listed_pairs() const {
   std::vector<AtomPair> out;
   for (int k = 0; k < list->inum; ++k) {
     const int i = list->ilist[k];
     for (int n = 0; n < list->numneigh[i]; ++n) {
-      const int j = list->firstneigh[i][n] & NEIGHMASK;
-      if (!is_fixed(i) || !is_fixed(j)) out.emplace_back(i, j);
+      const int entry = list->firstneigh[i][n], j = entry & NEIGHMASK;
+      if (is_bonded_apart(sbmask(entry)) || (is_fixed(i) && is_fixed(j))) continue;
+      out.emplace_back(i, j);
     }
   }
   return out;
@@ -194,7 +212,8 @@ void PairPlumbCn::number_bodies(const std::vector<AtomPair>& listed) {
   const auto take = [&](int i) {
     if (std::exchange(body_of_atom_[index(i)], 0) < 0) atom_of_body_.push_back(i);
   };
-  for (int i = 0; i < atom->nlocal; ++i) take(i);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (is_body(i)) take(i);
   for (const auto& [i, j] : listed) take(j);
   std::ranges::sort(atom_of_body_, {}, [&](int i) { return std::pair(atom->tag[i], i); });
   for (std::size_t k = 0; k < atom_of_body_.size(); ++k) body_of_atom_[index(atom_of_body_[k])] = static_cast<int>(k);
@@ -208,7 +227,7 @@ std::vector<std::array<std::uint32_t, 2>> PairPlumbCn::contact_pairs(const std::
   }
   const auto walls = fixes_of<FixPlumbWall>(*modify);
   for (int i = 0; i < atom->nlocal; ++i)
-    for (std::size_t wall = 0; wall < walls.size() && !is_fixed(i); ++wall)
+    for (std::size_t wall = 0; wall < walls.size() && is_body(i) && !is_fixed(i); ++wall)
       out.insert(out.end(), scene::places_of(walls[wall]->wall().shape),
                  {static_cast<std::uint32_t>(body_of(i)), static_cast<std::uint32_t>(atom_of_body_.size() + wall)});
   std::ranges::sort(out);
@@ -297,9 +316,10 @@ void PairPlumbCn::share_energy() {
 
 void PairPlumbCn::add_forces() const {
   const scene::State& state = part_->world().state;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    Eigen::Map<Vec3<double>>(atom->f[i]) += state.force->vector(body_of(i));
-    Eigen::Map<Vec3<double>>(atom->torque[i]) += state.torque->vector(body_of(i));
+  for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
+    if (!is_owned(static_cast<std::uint32_t>(k))) continue;
+    Eigen::Map<Vec3<double>>(atom->f[atom_of_body_[k]]) += state.force->vector(k);
+    Eigen::Map<Vec3<double>>(atom->torque[atom_of_body_[k]]) += state.torque->vector(k);
   }
 }
 
@@ -310,9 +330,10 @@ void PairPlumbCn::close() {
     state.torque->vector(k) = vector_at(atom->torque[atom_of_body_[k]]);
   }
   part_->close();
-  for (int i = 0; i < atom->nlocal; ++i) {
-    Eigen::Map<Vec3<double>>(atom->f[i]) = state.force->vector(body_of(i));
-    Eigen::Map<Vec3<double>>(atom->torque[i]) = state.torque->vector(body_of(i));
+  for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
+    if (!is_owned(static_cast<std::uint32_t>(k))) continue;
+    Eigen::Map<Vec3<double>>(atom->f[atom_of_body_[k]]) = state.force->vector(k);
+    Eigen::Map<Vec3<double>>(atom->torque[atom_of_body_[k]]) = state.torque->vector(k);
   }
 }
 
@@ -327,6 +348,15 @@ void PairPlumbCn::tally_virial() {
     const Vec3<double> force = -contacts.force->vector(c), apart = vector_at(atom->x[i]) - vector_at(atom->x[j]);
     ev_tally_xyz(i, j, atom->nlocal, 0, 0, 0, force.x(), force.y(), force.z(), apart.x(), apart.y(), apart.z());
   }
+  if (force->pair != this) add_virial_to(*force->pair);
+}
+
+/// pair_style hybrid has summed its styles up before dashpots were there, and so without this.
+void PairPlumbCn::add_virial_to(Pair& all) const {
+  constexpr int components = 6;
+  for (int k = 0; k < components && vflag_global != 0; ++k) all.virial[k] += virial[k];
+  for (int i = 0; i < atom->nlocal && vflag_atom != 0; ++i)
+    for (int k = 0; k < components; ++k) all.vatom[i][k] += vatom[i][k];
 }
 
 long long PairPlumbCn::failed_contacts() const {

@@ -56,7 +56,9 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void require(bool holds, const char* reason) const;
-  void refuse_walls_of_points() const;
+  /// Whether it is of a type that this style has. With pair_style hybrid others may be there.
+  [[nodiscard]] bool is_body(int atom) const;
+  [[nodiscard]] bool is_ellipsoid(int atom) const;
   void find_shapes();
   void give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any);
   [[nodiscard]] std::vector<scene::PartMaterial> counted_materials() const;
@@ -64,6 +66,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void weigh_atoms();
   void measure_types();
   void renew();
+  [[nodiscard]] bool is_bonded_apart(int kind) const;
   [[nodiscard]] std::vector<AtomPair> listed_pairs() const;
   void number_bodies(const std::vector<AtomPair>& listed);
   [[nodiscard]] scene::SceneBody body(int atom) const;
@@ -73,6 +76,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void place_bodies();
   void add_forces() const;
   void share_energy();
+  void add_virial_to(Pair& all) const;
   [[nodiscard]] bool is_fixed(int atom) const;
   [[nodiscard]] bool is_owned(std::uint32_t body) const;
   /// The atom's ID, or for a wall -1, -2, .., less a part of 1 for each place of it before.
