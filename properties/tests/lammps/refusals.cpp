@@ -24,7 +24,8 @@ class InLammpsRefused : public InLammps {
     const Ran ran = script(script_text(parts) + what.after + "\nrun 1\n");
     EXPECT_NE(ran.code, 0) << what.lines << what.after;
     EXPECT_NE(ran.out.find(what.words), std::string::npos) << what.lines << what.after << errors(ran.out);
-    EXPECT_EQ(ran.out.find("ERROR"), ran.out.rfind("ERROR")) << errors(ran.out);
+    const std::string said = errors(ran.out);  // MPI may have its own to say of an abort
+    EXPECT_EQ(said.find("ERROR"), said.rfind("ERROR")) << said;
   }
 };
 
