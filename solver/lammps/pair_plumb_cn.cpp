@@ -130,13 +130,23 @@ void PairPlumbCn::make_part() {
   is_stale_ = true;
 }
 
-/// A body's mass follows from its shape; read_data gave that of an ellipsoid.
+/// A body's mass follows from its shape. Others are said to be replaced, but for what LAMMPS gives an ellipsoid or an atom that is new.
 void PairPlumbCn::weigh_atoms() {
+  constexpr double rounding = 1e-12, of_new_atom = 1;
+  long long here = 0, all = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!is_body(i)) continue;
     const scene::SceneBody one = body(i);
-    atom->rmass[i] = one.density * scene::mass_properties(one.body.shape).volume;
+    const double mass = one.density * scene::mass_properties(one.body.shape).volume;
+    const double ellipsoid = one.density * scene::mass_properties({one.body.shape.semi_axes, 2, 2}).volume;
+    const double was = std::exchange(atom->rmass[i], mass);
+    const auto is_like = [was](double m) { return std::abs(was - m) <= rounding * m; };
+    here += is_like(mass) || is_like(ellipsoid) || was == of_new_atom ? 0 : 1;
   }
+  MPI_Allreduce(&here, &all, 1, MPI_LONG_LONG, MPI_SUM, world);
+  if (all > 0 && comm->me == 0)
+    error->warning(FLERR,
+                   fmt::format("pair_style plumb/cn: {} masses were not d_density times the volume, and are now", all));
 }
 
 void PairPlumbCn::measure_types() {

@@ -51,6 +51,9 @@ TEST_F(InLammpsRefused, FormulasForEllipsoids) {
 }
 
 TEST_F(InLammpsRefused, WhatNeedsTheForceOfAPairAlone) {
+  expect_refused({"", "compute other all contact/atom", "Compute contact/atom requires atom style sphere"});
+  expect_refused({"", "compute other all pair/local force\ndump other all local 1 d index c_other",
+                  "Pair style does not support compute pair/local"});
   expect_refused({"", "compute other all group/group all", "Pair style does not support compute group/group"});
   expect_refused({"", "variable q equal 1\nfix other all adapt 1 pair plumb/cn linear.stiffness * * v_q",
                   "Fix adapt pair style param not supported", "all"});
@@ -59,11 +62,16 @@ TEST_F(InLammpsRefused, WhatNeedsTheForceOfAPairAlone) {
       {"region r block 0 1 0 1 0 1\nfix other all gcmc 1 1 0 1 123 1 1 1\n", "", "gcmc takes atoms for points"});
 }
 
+TEST_F(InLammpsRefused, AtomsThatAreMultiplied) {
+  expect_refused({"", "replicate 2 1 1", "Cannot replicate with fixes that store atom quantities"});
+}
+
 TEST_F(InLammpsRefused, SettingsThatLeaveContactsOut) {
   expect_refused({"pair_modify compute no\n", "", "cannot be left out: no `pair_modify compute no`"});
   expect_refused({"atom_modify first low\ncomm_modify group low\n", "", "needs the ghosts of all atoms"});
   expect_refused({"run_style respa 2 2 pair 1\n", "", "needs run_style verlet"});
   expect_refused({"", "minimize 0 0 1 1", "cannot minimize"});
+  expect_refused({"", "", "needs three dimensions"}, {.style = "units lj\natom_style ellipsoid\ndimension 2\n"});
 }
 
 TEST_F(InLammpsRefused, WallsThatThePeriodicBoxWouldRepeat) {
