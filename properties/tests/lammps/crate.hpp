@@ -14,6 +14,7 @@ struct Crate {
   int side = 4;          ///< bodies along each edge
   double spacing = 0.9;  ///< of a lattice; the longest diameter of a body is 1
   int types = 1;
+  bool is_triclinic = true;
   double diameter = 0;    ///< where it is not 0: as `atom_style hybrid ellipsoid sphere` has it
   double shear_rate = 0;  ///< velocities have this gradient of x along y
   /// All bodies moved so far, in edges of the box, and with them where the shear flow is at rest.
@@ -52,28 +53,31 @@ inline int wrap(Vec3<double>& x, double edge) {
     ellipsoids += fmt::format("{} 1 0.8 0.7 {} {} {} {}\n", id, q[0], q[1], q[2], q[3]);
     shapes += fmt::format("{} {} {} 1\n", id, k % 2 == 0 ? 4 : 2.5, k % 3 == 0 ? 6 : 3);
   }
+  std::string box;
+  for (const char axis : {'x', 'y', 'z'}) box += fmt::format("0 {} {}lo {}hi\n", edge, axis, axis);
+  if (crate.is_triclinic) box += "0 0 0 xy xz yz\n";
   return fmt::format(
-      "# bodies at random\n\n{0} atoms\n{0} ellipsoids\n{1} atom types\n\n0 {2} xlo xhi\n0 {2} ylo yhi\n0 {2} zlo "
-      "zhi\n0 0 0 xy xz yz\n\nAtoms\n\n{3}\nVelocities\n\n{4}\nEllipsoids\n\n{5}\nShapes\n\n{6}",
-      bodies, crate.types, edge, atoms, velocities, ellipsoids, shapes);
+      "# bodies at random\n\n{0} atoms\n{0} ellipsoids\n{1} atom types\n\n{2}\nAtoms\n\n{3}\nVelocities\n\n{4}\n"
+      "Ellipsoids\n\n{5}\nShapes\n\n{6}",
+      bodies, crate.types, box, atoms, velocities, ellipsoids, shapes);
 }
+
+inline const std::string shapes_fix = "fix shapes all property/atom d_n1 d_n2 d_density ghost yes\n";
 
 struct CrateScript {
   std::string before_motion{};  ///< lines after the pair style and before fix plumb/nve
   std::string group = "all";    ///< that moves
   std::string thermo = "pe ke pxx pyy pzz pxy pxz pyz";
   std::string style = "units lj\natom_style ellipsoid\n";
+  std::string read = shapes_fix + "read_data data.txt fix shapes NULL Shapes\n";
   std::string pair =
       "pair_style plumb/cn accuracy 1e-4 linear.stiffness 1e3 damping.restitution 0.7 friction.coefficient 0.4\n"
       "pair_coeff * *\n";
 };
 
-/// Reads data.txt; what is to be run comes after it.
+/// What is to be run comes after it.
 [[nodiscard]] inline std::string script_text(const CrateScript& parts = {}) {
-  return parts.style +
-         "newton off\ncomm_modify vel yes\nfix shapes all property/atom d_n1 d_n2 d_density ghost yes\n"
-         "read_data data.txt fix shapes NULL Shapes\n" +
-         parts.pair +
+  return parts.style + "newton off\ncomm_modify vel yes\n" + parts.read + parts.pair +
          "timestep 1e-3\nneighbor 0.1 bin\nneigh_modify every 1 delay 0 check yes\ngroup low id <= 16\n"
          "group high subtract all low\n" +
          parts.before_motion + "fix motion " + parts.group + " plumb/nve\nthermo_style custom step atoms " +
