@@ -1,4 +1,6 @@
 // What may change between the runs of a script, and what contacts remember of it.
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "properties/tests/lammps/in_lammps.hpp"
