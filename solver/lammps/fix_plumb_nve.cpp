@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <sstream>
 
 #include "solver/lammps/refusals.hpp"
+#include "solver/scene/body/mass.hpp"
 #include "solver/scene/body/rotation.hpp"
 
 namespace plumb::lammps {
@@ -62,7 +64,11 @@ double Clock::at(LAMMPS_NS::bigint step, double length_now) {
 }
 
 FixPlumbNve::FixPlumbNve(LAMMPS_NS::LAMMPS* lammps, int count, char** words) : Fix(lammps, count, words) {
-  if (count != 3) error->all(FLERR, std::string("fix plumb/nve: takes no arguments"));
+  try {
+    new_bodies_ = parse_new_bodies(std::span(words, static_cast<std::size_t>(count)).subspan(3), atom->ntypes);
+  } catch (const scene::SceneError& refusal) {
+    error->all(FLERR, fmt::format("fix plumb/nve: {}: {}", refusal.field, refusal.what()));
+  }
   time_integrate = 1;
   create_attribute = 1;
   restart_global = restart_peratom = 1;
@@ -190,6 +196,18 @@ void FixPlumbNve::copy_arrays(int from, int to, int /*delflag*/) {
 
 void FixPlumbNve::set_arrays(int i) {
   memory_of(i) = {new_atom};
+  const auto body = std::ranges::find(new_bodies_, atom->type[i], &NewBody::type);
+  if (body != new_bodies_.end() && atom->ellipsoid[i] < 0) give_shape(i, *body);
+}
+
+void FixPlumbNve::give_shape(int i, const NewBody& body) const {
+  const EllipsoidBonus shapes(*atom);
+  shapes.set_semi_axes(i, body.shape.semi_axes);
+  shapes.set_quaternion(i, orientation_drawn_at(atom->x[i]));
+  atom->rmass[i] = body.density * scene::mass_properties(body.shape).volume;
+  for (const auto& [name, value] :
+       {std::pair("n1", body.shape.n1), std::pair("n2", body.shape.n2), std::pair("density", body.density)})
+    if (const int at = vector_of(*atom, name); at >= 0) atom->dvector[at][i] = value;
 }
 
 // For other processes and for restart files an atom has how many numbers there are, this one too, and then these.
@@ -219,20 +237,20 @@ void FixPlumbNve::share(std::vector<std::vector<double>>& rows, std::size_t widt
     sharing_ = {&rows, width, begin};
     comm->forward_comm_fix(this, static_cast<int>(width));
   }
-  sharing_.reset();
+  sharing_ = {};
 }
 
 /// Its row of this round, or zeros.
 double* FixPlumbNve::pack_shared(int i, double* out) const {
-  const std::vector<double>& rows = (*sharing_->rows)[static_cast<std::size_t>(i)];
-  if (rows.size() <= sharing_->begin) return std::fill_n(out, sharing_->width, 0.0);
-  return std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(sharing_->begin), sharing_->width, out);
+  const std::vector<double>& rows = (*sharing_.rows)[static_cast<std::size_t>(i)];
+  if (rows.size() <= sharing_.begin) return std::fill_n(out, sharing_.width, 0.0);
+  return std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(sharing_.begin), sharing_.width, out);
 }
 
 int FixPlumbNve::pack_forward_comm(int count, int* list, double* out, int /*pbc_flag*/, int* /*pbc*/) {
   double* next = out;
   for (int k = 0; k < count; ++k) {
-    if (sharing_) {
+    if (sharing_.rows != nullptr) {
       next = pack_shared(list[k], next);
       continue;
     }
@@ -243,11 +261,11 @@ int FixPlumbNve::pack_forward_comm(int count, int* list, double* out, int /*pbc_
 }
 
 void FixPlumbNve::unpack_forward_comm(int count, int first, double* in) {
-  for (int i = first; sharing_ && i < first + count; ++i, in += sharing_->width) {
-    std::vector<double>& rows = (*sharing_->rows)[static_cast<std::size_t>(i)];
-    if (in[0] != 0) rows.insert(rows.end(), in, in + sharing_->width);
+  for (int i = first; sharing_.rows != nullptr && i < first + count; ++i, in += sharing_.width) {
+    std::vector<double>& rows = (*sharing_.rows)[static_cast<std::size_t>(i)];
+    if (in[0] != 0) rows.insert(rows.end(), in, in + sharing_.width);
   }
-  if (sharing_) return;
+  if (sharing_.rows != nullptr) return;
   for (int i = first; i < first + count; ++i, in += sent_of_ghosts) {
     std::copy_n(in, 3, atom->f[i]);
     std::copy_n(in + 3, 3, atom->torque[i]);

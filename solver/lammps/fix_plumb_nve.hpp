@@ -2,9 +2,9 @@
 // fixed bodies. It also carries what contacts remember from process to process, and ends the forces of each step (pair_plumb_cn.hpp).
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "solver/lammps/new_bodies.hpp"
 #include "solver/lammps/pair_plumb_cn.hpp"
 
 namespace plumb::lammps {
@@ -62,6 +62,7 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
   void keep_only(const std::string& names, const std::vector<std::string>& walls, std::size_t row_width);
   /// An ID may have been that of an atom which was deleted: forgets what others remember of atoms that are new. On all processes.
   void forget_new_atoms(std::size_t row_width);
+  [[nodiscard]] const std::vector<NewBody>& new_bodies() const { return new_bodies_; }
   [[nodiscard]] double time() { return clock_.at(update->ntimestep, update->dt); }
 
  private:
@@ -71,21 +72,23 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
   int take(int atom, const double* in);
   [[nodiscard]] int most_packed() const;
   void refuse_order() const;
+  void give_shape(int atom, const NewBody& body) const;
   [[nodiscard]] double* pack_shared(int atom, double* out) const;
 
-  /// While share() runs.
+  /// While share() runs; no rows else.
   struct Sharing {
-    std::vector<std::vector<double>>* rows;
-    std::size_t width, begin;
+    std::vector<std::vector<double>>* rows = nullptr;
+    std::size_t width = 0, begin = 0;
   };
 
   PairPlumbCn* pair_ = nullptr;
+  std::vector<NewBody> new_bodies_;
   std::vector<std::vector<double>> memories_;
   std::string names_;
   std::vector<std::string> walls_;
   Clock clock_;
   LAMMPS_NS::bigint closed_at_ = -1;  ///< step
-  std::optional<Sharing> sharing_;
+  Sharing sharing_;
 };
 
 }  // namespace plumb::lammps

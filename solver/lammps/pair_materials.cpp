@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "solver/lammps/pair_plumb_cn.hpp"
+#include "solver/lammps/fix_plumb_nve.hpp"
 
 namespace plumb::lammps {
 
@@ -64,6 +64,9 @@ std::vector<scene::PartMaterial> PairPlumbCn::counted_materials() const {
   std::vector<long long> here(2 * types), all(2 * types);
   for (int i = 0; i < atom->nlocal && types > 0; ++i)
     if (is_body(i)) ++here[(is_fixed(i) ? types : 0) + index(atom->type[i]) - 1];
+  const long long some = 2;  // that may meet each other
+  for (const NewBody& one : motion_->new_bodies())
+    if (comm->me == 0 && types > 0) here[index(one.type) - 1] += some;
   MPI_Allreduce(here.data(), all.data(), static_cast<int>(all.size()), MPI_LONG_LONG, MPI_SUM, world);
   std::vector<scene::PartMaterial> out;
   for (std::size_t k = 0; k < types; ++k)

@@ -17,13 +17,6 @@ namespace {
 
 using LAMMPS_NS::tagint;
 
-/// An atom's custom vector of that name, or -1.
-int vector_of(LAMMPS_NS::Atom& atom, const char* name) {
-  int is_double = 0, columns = 0;
-  const int found = atom.find_custom(name, is_double, columns);
-  return is_double == 1 && columns == 0 ? found : -1;
-}
-
 /// Of Update::whichflag.
 constexpr int minimizing = 2;
 
@@ -155,6 +148,10 @@ void PairPlumbCn::measure_types() {
     if (!is_body(i)) continue;
     double& radius = here[index(atom->type[i])];
     radius = std::max(radius, scene::bounding_radius(body(i).body.shape));
+  }
+  for (const NewBody& one : motion_->new_bodies()) {
+    double& radius = here[index(one.type)];
+    radius = std::max(radius, scene::bounding_radius(one.shape));
   }
   radius_.resize(here.size());
   MPI_Allreduce(here.data(), radius_.data(), static_cast<int>(here.size()), MPI_DOUBLE, MPI_MAX, world);

@@ -38,8 +38,8 @@ inline int wrap(Vec3<double>& x, double edge) {
   Stream stream("crate", 1, 0);
   std::string atoms, velocities, ellipsoids, shapes;
   for (int k = 0; k < bodies; ++k) {
-    Vec3<double> x{k % crate.side + 0.5, k / crate.side % crate.side + 0.5, k / crate.side / crate.side + 0.5}, v;
-    x *= crate.spacing;
+    const Eigen::Vector3i place(k % crate.side, k / crate.side % crate.side, k / (crate.side * crate.side));
+    Vec3<double> x = crate.spacing * (place.cast<double>() + Vec3<double>::Constant(0.5)), v;
     for (double& part : x) part += stream.uniform(-0.05, 0.05);
     for (double& part : v) part = stream.uniform(-0.3, 0.3);
     x += edge * crate.moved;
@@ -67,6 +67,7 @@ inline const std::string shapes_fix = "fix shapes all property/atom d_n1 d_n2 d_
 struct CrateScript {
   std::string before_motion{};  ///< lines after the pair style and before fix plumb/nve
   std::string group = "all";    ///< that moves
+  std::string new_bodies{};     ///< words of fix plumb/nve
   std::string thermo = "pe ke pxx pyy pzz pxy pxz pyz";
   std::string style = "units lj\natom_style ellipsoid\n";
   std::string read = shapes_fix + "read_data data.txt fix shapes NULL Shapes\n";
@@ -80,8 +81,8 @@ struct CrateScript {
   return parts.style + "newton off\ncomm_modify vel yes\n" + parts.read + parts.pair +
          "timestep 1e-3\nneighbor 0.1 bin\nneigh_modify every 1 delay 0 check yes\ngroup low id <= 16\n"
          "group high subtract all low\n" +
-         parts.before_motion + "fix motion " + parts.group + " plumb/nve\nthermo_style custom step atoms " +
-         parts.thermo +
+         parts.before_motion + "fix motion " + parts.group + " plumb/nve " + parts.new_bodies +
+         "\nthermo_style custom step atoms " + parts.thermo +
          "\nthermo_modify norm no format float %.17g\nthermo 50\n"
          "dump all all custom 50 dump.txt id x y z vx vy vz fx fy fz\ndump_modify all sort id format float %.17g\n";
 }

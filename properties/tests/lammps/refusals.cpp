@@ -87,6 +87,17 @@ TEST_F(InLammpsRefused, NewAtomsWithoutAShape) {
       {"region r block 0 3 0 3 0 3\n", "fix other all pour 1 1 1 region r", "requires atom attributes radius"});
 }
 
+TEST_F(InLammpsRefused, NewBodiesThatAreNone) {
+  const auto refused = [&](const std::string& words, const char* reason) {
+    expect_refused({"", "", reason}, {.new_bodies = words});
+  };
+  refused("old", "fix plumb/nve: old: is none of its arguments: new");
+  refused("new 1 1 1 1 4", "new: needs a type, 3 diameters, 2 exponents, a density");
+  refused("new 2 1 1 1 4 4 1", "new: needs one of the 1 types of atoms");
+  refused("new 1 1 1 1 0.5 4 1", "exponents[0]: must be finite and above 1");
+  refused("new 1 1 1 1 4 4 0", "new: needs a density that is a positive number");
+}
+
 TEST_F(InLammpsRefused, TimeSetBackUnderAMovingWall) {
   CrateScript parts;
   parts.style += "boundary f f f\n";
