@@ -256,6 +256,23 @@ void PairPlumbCn::refuse_two_images() const {
         std::string("pair_style plumb/cn: an atom and two images of another are neighbours: the box is too small"));
 }
 
+/// What ghosts of `fix property/atom` without `ghost yes` have is left over from other atoms. On all processes.
+void PairPlumbCn::refuse_left_over_shapes() const {
+  std::vector<std::vector<double>> rows(index(atom->nlocal + atom->nghost));
+  const auto row_of = [&](int i) {
+    return std::vector{1.0, atom->dvector[n1_][i], atom->dvector[n2_][i], atom->dvector[density_][i]};
+  };
+  for (int i = 0; i < atom->nlocal; ++i) rows[index(i)] = row_of(i);
+  constexpr std::size_t width = 4;
+  motion_->share(rows, width);
+  for (const int i : atom_of_body_)
+    if (rows[index(i)] != row_of(i))
+      error->one(FLERR,
+                 fmt::format("pair_style plumb/cn: atom {} has not its shape as a ghost: fix property/atom needs "
+                             "`ghost yes`",
+                             atom->tag[i]));
+}
+
 void PairPlumbCn::renew() {
   const auto listed = listed_pairs();
   number_bodies(listed);
@@ -268,6 +285,7 @@ void PairPlumbCn::renew() {
           fmt::format("pair_style plumb/cn: atom {} is larger than those of its type were at the start of the run",
                       atom->tag[i]));
   }
+  if (update->setupflag != 0) refuse_left_over_shapes();
   part_->renew(bodies, contact_pairs(listed));
   refuse_two_images();
   motion_->forget_new_atoms(row_width());

@@ -72,6 +72,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   [[nodiscard]] scene::SceneBody body(int atom) const;
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> contact_pairs(const std::vector<AtomPair>& listed) const;
   void refuse_two_images() const;
+  void refuse_left_over_shapes() const;
   [[nodiscard]] Vec3<double> told_angular_velocity(int atom) const;
   void place_bodies();
   void add_forces() const;

@@ -87,6 +87,16 @@ TEST_F(InLammpsRefused, NewAtomsWithoutAShape) {
       {"region r block 0 3 0 3 0 3\n", "fix other all pour 1 1 1 region r", "requires atom attributes radius"});
 }
 
+// Atoms that were there before have left their shapes where ghosts come to lie.
+TEST_F(InLammpsRefused, GhostsWithShapesOfOthers) {
+  CrateScript parts;
+  parts.read = "fix shapes all property/atom d_n1 d_n2 d_density\nread_data data.txt fix shapes NULL Shapes\n";
+  (void)file("data.txt", data_text({.side = 6}));
+  expect_refused({"", "group many id > 20\ndelete_atoms group many compress no",
+                  "has not its shape as a ghost: fix property/atom needs `ghost yes`"},
+                 parts);
+}
+
 TEST_F(InLammpsRefused, NewBodiesThatAreNone) {
   const auto refused = [&](const std::string& words, const char* reason) {
     expect_refused({"", "", reason}, {.new_bodies = words});
