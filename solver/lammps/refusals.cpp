@@ -95,6 +95,22 @@ void refuse_formulas_of_ellipsoids(const Beginning& run) {
                               compute->id, compute->style, run.motion.id));
 }
 
+/// A body at the other side of the box does not meet it.
+void warn_of_borders(const Beginning& run, const FixPlumbWall& fix) {
+  const LAMMPS_NS::Domain& domain = *run.lammps.domain;
+  const scene::Wall& wall = fix.wall();
+  const double extent = scene::extent_of(wall.shape);
+  for (int axis = 0; axis < 3 && !wall.is_plane(); ++axis) {
+    const bool is_within =
+        wall.point[axis] - extent > domain.boxlo[axis] && wall.point[axis] + extent < domain.boxhi[axis];
+    if (is_within || domain.periodicity[axis] == 0) continue;
+    if (run.lammps.comm->me == 0)
+      run.lammps.error->warning(
+          FLERR, fmt::format("fix {}: {} is there once: a periodic border does not repeat it", fix.id, fix.style));
+    return;
+  }
+}
+
 void refuse_walls(const Beginning& run) {
   const bool has_others = is_any_atom(run, [&](int i) { return !run.is_body(i); });
   for (const Fix* fix : fixes_of(run)) {
@@ -107,6 +123,7 @@ void refuse_walls(const Beginning& run) {
     for (int axis = 0; axis < 3; ++axis)
       if (wall->wall().is_plane() && wall->wall().normal[axis] != 0 && run.lammps.domain->periodicity[axis] != 0)
         refuse(run, *fix, "is a plane across an axis along which the box is periodic");
+    warn_of_borders(run, *wall);
   }
 }
 

@@ -77,6 +77,13 @@ TEST_F(InLammpsRefused, SettingsThatLeaveContactsOut) {
 TEST_F(InLammpsRefused, WallsThatThePeriodicBoxWouldRepeat) {
   expect_refused({"fix floor all plumb/wall 0 0 0 0 0 1\n", "",
                   "fix floor: plumb/wall is a plane across an axis along which the box is periodic"});
+  const auto said = [&](const std::string& at) {
+    return script(script_text({.before_motion = "fix room all plumb/wall box " + at + " 1 0 0 0 1 1 1 outside\n"}) +
+                  "run 0\n")
+        .out.find("fix room: plumb/wall is there once: a periodic border does not repeat it");
+  };
+  EXPECT_EQ(said("1.8 1.8 1.8"), std::string::npos);
+  EXPECT_NE(said("1.8 1.7 3"), std::string::npos);
   expect_refused({"fix floor all wall/harmonic zlo 0 1 1 0.5\n", "", "Cannot use fix wall in periodic dimension"});
 }
 
