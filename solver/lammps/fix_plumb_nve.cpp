@@ -138,7 +138,7 @@ void FixPlumbNve::final_integrate() {
 }
 
 void FixPlumbNve::post_force(int /*vflag*/) {
-  closed_at_ = update->ntimestep;
+  has_closed_ = true;
   if (pair_->has_closing()) {
     comm->forward_comm_fix(this);
     pair_->close();
@@ -148,7 +148,7 @@ void FixPlumbNve::post_force(int /*vflag*/) {
 
 /// A run that goes on computes the forces of its last step again: what contacts remember stays as it was.
 void FixPlumbNve::setup(int vflag) {
-  const bool goes_on = closed_at_ == update->ntimestep;
+  const bool goes_on = has_closed_;
   post_force(vflag);
   if (goes_on) pair_->recall();
 }
@@ -283,17 +283,17 @@ void FixPlumbNve::write_restart(FILE* file) {
   pair_->store();
   if (comm->me != 0) return;
   const std::string text = names_ + "\n" + fmt::format("{}", fmt::join(walls_, " "));
-  const int size = static_cast<int>(sizeof closed_at_ + sizeof clock_ + text.size() + 1);
+  const int size = static_cast<int>(sizeof has_closed_ + sizeof clock_ + text.size() + 1);
   fwrite(&size, sizeof size, 1, file);
-  fwrite(&closed_at_, sizeof closed_at_, 1, file);
+  fwrite(&has_closed_, sizeof has_closed_, 1, file);
   fwrite(&clock_, sizeof clock_, 1, file);
   fwrite(text.data(), 1, text.size() + 1, file);
 }
 
 void FixPlumbNve::restart(char* in) {
-  std::memcpy(&closed_at_, in, sizeof closed_at_);
-  std::memcpy(&clock_, in + sizeof closed_at_, sizeof clock_);
-  std::istringstream text(in + sizeof closed_at_ + sizeof clock_);
+  std::memcpy(&has_closed_, in, sizeof has_closed_);
+  std::memcpy(&clock_, in + sizeof has_closed_, sizeof clock_);
+  std::istringstream text(in + sizeof has_closed_ + sizeof clock_);
   std::getline(text, names_);
   walls_.assign(std::istream_iterator<std::string>(text), {});
 }

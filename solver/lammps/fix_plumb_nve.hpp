@@ -87,7 +87,7 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
   std::string names_;
   std::vector<std::string> walls_;
   Clock clock_;
-  LAMMPS_NS::bigint closed_at_ = -1;  ///< step
+  bool has_closed_ = false;  ///< whether forces of a step are there, from which a run goes on
   Sharing sharing_;
 };
 

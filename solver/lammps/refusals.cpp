@@ -61,11 +61,12 @@ void refuse_settings(const Beginning& run) {
   require(!is_moving_others, "fix plumb/nve has atoms in its group that are of another pair style");
 }
 
-/// Of time integration, and of what makes, moves or exchanges atoms by the energy of pairs.
+/// Of time integration, and of what makes, moves or holds atoms as points.
 void refuse_integrators(const Beginning& run) {
-  constexpr std::array<std::string_view, 5> by_energy{"gcmc", "widom", "atom/swap", "charge/regulation", "srd"};
+  constexpr std::array<std::string_view, 7> of_points{"gcmc", "widom", "atom/swap", "charge/regulation",
+                                                      "srd",  "shake", "rattle"};
   for (const Fix* fix : fixes_of(run)) {
-    if (is_one_of(fix->style, by_energy)) refuse(run, *fix, "takes atoms for points");
+    if (is_one_of(fix->style, of_points)) refuse(run, *fix, "takes atoms for points");
     if (fix == &run.motion || fix->time_integrate == 0) continue;
     const bool may_move_fixed = std::string_view(fix->style) == "move";
     if (has_bodies(run, fix->groupbit | (may_move_fixed ? run.motion.groupbit : 0)))

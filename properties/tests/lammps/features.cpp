@@ -155,6 +155,15 @@ TEST_F(InLammpsFeatures, ASecondRunIsTheSameOnTwoProcesses) {
     expect_same_on_two_processes({}, fmt::format("run 20\n{}run 30\n", between));
 }
 
+// The forces of its first step are done again, and no spring goes on for it.
+TEST_F(InLammpsFeatures, ARunGoesOnFromStepsCountedAnew) {
+  put({});
+  const CrateScript parts{.pair =
+                              "pair_style plumb/cn linear.stiffness 1e3 friction.coefficient 0.4 friction.damping 0.3\n"
+                              "pair_coeff * *\n"};
+  EXPECT_EQ(last_of(parts, "run 100\nreset_timestep 0\nrun 50\n"), last_of(parts, "run 100\nrun 50\n"));
+}
+
 // Of a shape that fix plumb/nve says, turned by where they are made; fix pour asks for spheres' diameters as well.
 TEST_F(InLammpsFeatures, NewBodiesFall) {
   const CrateScript parts{.before_motion = "region top block 0.1 4.7 0.1 4.7 2 4.7\n"
