@@ -173,7 +173,8 @@ void FixPlumbNve::post_run() {
 }
 
 double FixPlumbNve::compute_scalar() {
-  if (pair_ == nullptr) error->all(FLERR, fmt::format("fix plumb/nve: f_{} is there once a run was prepared", id));
+  if (pair_ == nullptr || force->pair_match("plumb/cn", 1) != pair_ || !pair_->is_ready())
+    error->all(FLERR, fmt::format("fix plumb/nve: f_{} is there once a run was prepared", id));
   const EllipsoidBonus shapes(*atom);
   double here = 0, all = 0;
   for (int i = 0; i < atom->nlocal; ++i) {

@@ -34,6 +34,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
 
   /// Forces of bodies and dashpots, onto the atoms; those of the ghosts have been sent.
   void close();
+  [[nodiscard]] bool is_ready() const { return part_ != nullptr; }
   [[nodiscard]] bool has_closing() const { return part_->has_closing(); }
   /// Once all forces of contacts are there.
   void tally_virial();

@@ -62,6 +62,13 @@ TEST_F(InLammpsRefused, WhatNeedsTheForceOfAPairAlone) {
       {"region r block 0 1 0 1 0 1\nfix other all gcmc 1 1 0 1 123 1 1 1\n", "", "gcmc takes atoms for points"});
 }
 
+// The pair style that it asked for its moments of inertia is no more.
+TEST_F(InLammpsRefused, TheEnergyOfTurningAfterAnotherPairStyle) {
+  for (const char* after : {"", "run 1\npair_style zero 1\npair_style plumb/cn linear.stiffness 1\npair_coeff * *\n"})
+    expect_refused(
+        {"", fmt::format("{}print \"$(f_motion)\"", after).c_str(), "f_motion is there once a run was prepared"});
+}
+
 TEST_F(InLammpsRefused, AtomsThatAreMultiplied) {
   expect_refused({"", "replicate 2 1 1", "Cannot replicate with fixes that store atom quantities"});
 }
