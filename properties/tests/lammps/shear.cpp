@@ -44,6 +44,19 @@ TEST_F(InShear, TheStressIsThatOfAnyNumberOfProcesses) {
   expect_same(text, {{1, "* * *"}, {2, "2 1 1"}, {4, "2 2 1"}});
 }
 
+// A box that leans by more than half is the same as one that has flipped.
+TEST_F(InShear, AFlipChangesNothing) {
+  (void)file("data.txt", data_text({.side = 4, .spacing = 0.85, .shear_rate = 2}));
+  const auto table = [&](const char* flip) {
+    const Ran ran = script(
+        script_text({.before_motion = fmt::format("fix shear all deform 1 xy erate 2 remap v flip {}\n", flip)}) +
+        "run 350\n");
+    EXPECT_EQ(ran.code, 0) << errors(ran.out);
+    return thermo(ran.out);
+  };
+  expect_near(table("yes"), table("no"), 1e-10);
+}
+
 TEST_F(InShear, ACompressionIsThatOfAnyNumberOfProcesses) {
   (void)file("data.txt", data_text({.side = 4, .spacing = 1.1}));
   for (const char* deform : {"x scale 0.8 y scale 0.8 z scale 0.8", "x erate -0.5 y volume z volume",
