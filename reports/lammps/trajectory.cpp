@@ -78,13 +78,9 @@ void export_to(const std::filesystem::path& folder, const Scene& scene, const Pl
 }
 
 bool run_lammps(const std::filesystem::path& folder, const std::filesystem::path& program, int ranks) {
-  // What Open MPI asks for as root, and where processes share a processor.
-  const std::string environment =
-      "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
-      "OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1";
   const std::string command = fmt::format(
-      "cd '{0}' && {1} mpirun -n {2} '{3}' -in in.lammps -log none >log.{2} 2>&1 && mv dump.lammpstrj dump.{2}",
-      folder.string(), environment, ranks, program.string());
+      "cd '{0}' && {1}mpirun -n {2} '{3}' -in in.lammps -log none >log.{2} 2>&1 && mv dump.lammpstrj dump.{2}",
+      folder.string(), lammps_environment, ranks, program.string());
   return std::system(command.c_str()) == 0;  // NOLINT: paths of our own
 }
 

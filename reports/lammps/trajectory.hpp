@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "solver/scene/plan.hpp"
@@ -21,6 +22,11 @@ using Trajectory = std::map<std::int64_t, Frame>;
 
 /// Writes the scene's LAMMPS files into a new folder.
 void export_to(const std::filesystem::path& folder, const Scene& scene, const Plan& plan);
+
+/// What Open MPI asks for as root, and where processes share a processor; stands before `mpirun`.
+inline const std::string lammps_environment =
+    "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+    "OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1 ";
 
 /// `plumb lammps` on so many processes, in a folder that holds the files; more than the machine has processors share these. What it
 /// says of itself goes to log.RANKS there, its dump to dump.RANKS. Whether it ended well.

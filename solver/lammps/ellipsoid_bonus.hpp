@@ -1,9 +1,10 @@
-// Shapes and orientations of atom_style ellipsoid. The package has no header of that style, but its library exports the functions by
+// Shapes and orientations of atom_style ellipsoid, and the vectors of fix property/atom beside them. The package has no header of that style, but its library exports the functions by
 // which it packs them for other processes: these are declared here, and nothing of the class's layout is known or used.
 #pragma once
 
 #include <array>
 
+#include "solver/contact.hpp"
 #include "solver/lammps/lammps_headers.hpp"
 
 namespace LAMMPS_NS {
@@ -13,6 +14,7 @@ class AtomVecEllipsoid {
   int pack_comm_bonus(int count, int* list, double* out);    ///< quaternion (w, x, y, z) of each
   void unpack_comm_bonus(int count, int first, double* in);  ///< the same, of consecutive atoms
   int pack_border_bonus(int count, int* list, double* out);  ///< a flag, semi-axes, quaternion
+  void set_shape(int atom, double a, double b, double c);    ///< semi-axes; turned by nothing where it had none
 };
 
 }  // namespace LAMMPS_NS
@@ -38,6 +40,7 @@ class EllipsoidBonus {
     atoms_->pack_comm_bonus(1, &atom, packed.data());
     return packed;
   }
+  void set_semi_axes(int atom, const Vec3<double>& axes) const { atoms_->set_shape(atom, axes[0], axes[1], axes[2]); }
   void set_quaternion(int atom, std::array<double, 4> quaternion) const {
     atoms_->unpack_comm_bonus(1, atom, quaternion.data());
   }
@@ -45,5 +48,12 @@ class EllipsoidBonus {
  private:
   LAMMPS_NS::AtomVecEllipsoid* atoms_ = nullptr;
 };
+
+/// An atom's custom vector of that name, or -1.
+[[nodiscard]] inline int vector_of(LAMMPS_NS::Atom& atom, const char* name) {
+  int is_double = 0, columns = 0;
+  const int found = atom.find_custom(name, is_double, columns);
+  return is_double == 1 && columns == 0 ? found : -1;
+}
 
 }  // namespace plumb::lammps

@@ -2,7 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <sstream>
 
+#include "solver/lammps/refusals.hpp"
+#include "solver/scene/body/mass.hpp"
 #include "solver/scene/body/rotation.hpp"
 
 namespace plumb::lammps {
@@ -13,10 +19,56 @@ using VectorOfAtom = Eigen::Map<Vec3<double>>;
 /// Force and torque.
 constexpr int sent_of_ghosts = 6;
 
+/// In the place of an atom's ID before what it remembers: it has remembered nothing yet.
+constexpr double new_atom = 0;
+
+/// Which fixes act before atoms move between processes, in their order.
+struct BeforeExchange : LAMMPS_NS::Modify {
+  static std::span<int> of(LAMMPS_NS::Modify& modify) {
+    return {modify.*(&BeforeExchange::list_pre_exchange), static_cast<std::size_t>(modify.n_pre_exchange)};
+  }
+};
+
+/// Where the next one is.
+std::size_t erase_row(std::vector<double>& memory, std::size_t at, std::size_t width) {
+  const auto first = memory.begin() + static_cast<std::ptrdiff_t>(at);
+  memory.erase(first, first + static_cast<std::ptrdiff_t>(width));
+  return at;
+}
+
+/// Sorted.
+std::vector<double> of_all_processes(const std::vector<double>& here, MPI_Comm processes) {
+  int size = 0, count = static_cast<int>(here.size()), sum = 0;
+  MPI_Comm_size(processes, &size);
+  std::vector<int> counts(static_cast<std::size_t>(size)), starts(counts.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, processes);
+  for (std::size_t k = 0; k < counts.size(); sum += counts[k++]) starts[k] = sum;
+  std::vector<double> all(static_cast<std::size_t>(sum));
+  if (sum > 0)
+    MPI_Allgatherv(here.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, processes);
+  std::ranges::sort(all);
+  return all;
+}
+
 }  // namespace
 
+double Clock::at(LAMMPS_NS::bigint step, double length_now) {
+  if (step < last) *this = {};
+  if (length_now != length) {
+    time_at_origin += static_cast<double>(last - origin) * length;
+    origin = last;
+    length = length_now;
+  }
+  last = step;
+  return time_at_origin + static_cast<double>(step - origin) * length;
+}
+
 FixPlumbNve::FixPlumbNve(LAMMPS_NS::LAMMPS* lammps, int count, char** words) : Fix(lammps, count, words) {
-  if (count != 3) error->all(FLERR, std::string("fix plumb/nve: takes no arguments"));
+  try {
+    new_bodies_ = parse_new_bodies(std::span(words, static_cast<std::size_t>(count)).subspan(3), atom->ntypes);
+  } catch (const scene::SceneError& refusal) {
+    error->all(FLERR, fmt::format("fix plumb/nve: {}: {}", refusal.field, refusal.what()));
+  }
   time_integrate = 1;
   create_attribute = 1;
   restart_global = restart_peratom = 1;
@@ -39,12 +91,17 @@ int FixPlumbNve::setmask() {
 void FixPlumbNve::init() {
   pair_ = dynamic_cast<PairPlumbCn*>(force->pair_match("plumb/cn", 1));
   if (pair_ == nullptr) error->all(FLERR, std::string("fix plumb/nve: needs pair_style plumb/cn"));
+  comm_forward = std::max(sent_of_ghosts, static_cast<int>(pair_->row_width()));
+  refuse_order();
+}
+
+void FixPlumbNve::refuse_order() const {
   bool is_behind = false;
   for (int k = 0; k < modify->nfix; ++k) {
-    if (is_behind && (modify->fmask[k] & LAMMPS_NS::FixConst::POST_FORCE) != 0)
-      error->all(FLERR, fmt::format("fix plumb/nve: must stand after fix {}: dashpots go by all other forces",
-                                    modify->fix[k]->id));
-    is_behind = is_behind || modify->fix[k] == this;
+    const LAMMPS_NS::Fix& fix = *modify->fix[k];
+    if (is_behind && (modify->fmask[k] & LAMMPS_NS::FixConst::POST_FORCE) != 0 && !replaces_forces(fix.style))
+      error->all(FLERR, fmt::format("fix plumb/nve: must stand after fix {}: dashpots go by all other forces", fix.id));
+    is_behind = is_behind || &fix == this;
   }
 }
 
@@ -81,7 +138,7 @@ void FixPlumbNve::final_integrate() {
 }
 
 void FixPlumbNve::post_force(int /*vflag*/) {
-  closed_at_ = update->ntimestep;
+  has_closed_ = true;
   if (pair_->has_closing()) {
     comm->forward_comm_fix(this);
     pair_->close();
@@ -91,9 +148,16 @@ void FixPlumbNve::post_force(int /*vflag*/) {
 
 /// A run that goes on computes the forces of its last step again: what contacts remember stays as it was.
 void FixPlumbNve::setup(int vflag) {
-  const bool goes_on = closed_at_ == update->ntimestep;
+  const bool goes_on = has_closed_;
   post_force(vflag);
   if (goes_on) pair_->recall();
+}
+
+/// Fixes that move, make or delete atoms, as they do then, come after what takes contacts from where atoms are.
+void FixPlumbNve::setup_pre_exchange() {
+  const auto order = BeforeExchange::of(*modify);
+  const auto self = std::ranges::find_if(order, [&](int k) { return modify->fix[k] == this; });
+  std::rotate(order.begin(), self, self + 1);
 }
 
 void FixPlumbNve::pre_exchange() {
@@ -109,7 +173,8 @@ void FixPlumbNve::post_run() {
 }
 
 double FixPlumbNve::compute_scalar() {
-  if (pair_ == nullptr) error->all(FLERR, fmt::format("fix plumb/nve: f_{} is there once a run was prepared", id));
+  if (pair_ == nullptr || force->pair_match("plumb/cn", 1) != pair_ || !pair_->is_ready())
+    error->all(FLERR, fmt::format("fix plumb/nve: f_{} is there once a run was prepared", id));
   const EllipsoidBonus shapes(*atom);
   double here = 0, all = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
@@ -131,7 +196,19 @@ void FixPlumbNve::copy_arrays(int from, int to, int /*delflag*/) {
 }
 
 void FixPlumbNve::set_arrays(int i) {
-  memory_of(i).clear();
+  memory_of(i) = {new_atom};
+  const auto body = std::ranges::find(new_bodies_, atom->type[i], &NewBody::type);
+  if (body != new_bodies_.end() && atom->ellipsoid[i] < 0) give_shape(i, *body);
+}
+
+void FixPlumbNve::give_shape(int i, const NewBody& body) const {
+  const EllipsoidBonus shapes(*atom);
+  shapes.set_semi_axes(i, body.shape.semi_axes);
+  shapes.set_quaternion(i, orientation_drawn_at(atom->x[i]));
+  atom->rmass[i] = body.density * scene::mass_properties(body.shape).volume;
+  for (const auto& [name, value] :
+       {std::pair("n1", body.shape.n1), std::pair("n2", body.shape.n2), std::pair("density", body.density)})
+    if (const int at = vector_of(*atom, name); at >= 0) atom->dvector[at][i] = value;
 }
 
 // For other processes and for restart files an atom has how many numbers there are, this one too, and then these.
@@ -153,9 +230,31 @@ int FixPlumbNve::take(int i, const double* in) {
   return size;
 }
 
+void FixPlumbNve::share(std::vector<std::vector<double>>& rows, std::size_t width) {
+  std::size_t most = 0, here = 0;
+  for (const auto& row : rows) here = std::max(here, row.size());
+  MPI_Allreduce(&here, &most, 1, MPI_UNSIGNED_LONG, MPI_MAX, world);
+  for (std::size_t begin = 0; begin < most; begin += width) {
+    sharing_ = {&rows, width, begin};
+    comm->forward_comm_fix(this, static_cast<int>(width));
+  }
+  sharing_ = {};
+}
+
+/// Its row of this round, or zeros.
+double* FixPlumbNve::pack_shared(int i, double* out) const {
+  const std::vector<double>& rows = (*sharing_.rows)[static_cast<std::size_t>(i)];
+  if (rows.size() <= sharing_.begin) return std::fill_n(out, sharing_.width, 0.0);
+  return std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(sharing_.begin), sharing_.width, out);
+}
+
 int FixPlumbNve::pack_forward_comm(int count, int* list, double* out, int /*pbc_flag*/, int* /*pbc*/) {
   double* next = out;
   for (int k = 0; k < count; ++k) {
+    if (sharing_.rows != nullptr) {
+      next = pack_shared(list[k], next);
+      continue;
+    }
     next = std::copy_n(atom->f[list[k]], 3, next);
     next = std::copy_n(atom->torque[list[k]], 3, next);
   }
@@ -163,6 +262,11 @@ int FixPlumbNve::pack_forward_comm(int count, int* list, double* out, int /*pbc_
 }
 
 void FixPlumbNve::unpack_forward_comm(int count, int first, double* in) {
+  for (int i = first; sharing_.rows != nullptr && i < first + count; ++i, in += sharing_.width) {
+    std::vector<double>& rows = (*sharing_.rows)[static_cast<std::size_t>(i)];
+    if (in[0] != 0) rows.insert(rows.end(), in, in + sharing_.width);
+  }
+  if (sharing_.rows != nullptr) return;
   for (int i = first; i < first + count; ++i, in += sent_of_ghosts) {
     std::copy_n(in, 3, atom->f[i]);
     std::copy_n(in + 3, 3, atom->torque[i]);
@@ -175,22 +279,27 @@ int FixPlumbNve::most_packed() const {
   return static_cast<int>(longest) + 1;
 }
 
+/// On every process, before what the atoms have is asked for: a run that goes on has what its contacts remember elsewhere.
 void FixPlumbNve::write_restart(FILE* file) {
+  pair_->store();
   if (comm->me != 0) return;
-  const int size = static_cast<int>(sizeof closed_at_ + names_.size() + 1);
+  const std::string text = names_ + "\n" + fmt::format("{}", fmt::join(walls_, " "));
+  const int size = static_cast<int>(sizeof has_closed_ + sizeof clock_ + text.size() + 1);
   fwrite(&size, sizeof size, 1, file);
-  fwrite(&closed_at_, sizeof closed_at_, 1, file);
-  fwrite(names_.data(), 1, names_.size() + 1, file);
+  fwrite(&has_closed_, sizeof has_closed_, 1, file);
+  fwrite(&clock_, sizeof clock_, 1, file);
+  fwrite(text.data(), 1, text.size() + 1, file);
 }
 
 void FixPlumbNve::restart(char* in) {
-  std::memcpy(&closed_at_, in, sizeof closed_at_);
-  names_ = in + sizeof closed_at_;
+  std::memcpy(&has_closed_, in, sizeof has_closed_);
+  std::memcpy(&clock_, in + sizeof has_closed_, sizeof clock_);
+  std::istringstream text(in + sizeof has_closed_ + sizeof clock_);
+  std::getline(text, names_);
+  walls_.assign(std::istream_iterator<std::string>(text), {});
 }
 
-/// The first that LAMMPS asks for, on every process: a run that writes while it goes on has what its contacts remember elsewhere.
 int FixPlumbNve::size_restart(int i) {
-  if (i == 0) pair_->store();
   return static_cast<int>(memory_of(i).size()) + 1;
 }
 
@@ -218,9 +327,39 @@ void FixPlumbNve::forget_all() {
   for (auto& memory : memories_) memory.clear();
 }
 
-void FixPlumbNve::keep_only(const std::string& names) {
+void FixPlumbNve::keep_only(const std::string& names, const std::vector<std::string>& walls, std::size_t row_width) {
   if (names_ != names) forget_all();
   names_ = names;
+  if (walls_ == walls) return;
+  std::vector<std::optional<double>> shift;  // of the keys of each wall that was; none: it is gone
+  for (std::size_t k = 0; k < walls_.size(); ++k) {
+    const auto found = std::ranges::find(walls, walls_[k]);
+    if (found == walls.end())
+      shift.emplace_back();
+    else
+      shift.emplace_back(static_cast<double>(k) - static_cast<double>(found - walls.begin()));
+  }
+  for (auto& memory : memories_)
+    for (std::size_t at = 1; at < memory.size();) {
+      const auto of_wall = memory[at] < 0 ? shift.at(static_cast<std::size_t>(-memory[at] - 1)) : 0.0;
+      if (of_wall) memory[at] += *of_wall;
+      at = of_wall ? at + row_width : erase_row(memory, at, row_width);
+    }
+  walls_ = walls;
+}
+
+void FixPlumbNve::forget_new_atoms(std::size_t row_width) {
+  std::vector<double> here;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (memory_of(i) == std::vector{new_atom}) {
+      here.push_back(static_cast<double>(atom->tag[i]));
+      memory_of(i).clear();
+    }
+  const std::vector<double> all = of_all_processes(here, world);
+  if (all.empty()) return;
+  for (auto& memory : memories_)
+    for (std::size_t at = 1; at < memory.size();)
+      at = std::ranges::binary_search(all, memory[at]) ? erase_row(memory, at, row_width) : at + row_width;
 }
 
 }  // namespace plumb::lammps

@@ -4,9 +4,19 @@
 
 #include <vector>
 
+#include "solver/lammps/new_bodies.hpp"
 #include "solver/lammps/pair_plumb_cn.hpp"
 
 namespace plumb::lammps {
+
+/// Simulated time, whose steps may change their length.
+struct Clock {
+  LAMMPS_NS::bigint origin = 0, last = 0;  ///< steps
+  double time_at_origin = 0, length = 0;   ///< length: of the steps since the origin
+
+  /// At a step to which steps of that length have led from the last that was asked for.
+  [[nodiscard]] double at(LAMMPS_NS::bigint step, double length_now);
+};
 
 class FixPlumbNve : public LAMMPS_NS::Fix {
  public:
@@ -17,6 +27,7 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
 
   int setmask() override;
   void init() override;
+  void setup_pre_exchange() override;
   void setup(int vflag) override;
   void initial_integrate(int vflag) override;
   void post_force(int vflag) override;
@@ -45,8 +56,14 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
   /// Of each contact of an atom of this process: with whom, and its history.
   [[nodiscard]] std::vector<double>& memory_of(int atom) { return memories_[static_cast<std::size_t>(atom)]; }
   void forget_all();
-  /// Forgets what is not of these names.
-  void keep_only(const std::string& names);
+  /// Rows of atoms, each of so many numbers and none beginning with 0, to their ghosts, which have none before.
+  void share(std::vector<std::vector<double>>& rows, std::size_t width);
+  /// Forgets what is not of these names, or at walls that are not of these IDs, by whose order walls are known.
+  void keep_only(const std::string& names, const std::vector<std::string>& walls, std::size_t row_width);
+  /// An ID may have been that of an atom which was deleted: forgets what others remember of atoms that are new. On all processes.
+  void forget_new_atoms(std::size_t row_width);
+  [[nodiscard]] const std::vector<NewBody>& new_bodies() const { return new_bodies_; }
+  [[nodiscard]] double time() { return clock_.at(update->ntimestep, update->dt); }
 
  private:
   void kick();
@@ -54,11 +71,24 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
   /// What pack_exchange() wrote, to an atom; how many numbers it took.
   int take(int atom, const double* in);
   [[nodiscard]] int most_packed() const;
+  void refuse_order() const;
+  void give_shape(int atom, const NewBody& body) const;
+  [[nodiscard]] double* pack_shared(int atom, double* out) const;
+
+  /// While share() runs; no rows else.
+  struct Sharing {
+    std::vector<std::vector<double>>* rows = nullptr;
+    std::size_t width = 0, begin = 0;
+  };
 
   PairPlumbCn* pair_ = nullptr;
+  std::vector<NewBody> new_bodies_;
   std::vector<std::vector<double>> memories_;
   std::string names_;
-  LAMMPS_NS::bigint closed_at_ = -1;  ///< step
+  std::vector<std::string> walls_;
+  Clock clock_;
+  bool has_closed_ = false;  ///< whether forces of a step are there, from which a run goes on
+  Sharing sharing_;
 };
 
 }  // namespace plumb::lammps

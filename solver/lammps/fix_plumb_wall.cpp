@@ -132,6 +132,9 @@ FixPlumbWall::FixPlumbWall(LAMMPS_NS::LAMMPS* lammps, int count, char** words) :
     WallWords rest{std::span(words, static_cast<std::size_t>(count)).subspan(3)};
     wall_ = read_wall(rest);
     read_motion(rest, motion_, wall_, atom->ntypes);
+    const bool is_still =
+        motion_.velocity.isZero(0) && motion_.amplitude.isZero(0) && motion_.angular_velocity.isZero(0);
+    time_depend = is_still ? 0 : 1;
   } catch (const scene::SceneError& refusal) {
     error->all(FLERR, fmt::format("fix plumb/wall: {}: {}", refusal.field, refusal.what()));
   }

@@ -7,20 +7,15 @@
 
 #include "solver/lammps/fix_plumb_nve.hpp"
 #include "solver/lammps/fix_plumb_wall.hpp"
+#include "solver/lammps/refusals.hpp"
 #include "solver/scene/body/mass.hpp"
+#include "solver/scene/body/rotation.hpp"
 #include "solver/scene/body/world_setup.hpp"
 
 namespace plumb::lammps {
 namespace {
 
 using LAMMPS_NS::tagint;
-
-/// An atom's custom vector of that name, or -1.
-int vector_of(LAMMPS_NS::Atom& atom, const char* name) {
-  int is_double = 0, columns = 0;
-  const int found = atom.find_custom(name, is_double, columns);
-  return is_double == 1 && columns == 0 ? found : -1;
-}
 
 /// Of Update::whichflag.
 constexpr int minimizing = 2;
@@ -61,58 +56,6 @@ PairPlumbCn::~PairPlumbCn() {
   memory->destroy(cutsq);
 }
 
-void PairPlumbCn::settings(int count, char** words) {
-  try {
-    arguments_ = scene::parse_pair_arguments(std::vector<std::string>(words, words + count));
-  } catch (const scene::SceneError& refusal) {
-    error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
-  }
-}
-
-void PairPlumbCn::coeff(int count, char** words) {
-  require(count >= 2, "pair_coeff needs two types, or * *");
-  const int types = atom->ntypes;
-  if (allocated == 0) {
-    memory->create(setflag, types + 1, types + 1, "pair:setflag");
-    memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
-    allocated = 1;
-  }
-  std::array<int, 2> low{}, high{};
-  for (std::size_t k = 0; k < 2; ++k) LAMMPS_NS::utils::bounds(FLERR, words[k], 1, types, low[k], high[k], error);
-  try {
-    const auto given = scene::parse_material_arguments(std::vector<std::string>(words + 2, words + count));
-    const bool are_same = low[0] == low[1] && high[0] == high[1];
-    if (!are_same && low[0] <= high[1] && low[1] <= high[0])
-      throw scene::SceneError(
-          "types", "must be the same twice, for their materials, or none in common, for what is between them");
-    for (int i = low[0]; i <= high[0]; ++i)
-      for (int j = low[1]; j <= high[1]; ++j) {
-        setflag[std::min(i, j)][std::max(i, j)] = 1;
-        if (!are_same || i == j) give(std::min(i, j), std::max(i, j), given, count > 2);
-      }
-  } catch (const scene::SceneError& refusal) {
-    error->all(FLERR, fmt::format("pair_coeff {} {}: {}: {}", words[0], words[1], refusal.field, refusal.what()));
-  }
-}
-
-/// In the place of what was given before; where nothing is, materials have nothing of their own and pairs are mixed.
-void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any) {
-  if (materials_.empty() && !has_any) return;
-  if (materials_.empty())
-    for (int type = 1; type <= atom->ntypes; ++type)
-      materials_.push_back({.name = fmt::format("type {}", type), .density = {}, .is_rigid = false, .effects = {}});
-  const std::size_t first = index(type1) - 1, second = index(type2) - 1;
-  if (first == second) {
-    materials_[first].is_rigid = arguments.is_rigid;
-    materials_[first].effects = arguments.effects;
-    return;
-  }
-  if (arguments.is_rigid) throw scene::SceneError("rigid", "is of one type: pair_coeff I I rigid yes");
-  std::erase_if(material_pairs_,
-                [&](const scene::MaterialPair& pair) { return pair.between == std::array{first, second}; });
-  if (has_any) material_pairs_.push_back({{first, second}, arguments.effects});
-}
-
 void PairPlumbCn::require(bool holds, const char* reason) const {
   if (!holds) error->all(FLERR, fmt::format("pair_style plumb/cn: {}", reason));
 }
@@ -127,22 +70,28 @@ void PairPlumbCn::init_style() {
   require(update->whichflag != minimizing, "cannot minimize");
   require(CommandOf::name(*input) != "rerun", "cannot rerun: a dump does not bring back orientations");
   require(std::strcmp(update->integrate_style, "verlet") == 0, "needs run_style verlet");
+  require(compute_flag != 0, "cannot be left out: no `pair_modify compute no`");
   const auto motions = fixes_of<FixPlumbNve>(*modify);
   require(motions.size() == 1, "needs one fix plumb/nve");
   motion_ = motions.front();
-  refuse_walls_of_points();
   find_shapes();
   make_part();
+  refuse_what_goes_wrong(
+      {*lmp, *motion_, has_closing(), [&](int i) { return is_body(i); }, [&](int i) { return is_ellipsoid(i); }});
   weigh_atoms();
   measure_types();
   neighbor->request(this, instance_me);
 }
 
-void PairPlumbCn::refuse_walls_of_points() const {
-  for (int k = 0; k < modify->nfix; ++k)
-    if (const std::string_view style = modify->fix[k]->style; style.starts_with("wall/") || style == "indent")
-      error->all(FLERR, fmt::format("pair_style plumb/cn: fix {}: {} takes atoms for points: use fix plumb/wall",
-                                    modify->fix[k]->id, modify->fix[k]->style));
+bool PairPlumbCn::is_body(int i) const {
+  const int type = atom->type[i];
+  for (int other = 1; other <= atom->ntypes; ++other)
+    if (setflag[std::min(type, other)][std::max(type, other)] != 0) return true;
+  return false;
+}
+
+bool PairPlumbCn::is_ellipsoid(int i) const {
+  return atom->dvector[n1_][i] == 2 && atom->dvector[n2_][i] == 2;
 }
 
 void PairPlumbCn::find_shapes() {
@@ -152,22 +101,13 @@ void PairPlumbCn::find_shapes() {
   require(n1_ >= 0 && n2_ >= 0 && density_ >= 0, "needs fix property/atom d_n1 d_n2 d_density ghost yes");
 }
 
-std::vector<scene::PartMaterial> PairPlumbCn::counted_materials() const {
-  const std::size_t types = materials_.size();
-  std::vector<long long> here(2 * types), all(2 * types);
-  for (int i = 0; i < atom->nlocal && types > 0; ++i) ++here[(is_fixed(i) ? types : 0) + index(atom->type[i]) - 1];
-  MPI_Allreduce(here.data(), all.data(), static_cast<int>(all.size()), MPI_LONG_LONG, MPI_SUM, world);
-  std::vector<scene::PartMaterial> out;
-  for (std::size_t k = 0; k < types; ++k)
-    out.push_back({materials_[k], static_cast<std::size_t>(all[k]), static_cast<std::size_t>(all[types + k])});
-  return out;
-}
-
 void PairPlumbCn::make_part() {
   scene::PartSettings settings{arguments_.effects, {}, update->dt, arguments_.accuracy, counted_materials(),
                                material_pairs_};
   scene::MovingWalls moving;
+  std::vector<std::string> walls;
   for (const FixPlumbWall* fix : fixes_of<FixPlumbWall>(*modify)) {
+    walls.emplace_back(fix->id);
     moving.motions.push_back(fix->motion());
     moving.motions.back().wall = static_cast<int>(settings.walls.size());
     settings.walls.push_back(fix->wall());
@@ -179,23 +119,39 @@ void PairPlumbCn::make_part() {
   } catch (const scene::SceneError& refusal) {
     error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
   }
-  motion_->keep_only(part_->history_names());
+  motion_->keep_only(part_->history_names(), walls, row_width());
   is_stale_ = true;
 }
 
-/// A body's mass follows from its shape; read_data gave that of an ellipsoid.
+/// A body's mass follows from its shape. Others are said to be replaced, but for what LAMMPS gives an ellipsoid or an atom that is new.
 void PairPlumbCn::weigh_atoms() {
+  constexpr double rounding = 1e-12, of_new_atom = 1;
+  long long here = 0, all = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
+    if (!is_body(i)) continue;
     const scene::SceneBody one = body(i);
-    atom->rmass[i] = one.density * scene::mass_properties(one.body.shape).volume;
+    const double mass = one.density * scene::mass_properties(one.body.shape).volume;
+    const double ellipsoid = one.density * scene::mass_properties({one.body.shape.semi_axes, 2, 2}).volume;
+    const double was = std::exchange(atom->rmass[i], mass);
+    const auto is_like = [was](double m) { return std::abs(was - m) <= rounding * m; };
+    here += is_like(mass) || is_like(ellipsoid) || was == of_new_atom ? 0 : 1;
   }
+  MPI_Allreduce(&here, &all, 1, MPI_LONG_LONG, MPI_SUM, world);
+  if (all > 0 && comm->me == 0)
+    error->warning(FLERR,
+                   fmt::format("pair_style plumb/cn: {} masses were not d_density times the volume, and are now", all));
 }
 
 void PairPlumbCn::measure_types() {
   std::vector<double> here(index(atom->ntypes) + 1);
   for (int i = 0; i < atom->nlocal; ++i) {
+    if (!is_body(i)) continue;
     double& radius = here[index(atom->type[i])];
     radius = std::max(radius, scene::bounding_radius(body(i).body.shape));
+  }
+  for (const NewBody& one : motion_->new_bodies()) {
+    double& radius = here[index(one.type)];
+    radius = std::max(radius, scene::bounding_radius(one.shape));
   }
   radius_.resize(here.size());
   MPI_Allreduce(here.data(), radius_.data(), static_cast<int>(here.size()), MPI_DOUBLE, MPI_MAX, world);
@@ -236,17 +192,12 @@ bool PairPlumbCn::is_owned(std::uint32_t body) const {
   return body < atom_of_body_.size() && atom_of_body_[body] < atom->nlocal;
 }
 
-double PairPlumbCn::key_of(std::uint32_t body, std::size_t place) const {
-  constexpr double places = 64;  // of a wall: more than any has
-  if (body < atom_of_body_.size()) return static_cast<double>(atom->tag[atom_of_body_[body]]);
-  return -1.0 - static_cast<double>(body - atom_of_body_.size()) - static_cast<double>(place) / places;
-}
-
-std::size_t PairPlumbCn::place_of(std::size_t contact) const {
-  const auto& pairs = part_->world().contacts.pairs;
-  std::size_t place = 0;
-  while (place < contact && pairs[contact - place - 1] == pairs[contact]) ++place;
-  return place;
+/// Whether bonds of the kind that special_bonds numbers so leave a pair out.
+bool PairPlumbCn::is_bonded_apart(int kind) const {
+  const double factor = force->special_lj[kind];
+  if (factor != 0 && factor != 1)
+    error->one(FLERR, std::string("pair_style plumb/cn: a contact is there or not: special_bonds must be 0 or 1"));
+  return factor == 0;
 }
 
 std::vector<PairPlumbCn::AtomPair> PairPlumbCn::listed_pairs() const {
@@ -254,8 +205,9 @@ std::vector<PairPlumbCn::AtomPair> PairPlumbCn::listed_pairs() const {
   for (int k = 0; k < list->inum; ++k) {
     const int i = list->ilist[k];
     for (int n = 0; n < list->numneigh[i]; ++n) {
-      const int j = list->firstneigh[i][n] & NEIGHMASK;
-      if (!is_fixed(i) || !is_fixed(j)) out.emplace_back(i, j);
+      const int entry = list->firstneigh[i][n], j = entry & NEIGHMASK;
+      if (is_bonded_apart(sbmask(entry)) || (is_fixed(i) && is_fixed(j))) continue;
+      out.emplace_back(i, j);
     }
   }
   return out;
@@ -267,7 +219,8 @@ void PairPlumbCn::number_bodies(const std::vector<AtomPair>& listed) {
   const auto take = [&](int i) {
     if (std::exchange(body_of_atom_[index(i)], 0) < 0) atom_of_body_.push_back(i);
   };
-  for (int i = 0; i < atom->nlocal; ++i) take(i);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (is_body(i)) take(i);
   for (const auto& [i, j] : listed) take(j);
   std::ranges::sort(atom_of_body_, {}, [&](int i) { return std::pair(atom->tag[i], i); });
   for (std::size_t k = 0; k < atom_of_body_.size(); ++k) body_of_atom_[index(atom_of_body_[k])] = static_cast<int>(k);
@@ -281,7 +234,7 @@ std::vector<std::array<std::uint32_t, 2>> PairPlumbCn::contact_pairs(const std::
   }
   const auto walls = fixes_of<FixPlumbWall>(*modify);
   for (int i = 0; i < atom->nlocal; ++i)
-    for (std::size_t wall = 0; wall < walls.size() && !is_fixed(i); ++wall)
+    for (std::size_t wall = 0; wall < walls.size() && is_body(i) && !is_fixed(i); ++wall)
       out.insert(out.end(), scene::places_of(walls[wall]->wall().shape),
                  {static_cast<std::uint32_t>(body_of(i)), static_cast<std::uint32_t>(atom_of_body_.size() + wall)});
   std::ranges::sort(out);
@@ -303,6 +256,23 @@ void PairPlumbCn::refuse_two_images() const {
         std::string("pair_style plumb/cn: an atom and two images of another are neighbours: the box is too small"));
 }
 
+/// What ghosts of `fix property/atom` without `ghost yes` have is left over from other atoms. On all processes.
+void PairPlumbCn::refuse_left_over_shapes() const {
+  std::vector<std::vector<double>> rows(index(atom->nlocal + atom->nghost));
+  const auto row_of = [&](int i) {
+    return std::vector{1.0, atom->dvector[n1_][i], atom->dvector[n2_][i], atom->dvector[density_][i]};
+  };
+  for (int i = 0; i < atom->nlocal; ++i) rows[index(i)] = row_of(i);
+  constexpr std::size_t width = 4;
+  motion_->share(rows, width);
+  for (const int i : atom_of_body_)
+    if (rows[index(i)] != row_of(i))
+      error->one(FLERR,
+                 fmt::format("pair_style plumb/cn: atom {} has not its shape as a ghost: fix property/atom needs "
+                             "`ghost yes`",
+                             atom->tag[i]));
+}
+
 void PairPlumbCn::renew() {
   const auto listed = listed_pairs();
   number_bodies(listed);
@@ -315,57 +285,28 @@ void PairPlumbCn::renew() {
           fmt::format("pair_style plumb/cn: atom {} is larger than those of its type were at the start of the run",
                       atom->tag[i]));
   }
+  if (update->setupflag != 0) refuse_left_over_shapes();
   part_->renew(bodies, contact_pairs(listed));
   refuse_two_images();
+  motion_->forget_new_atoms(row_width());
   recall();
   is_stale_ = false;
 }
 
-void PairPlumbCn::recall() {
-  const auto& pairs = part_->world().contacts.pairs;
-  const std::size_t width = part_->history_width();
-  for (std::size_t c = 0; c < pairs.size(); ++c) {
-    const auto [a, b] = pairs[c];
-    const std::uint32_t mine = is_owned(a) ? a : b;
-    const double other = key_of(mine == a ? b : a, place_of(c));
-    const std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
-    if (!memory.empty() && memory[0] != key_of(mine))
-      error->one(FLERR,
-                 std::string("pair_style plumb/cn: atoms have other IDs than in the run before, by which contacts "
-                             "are known: use `delete_atoms .. compress no`"));
-    for (std::size_t at = 1; at < memory.size(); at += width + 1)
-      if (memory[at] == other) part_->set_history(c, std::span(memory).subspan(at + 1, width));
-  }
-}
-
-void PairPlumbCn::remember() {
-  store();
-  is_stale_ = true;
-}
-
-void PairPlumbCn::store() {
-  if (is_stale_) return;  // the atoms have it: nothing was pressed since
-  motion_->forget_all();
-  std::vector<double> row(part_->history_width());
-  const auto& pairs = part_->world().contacts.pairs;
-  for (std::size_t c = 0; c < pairs.size(); ++c) {
-    if (!part_->has_history(c)) continue;
-    part_->history(c, row);
-    const auto [a, b] = pairs[c];
-    for (const auto& [mine, other] : {std::pair(a, b), std::pair(b, a)}) {
-      if (!is_owned(mine)) continue;
-      std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
-      if (memory.empty()) memory.push_back(key_of(mine));
-      memory.push_back(key_of(other, place_of(c)));
-      memory.insert(memory.end(), row.begin(), row.end());
-    }
-  }
+/// Of a fixed body that a fix of LAMMPS turns: what it is told is kept as the angular momentum of an ellipsoid, I = m/5 (b^2 + c^2).
+Vec3<double> PairPlumbCn::told_angular_velocity(int i) const {
+  const auto axes = shapes_.semi_axes(i);
+  const Vec3<double> squares = vector_at(axes.data()).cwiseAbs2();
+  const Vec3<double> inertia = atom->rmass[i] / 5 * (Vec3<double>::Constant(squares.sum()) - squares);
+  const auto [w, x, y, z] = shapes_.quaternion(i);
+  return scene::angular_velocity({w, x, y, z}, vector_at(atom->angmom[i]), inertia.cwiseInverse());
 }
 
 void PairPlumbCn::place_bodies() {
   for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
     const int i = atom_of_body_[k];
     part_->place(k, vector_at(atom->x[i]), vector_at(atom->v[i]), shapes_.quaternion(i), vector_at(atom->angmom[i]));
+    if (is_fixed(i)) part_->world().state.angular_velocity->vector(k) = told_angular_velocity(i);
   }
 }
 
@@ -379,7 +320,7 @@ void PairPlumbCn::compute(int eflag, int vflag) {
   part_->keep_contact_forces(vflag_either != 0);
   place_bodies();
   const double step = update->setupflag != 0 ? 0 : update->dt;
-  part_->press(static_cast<double>(update->ntimestep) * update->dt, step);
+  part_->press(motion_->time(), step);
   add_forces();
   if (eflag_atom != 0) share_energy();
   if (eflag_global == 0) return;
@@ -400,9 +341,10 @@ void PairPlumbCn::share_energy() {
 
 void PairPlumbCn::add_forces() const {
   const scene::State& state = part_->world().state;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    Eigen::Map<Vec3<double>>(atom->f[i]) += state.force->vector(body_of(i));
-    Eigen::Map<Vec3<double>>(atom->torque[i]) += state.torque->vector(body_of(i));
+  for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
+    if (!is_owned(static_cast<std::uint32_t>(k))) continue;
+    Eigen::Map<Vec3<double>>(atom->f[atom_of_body_[k]]) += state.force->vector(k);
+    Eigen::Map<Vec3<double>>(atom->torque[atom_of_body_[k]]) += state.torque->vector(k);
   }
 }
 
@@ -413,9 +355,10 @@ void PairPlumbCn::close() {
     state.torque->vector(k) = vector_at(atom->torque[atom_of_body_[k]]);
   }
   part_->close();
-  for (int i = 0; i < atom->nlocal; ++i) {
-    Eigen::Map<Vec3<double>>(atom->f[i]) = state.force->vector(body_of(i));
-    Eigen::Map<Vec3<double>>(atom->torque[i]) = state.torque->vector(body_of(i));
+  for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
+    if (!is_owned(static_cast<std::uint32_t>(k))) continue;
+    Eigen::Map<Vec3<double>>(atom->f[atom_of_body_[k]]) = state.force->vector(k);
+    Eigen::Map<Vec3<double>>(atom->torque[atom_of_body_[k]]) = state.torque->vector(k);
   }
 }
 
@@ -430,6 +373,15 @@ void PairPlumbCn::tally_virial() {
     const Vec3<double> force = -contacts.force->vector(c), apart = vector_at(atom->x[i]) - vector_at(atom->x[j]);
     ev_tally_xyz(i, j, atom->nlocal, 0, 0, 0, force.x(), force.y(), force.z(), apart.x(), apart.y(), apart.z());
   }
+  if (force->pair != this) add_virial_to(*force->pair);
+}
+
+/// pair_style hybrid has summed its styles up before dashpots were there, and so without this.
+void PairPlumbCn::add_virial_to(Pair& all) const {
+  constexpr int components = 6;
+  for (int k = 0; k < components && vflag_global != 0; ++k) all.virial[k] += virial[k];
+  for (int i = 0; i < atom->nlocal && vflag_atom != 0; ++i)
+    for (int k = 0; k < components; ++k) all.vatom[i][k] += vatom[i][k];
 }
 
 long long PairPlumbCn::failed_contacts() const {

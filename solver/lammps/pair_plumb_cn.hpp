@@ -34,13 +34,16 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
 
   /// Forces of bodies and dashpots, onto the atoms; those of the ghosts have been sent.
   void close();
+  [[nodiscard]] bool is_ready() const { return part_ != nullptr; }
   [[nodiscard]] bool has_closing() const { return part_->has_closing(); }
   /// Once all forces of contacts are there.
   void tally_virial();
-  /// What the contacts remember, to the atoms and back. remember(): the atoms are about to move between processes.
+  /// What the contacts remember, to the atoms and back; store() on all processes. remember(): the atoms are about to move between them.
   void store();
   void remember();
   void recall();
+  /// Of what an atom remembers of a contact: whom it is with, and the contact's history.
+  [[nodiscard]] std::size_t row_width() const { return part_->history_width() + 1; }
   /// The body that an atom of this process is, in bodies().
   [[nodiscard]] std::size_t body_of(int atom) const { return static_cast<std::size_t>(body_of_atom_[index(atom)]); }
   /// Of an atom of this process, also between two runs: principal, body axes.
@@ -54,7 +57,9 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void require(bool holds, const char* reason) const;
-  void refuse_walls_of_points() const;
+  /// Whether it is of a type that this style has. With pair_style hybrid others may be there.
+  [[nodiscard]] bool is_body(int atom) const;
+  [[nodiscard]] bool is_ellipsoid(int atom) const;
   void find_shapes();
   void give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any);
   [[nodiscard]] std::vector<scene::PartMaterial> counted_materials() const;
@@ -62,18 +67,24 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void weigh_atoms();
   void measure_types();
   void renew();
+  [[nodiscard]] bool is_bonded_apart(int kind) const;
   [[nodiscard]] std::vector<AtomPair> listed_pairs() const;
   void number_bodies(const std::vector<AtomPair>& listed);
   [[nodiscard]] scene::SceneBody body(int atom) const;
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> contact_pairs(const std::vector<AtomPair>& listed) const;
   void refuse_two_images() const;
+  void refuse_left_over_shapes() const;
+  [[nodiscard]] Vec3<double> told_angular_velocity(int atom) const;
   void place_bodies();
   void add_forces() const;
   void share_energy();
+  void add_virial_to(Pair& all) const;
   [[nodiscard]] bool is_fixed(int atom) const;
   [[nodiscard]] bool is_owned(std::uint32_t body) const;
   /// The atom's ID, or for a wall -1, -2, .., less a part of 1 for each place of it before.
   [[nodiscard]] double key_of(std::uint32_t body, std::size_t place = 0) const;
+  void note(std::uint32_t mine, double other, std::span<const double> row);
+  void ask_ghosts();
   /// Which of a pair's contacts it is.
   [[nodiscard]] std::size_t place_of(std::size_t contact) const;
 

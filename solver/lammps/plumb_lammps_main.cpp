@@ -1,4 +1,6 @@
 // plumb-lammps: LAMMPS with pair_style plumb/cn, fix plumb/nve and fix plumb/wall beside its own styles. Takes LAMMPS's own arguments.
+#include <dlfcn.h>
+
 #include <cstdio>
 #include <string_view>
 
@@ -33,13 +35,19 @@ constexpr const char* usage =
 
 }  // namespace
 
+/// LAMMPS calls it whenever its classes are new, so after the command `clear` too. The program's own goes before the library's.
+void LAMMPS_NS::LAMMPS::post_create() {
+  add_styles(*this);
+  void* const of_library = dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv");
+  reinterpret_cast<void (*)(LAMMPS*)>(of_library)(this);
+}
+
 int main(int argc, char** argv) {
   if (argc == 2 && (argv[1] == std::string_view("--help") || argv[1] == std::string_view("-h")))
     return std::puts(usage) < 0 ? 1 : 0;
   MPI_Init(&argc, &argv);
   {
     LAMMPS lammps(argc, argv, MPI_COMM_WORLD);
-    add_styles(lammps);
     lammps.input->file();
   }
   MPI_Finalize();

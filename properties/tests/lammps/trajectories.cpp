@@ -4,44 +4,12 @@
 #include <cmath>
 #include <sstream>
 
-#include "properties/tests/corpus/programs.hpp"
+#include "properties/tests/lammps/in_lammps.hpp"
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
-#include "reports/lammps/trajectory.hpp"
 
 namespace plumb::scene {
 namespace {
-
-#ifdef PLUMB_LAMMPS_PROGRAM
-const std::string lammps_program = PLUMB_LAMMPS_PROGRAM;
-#else
-const std::string lammps_program;
-#endif
-
-class InLammps : public Commands {
- protected:
-  void SetUp() override {
-    if (lammps_program.empty()) GTEST_SKIP() << "plumb-lammps is not built: liblammps-dev or MPI is missing";
-    Commands::SetUp();
-  }
-
-  /// The largest deviation at any frame. The dumps of all numbers of processes are the same text.
-  [[nodiscard]] double largest_deviation(const Scene& scene, const std::vector<int>& ranks) const {
-    const Plan plan = make_plan(scene);
-    const fs::path folder = path_ / "scene";
-    export_to(folder, scene, plan);
-    const Trajectory reference = trajectory_of(scene, plan);
-    double largest = 0;
-    for (const int count : ranks) {
-      EXPECT_TRUE(run_lammps(folder, lammps_program, count)) << read("scene/log." + std::to_string(count));
-      EXPECT_EQ(read("scene/dump." + std::to_string(count)), read("scene/dump." + std::to_string(ranks.front())));
-      const auto apart = deviations(scene, reference, read_dump(folder / ("dump." + std::to_string(count))));
-      EXPECT_EQ(apart.size(), reference.size()) << count << " processes";
-      for (const auto& [step, deviation] : apart) largest = std::max(largest, deviation.largest());
-    }
-    return largest;
-  }
-};
 
 /// Steps at which anything presses on anything.
 std::int64_t pressing_steps(const Scene& scene) {

@@ -32,6 +32,8 @@ inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 /// Numbers that are the same bits everywhere: SplitMix64 (Steele, Lea & Flood 2014) and square roots.
 class Draw {
  public:
+  Draw() = default;
+  explicit Draw(std::uint64_t seed) : state_(seed) {}
   [[nodiscard]] double between(double low, double high) {
     state_ += 0x9e3779b97f4a7c15U;
     std::uint64_t z = state_;
