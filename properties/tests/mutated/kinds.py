@@ -73,7 +73,7 @@ SCENE = {
         "drag": {"viscosity": 0.1, "fluid_velocity": [0, 0, 1]},
         "conduction": {"conductivity": 0.1, "heat_capacity": 2},
         "moving_walls": {"motions": [{"wall": 0, "velocity": [0.1, 0, 0], "amplitude": [0, 0.1, 0], "frequency": 1}]},
-        "periodic_box": {"sides": [30, 40, 0], "rate": [-1, 0, 0]},
+        "periodic_box": {"sides": [30, 40, 0], "rate": [0, 0, 0]},
     },
     "run": {"duration": 0.1, "accuracy": 0.01, "outputs": {"every": 0.05, "write": ["touching", "contacts", "dump", "vtk", "playback"]}},
     "provenance": {"by": "a test"},
