@@ -62,6 +62,7 @@ void keep_first_order(World& world, std::size_t c, const Contact<double>& answer
 /// Of a body's surface on the ray from its centre through a point, world axes.
 Curvatures curvatures_at(const World& world, Index i, const Vec3<double>& from_centre) {
   const Superellipsoid<double>& shape = world.bodies.shape[i];
+  if (world.bodies.is_sphere[i] != 0) return Curvatures::of_ball(shape.semi_axes[0]);
   const Eigen::Quaterniond q = world.solver_orientation(i);
   PrincipalCurvature<double> at = principal_curvature<double>(shape, Vec3<double>(q.conjugate() * from_centre));
   at.direction1 = q * at.direction1;

@@ -22,6 +22,8 @@ struct Curvatures {
     const auto cut = [&](double radius) { return 1 / std::clamp(radius, least_radius * size, greatest_radius * size); };
     return {cut(at.radius1), cut(at.radius2), at.direction1};
   }
+  /// Alike in all directions.
+  [[nodiscard]] static Curvatures of_ball(double radius) { return {1 / radius, 1 / radius, Vec3<double>::Zero()}; }
 };
 
 /// A <= B. With the angle w between the two bodies' first directions, A + B is half the sum of the four curvatures and
