@@ -7,6 +7,7 @@
 #include "corpus/scene/scene_file.hpp"
 #include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/scene/crowd.hpp"
+#include "properties/tests/scene/crowded_box.hpp"
 #include "solver/lammps/pair_arguments.hpp"
 #include "solver/scene/simulation.hpp"
 
@@ -142,6 +143,12 @@ TEST_F(ExportLammps, RefusesWithFileFieldAndReason) {
   (void)file("itself.json", format_scene({scene, {}, {}}));
   expect_refusal("export-lammps itself.json -o out",
                  "itself.json: materials.pairs[0]: is of a material with itself, which pair_coeff cannot say");
+  scene = without(made::crowded_box(), Conduction::name);
+  scene.effects.periodic_box->rate = {-1, 0, 0};
+  (void)file("shrinks.json", format_scene({scene, {}, {}}));
+  expect_refusal(
+      "export-lammps shrinks.json -o out",
+      "shrinks.json: effects.periodic_box.rate: is not exported: LAMMPS's fix deform changes a box by another law");
   scene = without(crowd(), Conduction::name);
   (void)file("good.json", format_scene({scene, {}, {}}));
   EXPECT_EQ(plumb("export-lammps good.json -o out").code, 0);

@@ -6,7 +6,7 @@
 
 #include "properties/tests/lammps/in_lammps.hpp"
 #include "properties/tests/scene/crowd.hpp"
-#include "properties/tests/scene/made.hpp"
+#include "properties/tests/scene/crowded_box.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -60,6 +60,15 @@ TEST_F(InLammps, ACrowdWithAllEffectsIsTheSameToTheSolversTolerance) {
   Scene scene = without(crowd(), Conduction::name);
   scene.run.accuracy = 1e-5;
   run_for(scene, 5e-4, 300);
+  EXPECT_GT(pressing_steps(scene), 25);
+  EXPECT_LT(largest_deviation(scene, {1, 2}), 1e-9);
+}
+
+// Contacts reach through its sides; no centre leaves it.
+TEST_F(InLammps, APeriodicBoxThatStays) {
+  Scene scene = without(made::crowded_box(), Conduction::name);
+  scene.run.accuracy = 1e-5;
+  run_for(scene, 5e-4, 200);
   EXPECT_GT(pressing_steps(scene), 25);
   EXPECT_LT(largest_deviation(scene, {1, 2}), 1e-9);
 }

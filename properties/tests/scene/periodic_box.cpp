@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "properties/laws/laws_scene.hpp"
-#include "properties/tests/scene/made.hpp"
+#include "properties/tests/scene/crowded_box.hpp"
 #include "solver/method/automatic.hpp"
 #include "solver/scene/bulk/bulk.hpp"
 #include "solver/scene/contact/narrow_phase.hpp"
@@ -14,43 +14,12 @@ namespace plumb::scene {
 namespace {
 
 using made::ball;
+using made::crowded_box;
 using made::position;
 using made::Vec;
 using made::velocity;
+constexpr double side = made::crowded_side;
 using PairSet = std::set<std::array<std::uint32_t, 2>>;
-
-constexpr double side = 10;
-constexpr int along = 4;  // bodies on a side
-
-/// Bodies of three kinds, which touch their neighbours through the sides as well, and every effect but those of walls.
-Scene crowded_box() {
-  Scene scene;
-  scene.name = "crowded box";
-  for (int k = 0; k < along * along * along; ++k) {
-    const double turn = 0.7 * k;
-    const int column = k / along % along, layer = k / along / along;
-    SceneBody b = ball(1.2, side / along * Vec(k % along + 0.1 * std::sin(turn), column, layer + 0.1 * std::cos(turn)));
-    if (k % 3 == 1) b.body.shape.semi_axes = {1.5, 1.2, 1};
-    if (k % 3 == 2) b.body.shape = {{1.2, 1.1, 1}, 4, 3};
-    b.body.quaternion = {1, 0.3 * std::sin(turn), 0.4 * std::cos(turn), 0.1 * turn};
-    b.velocity = {std::cos(turn), std::sin(turn), 0.1 * (k % 5 - 2)};
-    b.temperature = 300 + 5 * k;
-    scene.bodies.push_back(b);
-  }
-  Effects& effects = scene.effects;
-  effects.linear = Linear{2e4};
-  effects.damping = Damping{0.9};
-  effects.friction = Friction{0.4, 0.3, 0.2};
-  effects.rolling = Rolling{0.1};
-  effects.twisting = Twisting{0.1};
-  effects.cohesion = Cohesion{2, 0.02};
-  effects.drag = Drag{0.005};
-  effects.conduction = Conduction{3, 2};
-  effects.periodic_box = PeriodicBox{Vec::Constant(side)};
-  scene.run.duration = 0.5;
-  scene.run.accuracy = 1e-2;
-  return scene;
-}
 
 /// Elastic, without friction.
 Scene gas() {
