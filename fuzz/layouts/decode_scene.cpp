@@ -259,7 +259,8 @@ std::string read_forced(const Scene& scene, Bytes bytes) {
   std::vector<std::string> off;
   const Plan plan = make_plan(scene);
   for (const Effect& effect : effects())
-    if (!plan.is_on(effect.name) && can_be_forced(scene, effect.name)) off.emplace_back(effect.name);
+    if (effect.name != PeriodicBox::name && !plan.is_on(effect.name) && can_be_forced(scene, effect.name))
+      off.emplace_back(effect.name);
   return off.empty() ? "" : off[read(bytes, 3, 1) % off.size()];
 }
 
