@@ -256,8 +256,10 @@ bool can_be_forced(const Scene& scene, std::string_view effect) {
 }
 
 std::string read_forced(const Scene& scene, Bytes bytes) {
+  constexpr std::uint32_t the_box = 255;
   std::vector<std::string> off;
   const Plan plan = make_plan(scene);
+  if (read(bytes, 3, 1) == the_box && !plan.is_on(PeriodicBox::name)) return std::string(PeriodicBox::name);
   for (const Effect& effect : effects())
     if (effect.name != PeriodicBox::name && !plan.is_on(effect.name) && can_be_forced(scene, effect.name))
       off.emplace_back(effect.name);

@@ -6,7 +6,7 @@
 //    0   1  bodies: 2 + v % 5
 //    1   1  walls: v % 4
 //    2   1  steps: 2 + v % 31, and 8 at most where there is a patch, asked for or forced
-//    3   1  which effect is forced on: v % as many as the plan has off, the periodic box left out
+//    3   1  which effect is forced on: v % as many as the plan has off, but for the periodic box, which 255 is
 //    4   1  the step of the snapshot: v % steps
 //    5   1  time step: % 3 = 0 the longest that the effects allow, 1 a quarter, 2 a 32nd of it
 //    6   2  the duration, unless the steps are shorter           number, 1e-4 .. 1e2

@@ -144,7 +144,7 @@ TEST_F(ExportLammps, RefusesWithFileFieldAndReason) {
   expect_refusal("export-lammps itself.json -o out",
                  "itself.json: materials.pairs[0]: is of a material with itself, which pair_coeff cannot say");
   scene = without(made::crowded_box(), Conduction::name);
-  scene.effects.periodic_box->rate = {-1, 0, 0};
+  made::periodic_box(scene).rate = {-1, 0, 0};
   (void)file("shrinks.json", format_scene({scene, {}, {}}));
   expect_refusal(
       "export-lammps shrinks.json -o out",

@@ -11,6 +11,7 @@ namespace plumb::scene {
 namespace {
 
 using made::ball;
+using made::matrix;
 using made::Vec;
 
 constexpr double deep = 1e-3, stiffness = 1e5;
@@ -38,11 +39,6 @@ Scene lattice(bool in_box) {
 
 Region box() {
   return {Vec::Constant(-(1 - deep)), Vec::Constant(2 * step + 1 - deep)};
-}
-
-/// NaN where there is none.
-Eigen::Matrix3d matrix(const std::optional<Eigen::Matrix3d>& measure) {
-  return measure.value_or(Eigen::Matrix3d::Constant(std::nan("")));
 }
 
 TEST(Bulk, OfABoxOfBallsIsThatOfItsLattice) {

@@ -40,4 +40,8 @@ inline constexpr double crowded_side = 10;
   return scene;
 }
 
+[[nodiscard]] inline PeriodicBox& periodic_box(Scene& scene) {
+  return scene.effects.periodic_box ? *scene.effects.periodic_box : scene.effects.periodic_box.emplace();
+}
+
 }  // namespace plumb::scene::made

@@ -65,6 +65,11 @@ using Vec = Vec3<double>;
   return sum;
 }
 
+/// Of a measure; NaN where there is none.
+[[nodiscard]] inline Eigen::Matrix3d matrix(const std::optional<Eigen::Matrix3d>& measure) {
+  return measure.value_or(Eigen::Matrix3d::Constant(std::nan("")));
+}
+
 /// The field that the error of a scene's plan names, which gives a reason; empty where there is none.
 [[nodiscard]] inline std::string refused_field(const Scene& scene) {
   try {

@@ -94,7 +94,7 @@ PairSet touching_images(const World& world) {
 TEST(PeriodicBox, LosesNoContactWhileItShrinksAndGrows) {
   for (const double rate : {-0.4, 1.0}) {
     Scene scene = crowded_box();
-    scene.effects.periodic_box->rate = {rate, 0, rate / 2};
+    made::periodic_box(scene).rate = {rate, 0, rate / 2};
     const auto run = made::started(scene);
     std::size_t contacts = 0;
     while (!run->is_done()) {
@@ -126,7 +126,7 @@ TEST(PeriodicBox, KeepsMomentumAndEnergy) {
 /// By how much the energy differs from what the box has done by its stress.
 double error_of_work(double accuracy) {
   Scene scene = gas();
-  scene.effects.periodic_box->rate = {-1, 0.5, 0};
+  made::periodic_box(scene).rate = {-1, 0.5, 0};
   scene.run.accuracy = accuracy;
   scene.run.outputs.contacts = true;
   const auto run = made::started(scene);
@@ -163,21 +163,21 @@ TEST(PeriodicBox, StopsAtItsPressure) {
   Scene scene = gas();
   scene.effects.damping = Damping{0.3};
   scene.effects.drag = Drag{1};
-  scene.effects.periodic_box->rate = Vec::Constant(-1);
-  scene.effects.periodic_box->pressure = 50;
+  made::periodic_box(scene).rate = Vec::Constant(-1);
+  made::periodic_box(scene).pressure = 50;
   scene.run.duration = 8;
   scene.run.outputs.bulk = true;
   const auto run = made::ended(scene);
   const Bulk bulk = bulk_of(run->world(), {});
-  EXPECT_NEAR(-(*bulk.stress + *bulk.kinetic).trace() / 3, 50, 0.5);
+  EXPECT_NEAR(-(made::matrix(bulk.stress) + made::matrix(bulk.kinetic)).trace() / 3, 50, 0.5);
   EXPECT_GT(bulk.coordination.value_or(0), 6);
   EXPECT_LT(run->world().state.box_sides->vector(0).maxCoeff(), 0.9 * side);
 }
 
 TEST(PeriodicBox, GoesOnFromAnySnapshotAndWithAnyThreads) {
   Scene scene = crowded_box();
-  scene.effects.periodic_box->rate = Vec::Constant(-0.5);
-  scene.effects.periodic_box->pressure = 300;
+  made::periodic_box(scene).rate = Vec::Constant(-0.5);
+  made::periodic_box(scene).pressure = 300;
   for (const std::int64_t step : {1, 50, 333}) EXPECT_EQ(find_snapshot_change(scene, step), "");
   EXPECT_EQ(made::ended(scene, 2)->hash(), made::ended(scene)->hash());
 }
@@ -263,8 +263,8 @@ TEST(PeriodicBox, HasTheMeasuresOfItsWholeSpace) {
     return std::numbers::pi * h * h * (3 - h) / 3;
   };  // of the second, and of the first's image
   EXPECT_NEAR(bulk.profiles[0][9], (cap(0.5 + overlap) + cap(0.5)) / (side * side), 1e-3);
-  EXPECT_NEAR((*bulk.stress)(0, 0), -stiffness * overlap * (2 - overlap) / volume, 1e-9);
-  EXPECT_NEAR((*bulk.stress)(1, 1), 0, 1e-12);
+  EXPECT_NEAR(made::matrix(bulk.stress)(0, 0), -stiffness * overlap * (2 - overlap) / volume, 1e-9);
+  EXPECT_NEAR(made::matrix(bulk.stress)(1, 1), 0, 1e-12);
 }
 
 }  // namespace
