@@ -6,8 +6,6 @@
 #include "fuzz/layouts/decode.hpp"
 #include "fuzz/layouts/layout_fields.hpp"
 #include "solver/pose.hpp"
-#include "solver/scene/body/mass.hpp"
-#include "solver/scene/facts.hpp"
 #include "solver/scene/plan.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
@@ -216,9 +214,7 @@ void read_materials(Scene& scene, Bytes bytes) {
 void read_periodic_box(Scene& scene, Bytes bytes, double duration) {
   const std::uint32_t flags = read(bytes, kPeriodicBox, 1), changes = flags >> 3 & 3;
   if ((flags & 7) == 0 || !scene.walls.empty()) return;
-  double radius = 0;
-  for (const SceneBody& b : scene.bodies) radius = std::max(radius, bounding_radius(b.body.shape));
-  const double shortest = shortest_side(radius, contact_range(scene));
+  const double shortest = shortest_side(scene);
   const double side = shortest * (1 + read(bytes, kPeriodicBox + 1, 1) / 64.0);
   const double rate = (changes == 1 ? -0.5 : 0.5) * (side - shortest) / duration;
   const bool has_rate = changes != 0 && std::ranges::none_of(scene.bodies, &SceneBody::is_fixed);

@@ -1,6 +1,7 @@
 // A periodic box full of bodies that asks for every effect but those of walls, for tests of what reaches through its sides.
 #pragma once
 
+#include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
 
 namespace plumb::scene::made {
@@ -25,15 +26,11 @@ inline constexpr double crowded_side = 10;
     b.temperature = 300 + 5 * k;
     scene.bodies.push_back(b);
   }
-  Effects& effects = scene.effects;
-  effects.linear = Linear{2e4};
+  Effects& effects = scene.effects = crowd().effects;
+  effects.gravity.reset();
+  effects.moving_walls.reset();
   effects.damping = Damping{0.9};
-  effects.friction = Friction{0.4, 0.3, 0.2};
-  effects.rolling = Rolling{0.1};
-  effects.twisting = Twisting{0.1};
-  effects.cohesion = Cohesion{2, 0.02};
   effects.drag = Drag{0.005};
-  effects.conduction = Conduction{3, 2};
   effects.periodic_box = PeriodicBox{Vec::Constant(crowded_side)};
   scene.run.duration = 0.5;
   scene.run.accuracy = 1e-2;

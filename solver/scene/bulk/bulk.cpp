@@ -33,22 +33,13 @@ Region box_of_all(const World& world) {
   return out;
 }
 
-/// A box that repeats itself as it is, where there is one.
-Region with_box(const World& world, Region region) {
-  if (world.state.box_sides == nullptr) return region;
-  const Vec3<double> sides = world.state.box_sides->vector(0);
-  for (int k = 0; k < 3; ++k)
-    if (sides[k] > 0) region.low[k] = 0, region.high[k] = sides[k];
-  return region;
-}
-
-/// Where a body counts: along the box's axes, everywhere.
-Region without_box(const World& world, Region region) {
+/// Along the axes of a box that repeats itself that box, or without an end: a body counts everywhere.
+Region in_box(const World& world, Region region, bool is_endless) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (world.state.box_sides == nullptr) return region;
   const Vec3<double> sides = world.state.box_sides->vector(0);
   for (int k = 0; k < 3; ++k)
-    if (sides[k] > 0) region.low[k] = -infinite, region.high[k] = infinite;
+    if (sides[k] > 0) region.low[k] = is_endless ? -infinite : 0, region.high[k] = is_endless ? infinite : sides[k];
   return region;
 }
 
@@ -222,8 +213,8 @@ std::optional<ForceDistribution> forces_of(const World& world, const Packing& pa
 
 Bulk bulk_of(const World& world, const std::optional<Region>& region) {
   Bulk out;
-  out.region = with_box(world, region ? *region : box_of_all(world));
-  const Region counted = without_box(world, out.region);
+  out.region = in_box(world, region ? *region : box_of_all(world), false);
+  const Region counted = in_box(world, out.region, true);
   const Packing packing(world, counted);
   const double volume = volume_of(out.region);
   out.packing_fraction = volume_within(world, counted) / volume;

@@ -13,6 +13,11 @@
 namespace plumb::scene {
 namespace {
 
+/// Radii of balls that hold the bodies; `range`: how far apart contacts are.
+double shortest_side(double greatest_radius, double range) {
+  return 2 * (2 * greatest_radius + range);
+}
+
 /// Over one step, in which the rate stays the same: x' = (L'/L) x + dt v and v' = (L/L') v are then exact, and reversible.
 void change(World& world, double least) {
   State& state = world.state;
@@ -75,9 +80,7 @@ void check_walls(const PeriodicBox& box, const Scene& scene) {
 }
 
 void check_sides(const PeriodicBox& box, const Scene& scene) {
-  double radius = 0;
-  for (const SceneBody& b : scene.bodies) radius = std::max(radius, bounding_radius(b.body.shape));
-  const double least = shortest_side(radius, contact_range(scene));
+  const double least = shortest_side(scene);
   for (int k = 0; k < 3; ++k) {
     const double side = box.sides[k], last = side + std::min(0.0, box.rate[k]) * scene.run.duration;
     if (!(side >= 0)) refuse(".sides", "must be numbers, 0 or more");
@@ -97,8 +100,10 @@ void check_pressure(const PeriodicBox& box) {
 
 }  // namespace
 
-double shortest_side(double greatest_radius, double range) {
-  return 2 * (2 * greatest_radius + range);
+double shortest_side(const Scene& scene) {
+  double radius = 0;
+  for (const SceneBody& b : scene.bodies) radius = std::max(radius, bounding_radius(b.body.shape));
+  return shortest_side(radius, contact_range(scene));
 }
 
 Role role(const PeriodicBox& box, const Scene& scene) {

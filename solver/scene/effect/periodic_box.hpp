@@ -28,8 +28,8 @@ struct PeriodicBox {
   }
 };
 
-/// In a shorter one a body could touch two images of another. Radii of balls that hold the bodies; `range`: how far apart contacts are.
-[[nodiscard]] double shortest_side(double greatest_radius, double range);
+/// In a shorter one a body of the scene could touch two images of another.
+[[nodiscard]] double shortest_side(const Scene& scene);
 
 [[nodiscard]] Role role(const PeriodicBox& box, const Scene& scene);
 void install(const PeriodicBox& box, World& world);
