@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solver/shape/shapes.hpp"
+
 namespace plumb::scene {
 namespace {
 
@@ -28,7 +30,9 @@ MassProperties mass_properties(const Superellipsoid<double>& shape) {
 }
 
 double bounding_radius(const Superellipsoid<double>& shape) {
-  return shape.n1 <= 2 && shape.n2 <= 2 ? shape.semi_axes.maxCoeff() : shape.semi_axes.norm();
+  constexpr double rounding = 1e-14;
+  const double reach = RowOf<Superellipsoid<double>>::reach(shape);
+  return shape.n1 <= 2 && shape.n2 <= 2 ? reach : reach * (1 + rounding);
 }
 
 bool is_sphere(const Superellipsoid<double>& shape) {
