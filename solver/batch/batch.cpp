@@ -53,7 +53,8 @@ template <class Check>
   return check(to.status) && check(to.verdict) && check(to.overlap) && std::ranges::all_of(to.normal, check) &&
          std::ranges::all_of(to.point1, check) && std::ranges::all_of(to.point2, check) &&
          std::ranges::all_of(to.contact_point, check) && std::ranges::all_of(to.chart1, check) &&
-         std::ranges::all_of(to.chart2, check) && check(to.iterations) && check(to.evaluations);
+         std::ranges::all_of(to.chart2, check) && std::ranges::all_of(to.separating, check) && check(to.iterations) &&
+         check(to.evaluations);
 }
 
 template <class Check>
@@ -103,11 +104,12 @@ void store(const Vec3<double>& value, const std::array<std::span<double>, 3>& to
   for (int k = 0; k < 3; ++k) store(value[k], to[static_cast<std::size_t>(k)], i);
 }
 
+[[nodiscard]] bool is_asked_for(const std::array<std::span<double>, 3>& spans) {
+  return !spans[0].empty() || !spans[1].empty() || !spans[2].empty();
+}
+
 /// With what the arrays ask for.
 [[nodiscard]] Want wanted(Want want, const ContactArrays& contacts) {
-  const auto is_asked_for = [](const auto& spans) {
-    return !spans[0].empty() || !spans[1].empty() || !spans[2].empty();
-  };
   want.overlap = !contacts.overlap.empty();
   want.normal = is_asked_for(contacts.normal);
   want.points = is_asked_for(contacts.point1) || is_asked_for(contacts.point2) || is_asked_for(contacts.contact_point);
@@ -115,14 +117,16 @@ void store(const Vec3<double>& value, const std::array<std::span<double>, 3>& to
   return want;
 }
 
-void solve_alone(const PairArrays& pairs, const Want& want, const ContactArrays& to, std::size_t i,
+void solve_alone(const PairArrays& pairs, Want want, const ContactArrays& to, std::size_t i,
                  const Contact<double>* last) {
+  want.normal = want.normal || is_asked_for(to.separating);
   const Pair pair{body_at(pairs.body1, i), body_at(pairs.body2, i)};
   const Contact<double> found = find_method("auto")->solve(pair, want, last);
   store(found.status, to.status, i);
   store(found.verdict, to.verdict, i);
   store(found.overlap, to.overlap, i);
   store(found.normal, to.normal, i);
+  store(found.normal, to.separating, i);
   store(found.point1, to.point1, i);
   store(found.point2, to.point2, i);
   store(found.contact_point, to.contact_point, i);

@@ -50,6 +50,9 @@ struct ContactArrays {
   std::array<std::span<double>, 3> normal{}, point1{}, point2{}, contact_point{};
   std::span<int> iterations{}, evaluations{};
   std::array<std::span<double>, 3> chart1{}, chart2{};  ///< NaN also where a direction alone proved bodies apart
+  /// Unit, from body 1 to body 2: bodies that are `separated` are apart along it. Where only the verdict is wanted beside it, it costs
+  /// nothing; but pairs that are handed to `auto` may be `undecided` then.
+  std::array<std::span<double>, 3> separating{};
 };
 
 /// What a batch is computed with. `best` is the widest that this machine has.

@@ -185,6 +185,7 @@ template <class P>
   index.store_as(verdict_of(found.overlap, pair.size, tolerance), to.verdict);
   index.store(found.overlap * pair.unit, to.overlap);
   index.store(found.normal, to.normal);
+  index.store(found.normal, to.separating);
   index.store(world(found.point1), to.point1);
   index.store(world(found.point2), to.point2);
   index.store(world((found.point1 + found.point2) * P(0.5)), to.contact_point);

@@ -13,6 +13,8 @@
 #include "properties/laws/laws.hpp"
 #include "properties/tests/allocations.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/pose.hpp"
+#include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
 namespace {
@@ -180,6 +182,36 @@ TEST(Batch, WhatIsNotWantedIsNotWritten) {
   ContactColumns all = solved(pairs, InstructionSet::best), overlap(pairs.size());
   EXPECT_EQ(solve_batch(columns.arrays(), {}, {.overlap = overlap.overlap}).error, BatchError::none);
   EXPECT_EQ(overlap.overlap, all.overlap);
+}
+
+/// Pulled apart by a little and by much.
+TEST(Batch, SeparatedBodiesAreApartAlongTheirDirection) {
+  const auto gap_along = [](const Pair& pair, const Vec3<double>& direction) {
+    const PlacedPair<double> placed = place<double>(pair);
+    const auto height = [](const PlacedBody<double>& body, const Vec3<double>& d) {
+      return support<double>(body.shape, body.to_body_direction(d));
+    };
+    return direction.dot(placed.body2.centre - placed.body1.centre) - height(placed.body1, direction) -
+           height(placed.body2, -direction);
+  };
+  for (const std::string_view family : {"spheroid", "ellipsoid", "superquadric"}) {
+    std::vector<Pair> pairs = pairs_of(family, 90);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const Contact<double> at = solved_alone(pairs[i]);
+      pairs[i].body2.position += (at.overlap + (i % 3 == 0 ? 1 : 1e-3)) * at.normal;
+    }
+    const PairColumns columns(pairs);
+    for (const InstructionSet set : available_instruction_sets()) {
+      ContactColumns out(pairs.size());
+      const ContactArrays all = out.arrays();
+      const ContactArrays to{.status = all.status, .verdict = all.verdict, .separating = all.normal};
+      EXPECT_EQ(solve_batch(columns.arrays(), {}, to, set).error, BatchError::none);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        EXPECT_EQ(out.verdict[i], Verdict::separated) << family << ' ' << i;
+        EXPECT_GT(gap_along(pairs[i], out.at(i).normal), 0) << family << ' ' << i << ' ' << name(set);
+      }
+    }
+  }
 }
 
 TEST(Batch, UnequalLengthsAreAnError) {
