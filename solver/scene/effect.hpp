@@ -19,7 +19,8 @@ struct World;
 struct Needs {
   bool contacts = false;                                     ///< which bodies touch, how deep, in which direction
   bool points = false;                                       ///< where
-  bool curvature = false;                                    ///< of both surfaces there
+  bool curvature = false;                                    ///< of both surfaces there, as a contact begins
+  bool curvature_each_step = false;                          ///< and for as long as it lasts
   bool patch = false;                                        ///< what both bodies have in common: patch.hpp
   bool spin = false;                                         ///< every movable body's angular velocity, also a sphere's
   bool normal_force = false;                                 ///< the column of forces along the normals

@@ -38,6 +38,7 @@ void add_needs(Needs& all, const Needs& one) {
   all.contacts |= one.contacts;
   all.points |= one.points;
   all.curvature |= one.curvature;
+  all.curvature_each_step |= one.curvature_each_step;
   all.patch |= one.patch;
   all.spin |= one.spin;
   all.normal_force |= one.normal_force;

@@ -55,9 +55,11 @@ namespace detail {
   return (Eigen::Quaterniond(Eigen::AngleAxisd(angle, momentum / size)) * q).normalized();
 }
 
-/// From an angular momentum, both in world axes.
+/// From an angular momentum, both in world axes. Where all moments are one, no axes are.
 [[nodiscard]] inline Vec3<double> angular_velocity(const Eigen::Quaterniond& orientation, const Vec3<double>& momentum,
                                                    const Vec3<double>& inverse_inertia) {
+  if (inverse_inertia.x() == inverse_inertia.y() && inverse_inertia.y() == inverse_inertia.z())
+    return inverse_inertia.x() * momentum;
   const Vec3<double> own = orientation.conjugate() * momentum;
   return orientation * Vec3<double>(own.cwiseProduct(inverse_inertia));
 }

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "solver/scene/body/columns.hpp"
+#include "solver/scene/body/rotation.hpp"
 #include "solver/scene/material/mixing.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -44,6 +45,7 @@ struct State {
   Column* angular_velocity = nullptr;  ///< 3, world axes, made from the momentum
   Column* force = nullptr;             ///< 3
   Column* torque = nullptr;            ///< 3, about the centre
+  Column* turned = nullptr;            ///< of separation.hpp
   Column* box_sides = nullptr;         ///< 3, of the scene: of a box that repeats itself, 0 along an open axis
   Column* box_rates = nullptr;         ///< 3, of the scene: of the sides
 
@@ -63,18 +65,20 @@ struct Contacts {
   Column* is_pressing = nullptr;  ///< 1 or 0
   Column* image =
       nullptr;  ///< 3: from body 2 to the image of it that is nearest to body 1, in a box that repeats itself
-  Column* chart = nullptr;    ///< 12: where the solver starts next time, the step before's last
-  Column* overlap = nullptr;  ///< 1
-  Column* normal = nullptr;   ///< 3, from body 1 to body 2
-  Column* point = nullptr;    ///< 3: where the force acts
-  Column* volume = nullptr;   ///< 1: of the patch, as the next two; the normal and the point are the patch's then
-  Column* area = nullptr;     ///< 1
+  Column* chart = nullptr;       ///< 12: where the solver starts next time, the step before's last
+  Column* separation = nullptr;  ///< of separation.hpp
+  Column* overlap = nullptr;     ///< 1
+  Column* normal = nullptr;      ///< 3, from body 1 to body 2
+  Column* point = nullptr;       ///< 3: where the force acts
+  Column* volume = nullptr;      ///< 1: of the patch, as the next two; the normal and the point are the patch's then
+  Column* area = nullptr;        ///< 1
   Column* patch_arms =
       nullptr;  ///< 9: of the roots of its three second moments along their axes, each times the normal
   Column* area_moment = nullptr;  ///< 3: about the point; 0 of a ball
   double patch_tolerance = 0;
-  Column* curvature = nullptr;  ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
-  Column* arm1 = nullptr;       ///< 3: (point - centre) x normal, exactly 0 for spheres
+  Column* curvature = nullptr;     ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
+  bool follows_curvature = false;  ///< in each step; else it is that of a contact's first
+  Column* arm1 = nullptr;          ///< 3: (point - centre) x normal, exactly 0 for spheres
   Column* arm2 = nullptr;
   Column* yield1 =
       nullptr;  ///< 3: the inverse inertia, world axes, times the arm: how a body turns by an impulse along the normal
@@ -245,9 +249,9 @@ inline Vec3<double> World::relative_turn(std::size_t contact) const {
 }
 
 inline Vec3<double> World::yield(std::uint32_t body, const Vec3<double>& torque) const {
-  if (bodies.inverse_inertia[body].isZero(0)) return Vec3<double>::Zero();
-  const Eigen::Quaterniond q = state.orientation_of(body);
-  return q * Vec3<double>((q.conjugate() * torque).cwiseProduct(bodies.inverse_inertia[body]));
+  const Vec3<double>& inverse_inertia = bodies.inverse_inertia[body];
+  if (inverse_inertia.isZero(0)) return Vec3<double>::Zero();
+  return angular_velocity(state.orientation_of(body), torque, inverse_inertia);
 }
 
 inline void World::push(std::size_t contact, const Vec3<double>& force, const Levers& levers) {

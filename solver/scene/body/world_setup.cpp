@@ -8,6 +8,7 @@
 #include "solver/scene/body/mass.hpp"
 #include "solver/scene/contact/lives.hpp"
 #include "solver/scene/contact/neighbours.hpp"
+#include "solver/scene/contact/separation.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -43,17 +44,25 @@ void add_contacts(World& world, const Plan& plan) {
   const auto pair = [&](const char* name, const char* owner, int width, bool is_kept = false, double initial = 0) {
     return &world.columns.add(name, owner, {Kind::pair, width, is_kept, initial});
   };
-  const auto answer = [&](const char* name, const char* owner, int width) {
-    return &world.columns.add(name, owner, {.of = Kind::pair, .width = width, .is_answer = true});
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto answer = [&](const char* name, const char* owner, int width, double initial = 0) {
+    return &world.columns.add(name, owner, {.of = Kind::pair, .width = width, .initial = initial, .is_answer = true});
   };
   Contacts& contacts = world.contacts;
   contacts.range = plan.needs.range;
   contacts.is_pressing = pair("is_pressing", "contacts", 1, true);
-  contacts.chart = pair("chart", "solver", 12, true, std::numeric_limits<double>::quiet_NaN());
+  contacts.chart = pair("chart", "solver", 12, true, none);
   if (plan.want.overlap) contacts.overlap = answer("overlap", "solver", 1);
   if (plan.want.normal) contacts.normal = answer("normal", "solver", 3);
   if (plan.want.points) contacts.point = answer("point", "solver", 3);
-  if (plan.want.curvature) contacts.curvature = answer("curvature", "solver", 2);
+  if (plan.want.curvature) contacts.curvature = answer("curvature", "solver", 2, none);
+  contacts.follows_curvature = plan.needs.curvature_each_step;
+  if (plan.analysis == Analysis::motion && !plan.want.is_yes_or_no()) {
+    contacts.separation = answer("separation", "contacts", separation_width, none);
+    if (plan.has_turning())
+      world.state.turned = &world.columns.add(
+          "turned", "contacts", {.of = Kind::body, .width = turned_width, .initial = none, .is_answer = true});
+  }
   if (plan.needs.patch) {
     contacts.volume = answer("volume", "patch", 1);
     contacts.area = answer("area", "patch", 1);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "solver/patch/patch.hpp"
 #include "solver/pose.hpp"
@@ -69,19 +70,24 @@ Curvatures curvatures_at(const World& world, Index i, const Vec3<double>& from_c
   return Curvatures::of(at, shape.semi_axes.maxCoeff());
 }
 
+/// Of a contact that lasts most effects go by the one that it began with.
+bool is_curvature_wanted(const Contacts& contacts, std::size_t c) {
+  if (contacts.curvature == nullptr) return false;
+  const bool is_known = (*contacts.is_pressing)[c] != 0 && !std::isnan(contacts.curvature->entry(c)[0]);
+  return contacts.follows_curvature || !is_known;
+}
+
 void keep_curvature(World& world, std::size_t c, const Curvatures& first, const Curvatures& second) {
   std::ranges::copy(relative_curvature(first, second), world.contacts.curvature->entry(c).begin());
 }
 
-/// The point on the normal through a ball's centre, and two balls' normal through both: there they are up to the solver's tolerance, but
-/// a ball's arm is zero by its shape, and what is left of it would be angular momentum made from nothing.
+/// The point on the normal through a ball's centre: there it is up to the solver's tolerance, but a ball's arm is zero by its shape, and what is
+/// left of it would be angular momentum made from nothing.
 void straighten(const World& world, std::size_t c, Contact<double>& answer) {
   const auto [i, j] = world.contacts.pairs[c];
-  const bool is_ball1 = world.bodies.is_sphere[i] != 0, is_ball2 = world.bodies.is_sphere[j] != 0;
-  if (!is_ball1 && !is_ball2) return;
-  const Vec3<double> x1 = world.state.position->vector(i), x2 = world.second_position(c);
-  if (is_ball1 && is_ball2 && x1 != x2) answer.normal = (x2 - x1).normalized();
-  const Vec3<double>& centre = is_ball1 ? x1 : x2;
+  const bool is_ball1 = world.bodies.is_sphere[i] != 0;
+  if (!is_ball1 && world.bodies.is_sphere[j] == 0) return;
+  const Vec3<double> centre = is_ball1 ? Vec3<double>(world.state.position->vector(i)) : world.second_position(c);
   answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
 }
 
@@ -138,7 +144,7 @@ bool keep_contact(World& world, std::size_t c, Contact<double> answer) {
   }
   straighten(world, c, answer);
   keep_first_order(world, c, answer);
-  if (world.contacts.curvature != nullptr)
+  if (is_curvature_wanted(world.contacts, c))
     keep_curvature(world, c, curvatures_at(world, i, answer.point1 - world.state.position->vector(i)),
                    curvatures_at(world, j, answer.point2 - world.second_position(c)));
   return is_complete;
@@ -156,7 +162,7 @@ bool keep_wall_contact(World& world, std::size_t c, Contact<double> answer) {
     straighten(world, c, answer);
   }
   keep_first_order(world, c, answer);
-  if (world.contacts.curvature != nullptr)
+  if (is_curvature_wanted(world.contacts, c))
     keep_curvature(world, c, curvatures_at(world, i, answer.point1 - world.state.position->vector(i)), {});
   return is_complete;
 }

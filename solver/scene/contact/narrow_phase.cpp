@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "solver/method/automatic.hpp"
 #include "solver/scene/contact/contact_columns.hpp"
 #include "solver/scene/contact/pair_chunk.hpp"
+#include "solver/scene/contact/separation.hpp"
 #include "solver/scene/threads.hpp"
 #include "solver/scene/wall/meet_wall.hpp"
 #include "solver/shape/superellipsoid.hpp"
@@ -34,6 +36,28 @@ bool meet_plane(World& world, std::size_t c, Totals& round) {
   answer.contact_point = answer.point1 - answer.overlap / 2 * into;
   if (!keep_wall_contact(world, c, answer)) ++round.failed;
   return true;
+}
+
+/// Two balls, not about one centre, in closed form. Whether they touch.
+bool meet_balls(World& world, std::size_t c, Totals& round) {
+  const auto [i, j] = world.contacts.pairs[c];
+  const double radius1 = world.bodies.radius[i], radius2 = world.bodies.radius[j];
+  const Vec3<double> centre1 = world.state.position->vector(i), centre2 = world.second_position(c);
+  Contact<double> answer;
+  answer.overlap = radius1 + radius2 - (centre2 - centre1).norm();
+  if (answer.overlap <= -world.contacts.range) return false;
+  answer.normal = (centre2 - centre1).normalized();
+  answer.point1 = centre1 + radius1 * answer.normal;
+  answer.point2 = centre2 - radius2 * answer.normal;
+  answer.contact_point = (answer.point1 + answer.point2) / 2;
+  if (!keep_contact(world, c, answer)) ++round.failed;
+  return true;
+}
+
+bool are_balls(const World& world, std::size_t c) {
+  const auto [i, j] = world.contacts.pairs[c];
+  return world.bodies.is_sphere[i] != 0 && world.bodies.is_sphere[j] != 0 &&
+         world.second_position(c) != world.state.position->vector(i);
 }
 
 /// Of body 2 the image that is nearest to body 1: the one that it can touch. Walls have none.
@@ -71,9 +95,10 @@ class Block {
 
   [[nodiscard]] Totals meet() {
     for (std::size_t c = first_; c < end_; ++c) sort(c);
-    ask(by_direction_);
-    ask(by_charts_);
+    in_chunks(to_ask_, [&](std::span<const Index> part) { ask(part); });
     in_chunks(to_solve_, [&](std::span<const Index> part) { solve(part); });
+    for (std::size_t c = first_; c < end_; ++c)
+      if (touches_[c] == 0) leave_charts(c);
     return round_;
   }
 
@@ -86,7 +111,7 @@ class Block {
 
   [[nodiscard]] bool touched(std::size_t c) const { return (*world_.contacts.is_pressing)[c] != 0; }
 
-  /// A pair that touched is solved from its last answer. One that did not is first asked, by its first direction or from its last answer.
+  /// A pair that touched is solved from its last answer. One that did not is first asked whether it does.
   void sort(std::size_t c) {
     const std::uint32_t j = world_.contacts.pairs[c][1];
     if (world_.contacts.image != nullptr) set_image(world_, c);
@@ -94,10 +119,14 @@ class Block {
       sort_wall(c, j - world_.bodies.count);
     else if (!may_touch(world_, c))
       return;
+    else if (are_balls(world_, c))
+      touches_[c] = meet_balls(world_, c, round_) ? 1 : 0;
+    else if (!touched(c) && world_.contacts.separation != nullptr && are_parted(world_, c))
+      return;
     else if (!want_.is_yes_or_no() && (touched(c) || world_.contacts.range > 0))
       to_solve_.add(c);
     else
-      (std::isnan(world_.contacts.chart->entry(c)[0]) ? by_direction_ : by_charts_).add(c);
+      to_ask_.add(c);
   }
 
   /// All places of a pair at its first: those of others, in the next block too, are left to it.
@@ -128,21 +157,19 @@ class Block {
     evaluations_[c - first_] += answer.evaluations;
   }
 
-  void ask(const List& list) {
-    in_chunks(list, [&](std::span<const Index> part) {
-      chunk_.ask(want_);
-      for (std::size_t k = 0; k < part.size(); ++k) decide(part[k], chunk_.answer(k));
-    });
+  void ask(std::span<const Index> part) {
+    chunk_.ask(want_);
+    for (std::size_t k = 0; k < part.size(); ++k) decide(part[k], chunk_.answer(k));
   }
 
   void decide(std::size_t c, const Contact<double>& answer) {
     count(c, answer);
-    keep_charts(world_.contacts, c, answer);
     const bool is_answered = answer.status == Status::converged;
-    if (is_answered && answer.verdict == Verdict::separated) return;
+    if (is_answered && answer.verdict == Verdict::separated) return part(c, answer.normal);
     if (!want_.is_yes_or_no()) return to_solve_.add(c);
     if (!is_answered) ++round_.failed;
     touches_[c] = !is_answered || answer.verdict == Verdict::overlapping ? 1 : 0;
+    keep_charts(world_.contacts, c, answer);
   }
 
   void solve(std::span<const Index> part) {
@@ -169,7 +196,20 @@ class Block {
                    .failed_warm = failed_warm};
     touches_[c] = touches ? 1 : 0;
     if (is_answered) keep_charts(world_.contacts, c, answer);
+    if (is_answered && !touches) part(c, answer.normal);
     if (is_answered && touches && !keep_contact(world_, c, answer)) ++round_.failed;
+  }
+
+  void part(std::size_t c, const Vec3<double>& direction) {
+    if (world_.contacts.separation != nullptr) keep_plane(world_, c, direction);
+  }
+
+  /// Where a pair that does not touch was solved last says nothing of where it will: a contact hangs on the bodies alone, and not on how the
+  /// pair was known to be apart before.
+  void leave_charts(std::size_t c) {
+    const auto chart = world_.contacts.chart->entry(c);
+    if (!world_.bodies.is_wall(world_.contacts.pairs[c][1]) && !std::isnan(chart[0]))
+      std::ranges::fill(chart, std::numeric_limits<double>::quiet_NaN());
   }
 
   World& world_;
@@ -177,7 +217,7 @@ class Block {
   std::size_t first_, end_;
   std::vector<char>& touches_;
   std::vector<SolveNote>& notes_;
-  List by_direction_, by_charts_, to_solve_;
+  List to_ask_, to_solve_;
   std::array<int, capacity> evaluations_{};
   PairChunk chunk_;
   Totals round_;
@@ -217,6 +257,7 @@ Totals solve_contacts(World& world, const Want& want, std::vector<SolveNote>* no
   const std::size_t pairs = world.contacts.pairs.size();
   std::vector<SolveNote> all(notes == nullptr ? 0 : pairs);
   std::vector<char> touches(pairs);
+  follow_turns(world);
   std::vector<Totals> rounds((pairs + Block::capacity - 1) / Block::capacity);
   for_each_part(pairs, Block::capacity, world.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
     rounds[part] = Block(world, want, first, end, touches, all).meet();

@@ -14,8 +14,8 @@ namespace plumb::scene {
 
 /// Brings every column of contacts up to date with the poses. With `notes`, every full solve is noted there.
 ///
-/// A pair that touched is solved from its last answer. One that did not is first asked yes or no, from its last answer as
-/// well: one evaluation proves it apart for as long as the direction that parted them still does.
+/// A pair that touched is solved from its last answer. One that did not is the solver's only where no plane is known to be between the two
+/// (separation.hpp), and is then first asked yes or no. Two balls, and a body at a plane, are in closed form.
 Totals solve_contacts(World& world, const Want& want, std::vector<SolveNote>* notes);
 
 }  // namespace plumb::scene

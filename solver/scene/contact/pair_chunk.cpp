@@ -73,7 +73,9 @@ ContactArrays PairChunk::verdicts() {
 
 void PairChunk::ask(const Want& want) {
   is_solved_ = false;
-  run(want, verdicts());
+  ContactArrays to = verdicts();
+  to.separating = firsts(normal_, count_);
+  run(want, to);
 }
 
 void PairChunk::solve(const Want& want) {
@@ -100,9 +102,9 @@ Contact<double> PairChunk::answer(std::size_t k) const {
   out.chart2 = vector_at(chart2_, k);
   out.iterations = iterations_[k];
   out.evaluations = evaluations_[k];
+  out.normal = vector_at(normal_, k);
   if (!is_solved_) return out;
   out.overlap = overlap_[k];
-  out.normal = vector_at(normal_, k);
   out.point1 = vector_at(point1_, k);
   out.point2 = vector_at(point2_, k);
   out.contact_point = vector_at(contact_point_, k);

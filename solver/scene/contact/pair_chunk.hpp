@@ -17,12 +17,12 @@ class PairChunk {
   /// A pair of bodies, no wall, with the charts that its contact has kept.
   void add(const World& world, std::size_t contact);
 
-  /// Whether they overlap, and no more.
+  /// Whether they overlap, and along which direction those do not that are apart.
   void ask(const Want& want);
   /// Overlap, normal and points.
   void solve(const Want& want);
 
-  /// What the k-th was answered; of a yes or no status, verdict, charts and counts.
+  /// What the k-th was answered; where it was asked status, verdict, charts, counts and the direction for a normal.
   [[nodiscard]] Contact<double> answer(std::size_t k) const;
 
  private:

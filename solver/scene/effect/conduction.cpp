@@ -42,7 +42,7 @@ Role role(const Conduction& conduction, const Scene& scene) {
   for (std::size_t i = 0; i < scene.walls.size() && conduction.conductivity > 0; ++i)
     require_temperature(scene.walls[i].temperature, "walls", i);
   if (conduction.conductivity == 0) out.off = "the conductivity is 0";
-  out.needs = {.contacts = true, .curvature = true};
+  out.needs = {.contacts = true, .curvature = true, .curvature_each_step = true};
   // A body equalises no faster than through patches as large as itself; contacts are smaller, and several share this.
   const double capacity = 2 * least_contact_mass(scene) * conduction.heat_capacity;
   out.needs.fastest = capacity / (2 * conduction.conductivity * longest_axis(scene));
