@@ -114,6 +114,14 @@ double slope(const PatchEvidence& e, double tolerance, const std::function<void(
   return (e.solve(forwards, tolerance).volume - e.solve(backwards, tolerance).volume) / (2 * step);
 }
 
+/// The same rotation, by a power of two: a turn of a quaternion of 1e-310 would be lost in rounding.
+Quaternion of_usual_length(Quaternion q) {
+  double largest = 0;
+  for (const double x : q) largest = std::max(largest, std::abs(x));
+  for (double& x : q) x = std::ldexp(x, -std::ilogb(largest));
+  return q;
+}
+
 /// dV = -a . dx for a shift of body 2, dV = -m . dw for a turn about the centre.
 Finding has_the_gradient(const PatchEvidence& e) {
   const double fine = 1e-6, share = 0.02,
@@ -127,7 +135,7 @@ Finding has_the_gradient(const PatchEvidence& e) {
     const auto move = [&](Body& b, double by) { b.position += by * axis; };
     const auto turn_about_centre = [&](Body& b, double by) {
       const Vec3<double> from = b.position - p.centre, across = axis.cross(from);
-      b.quaternion = product(turn(axis, by), b.quaternion);
+      b.quaternion = product(turn(axis, by), of_usual_length(b.quaternion));
       b.position += std::sin(by) * across + (1 - std::cos(by)) * axis.cross(across);
     };
     worst = std::max({worst, std::abs(slope(e, fine, move, shift) + area_vector(p)[k]),
