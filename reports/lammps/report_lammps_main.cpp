@@ -1,15 +1,18 @@
-// plumb report-lammps: scenes by plumb and by LAMMPS on 1, 2 and 4 processes, how far apart they are; what a second process brings.
+// plumb report-lammps: scenes by plumb and by LAMMPS on 1, 2 and 4 processes, how far apart they are; what a second process brings; what
+// steps cost beside those of LAMMPS's own granular style.
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <tuple>
 
 #include "corpus/case/case.hpp"
 #include "corpus/command/command.hpp"
 #include "corpus/command/program_folder.hpp"
 #include "corpus/command/text_table.hpp"
+#include "reports/lammps/beside.hpp"
 #include "reports/lammps/trajectory.hpp"
 #include "solver/scene/named.hpp"
 
@@ -140,12 +143,43 @@ void print_scaling(const fs::path& out, const fs::path& program) {
   }
 }
 
+constexpr const char* by_plumb = "plumb/cn hertz.youngs_modulus 1e6 hertz.poissons_ratio 0.25 friction.coefficient 0.5";
+constexpr std::array boxes{BesideBox{"balls", "gran/hertz/history 1e6 NULL 0 NULL 0.5 1", 0, 0.99},
+                           BesideBox{"balls", by_plumb, 2, 0.99}, BesideBox{"exponents 4, 4", by_plumb, 4, 1.075}};
+
+double beside_seconds(const BesideBox& box, const fs::path& folder, const fs::path& program) {
+  fs::create_directories(folder);
+  std::ofstream(folder / "in.lammps") << beside_script(box);
+  run_or_fail(folder, program, 1);
+  return loop_seconds(folder / "log.1");
+}
+
+/// The least of a few rounds, in each of which all boxes have their turn.
+void print_beside(const fs::path& out, const fs::path& program) {
+  constexpr int rounds = 3;
+  print_line(
+      "\nBeside LAMMPS's own granular style: 300 steps of 10 648 bodies in a periodic box, each pressed into its");
+  print_line(fmt::format("neighbours, on one process; the least of {} rounds", rounds));
+  const TextTable columns({{"bodies", "<16"}, {"style", "<20"}, {"seconds", ">8.2f"}, {"over the first", ">16.1f"}});
+  print_line(columns.head());
+  std::array<double, boxes.size()> least{};
+  least.fill(std::numeric_limits<double>::infinity());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t k = 0; k < boxes.size(); ++k)
+      least[k] = std::min(least[k], beside_seconds(boxes[k], out / std::to_string(k), program));
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const std::string_view style = boxes[k].style;
+    print_line(columns.row(boxes[k].bodies, style.substr(0, style.find(' ')), least[k], least[k] / least[0]));
+  }
+}
+
 int report_command(const std::string& out) {
   const fs::path program = program_folder() / "plumb-lammps", folder = fs::absolute(out);
   if (!fs::exists(program))
     throw InputFailure(program.string(), 0, "", "is not built: liblammps-dev or MPI is missing");
   print_trajectories(folder, program);
   print_scaling(folder / "scaling", program);
+  print_beside(folder / "beside", program);
   return exit_done;
 }
 
