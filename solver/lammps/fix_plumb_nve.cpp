@@ -303,8 +303,12 @@ int FixPlumbNve::size_restart(int i) {
   return static_cast<int>(memory_of(i).size()) + 1;
 }
 
+/// LAMMPS asks all processes, and writes what the first says for all atoms.
 int FixPlumbNve::maxsize_restart() {
-  return most_packed();
+  const int here = most_packed();
+  int all = 0;
+  MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_MAX, world);
+  return all;
 }
 
 int FixPlumbNve::pack_restart(int i, double* out) {
