@@ -121,6 +121,16 @@ bool takes_last(const Solver& solver) {
   return find_method(solver.name) != nullptr;
 }
 
+/// `auto`, asked for the patch as well: at its default tolerance.
+Solver with_patch(Solver solver) {
+  solver.name = "auto, with patch";
+  solver.solve = [solve = solver.solve](const Pair& pair, Want want, const Contact<double>* last) {
+    want.patch = true;
+    return solve(pair, want, last);
+  };
+  return solver;
+}
+
 std::vector<Job> jobs_of(const Named& set, const std::vector<Solver>& solvers, std::uint64_t seed) {
   std::vector<Job> jobs;
   for (const Solver& solver : solvers) {
@@ -128,6 +138,9 @@ std::vector<Job> jobs_of(const Named& set, const std::vector<Solver>& solvers, s
     if (!takes_last(solver)) continue;
     jobs.push_back(warm_job(set, solver, seed));
     jobs.push_back(moving_job(set, solver, seed));
+    if (solver.name != "auto") continue;
+    jobs.push_back(cold_job(set, with_patch(solver)));
+    jobs.push_back(warm_job(set, with_patch(solver), seed));
   }
   return jobs;
 }

@@ -40,6 +40,7 @@ TEST_F(Bench, TheRatioIsToEpaInTheSameRun) {
       std::find_if(lines.begin(), lines.end(), [](const Json& line) { return line["method"] == "peer_libccd_epa"; });
   if (epa == lines.end()) GTEST_SKIP() << "built without libccd";
   EXPECT_EQ((*epa)["ratio_to_peer_libccd_epa"], 1.0);
+  EXPECT_EQ(std::ranges::count(lines, "auto, with patch", [](const Json& line) { return line["method"]; }), 2);
   for (const Json& line : lines)
     if (line["method"] != "batch") {
       EXPECT_EQ(line.contains("ratio_to_peer_libccd_epa"), line["not_converged"] < 1);
