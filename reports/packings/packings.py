@@ -1,11 +1,14 @@
-"""Random packings without friction, by slow compression of a box that repeats itself up to a small pressure.
+"""Random packings without friction, by compression of a box that repeats itself up to a small pressure.
 
 Bodies start apart, on a lattice, each turned its own way and with a small velocity of its own. The box shrinks by 1 % of its first sides in a unit of
-time until its pressure is 1e-4 of a contact's stiffness by diameter: overlaps are about 1e-4 of a body. Dashpots and a thin fluid take the motion away.
+time until its pressure is 1e-4 of a contact's stiffness by diameter: overlaps are about 1e-4 of a body. By the protocol `damped` dashpots and a fluid take
+the motion away as bodies meet. By `cooled` they collide without loss, and a fluid forty times as thin takes it away: they go on finding places as they
+are pressed, as bodies that grow do (Lubachevsky & Stillinger 1990).
 The unit of length is the diameter of a ball of the same volume, that of mass its density's."""
 
 import argparse
 import concurrent.futures
+import dataclasses
 import json
 import math
 import os
@@ -17,7 +20,17 @@ import sys
 
 from shapes import SHAPES
 
-STIFFNESS, PRESSURE, STRAIN_RATE, DURATION = 1000, 0.1, 1e-2, 300
+STIFFNESS, PRESSURE, STRAIN_RATE = 1000, 0.1, 1e-2
+
+
+@dataclasses.dataclass(frozen=True)
+class Protocol:
+    duration: float
+    viscosity: float  # the motion falls by e in a tenth of a unit of time over it
+    has_dashpots: bool
+
+
+PROTOCOLS = {"damped": Protocol(300, 0.02, True), "cooled": Protocol(1000, 5e-4, False)}
 STUDENT = {2: 12.706, 3: 4.303, 4: 3.182, 5: 2.776, 6: 2.571, 7: 2.447, 8: 2.365, 9: 2.306, 10: 2.262}  # 95 %, both sides
 AT_REST = 1e-2  # kinetic energy in parts of what contacts store
 
@@ -26,7 +39,7 @@ class Failed(Exception):
     """A run did not end well; its words."""
 
 
-def scene_of(shape, bodies, seed):
+def scene_of(shape, bodies, seed, protocol):
     draw = random.Random(seed)
     along = math.ceil(bodies ** (1 / 3))
     pitch = 2.02 * shape.radius()
@@ -41,9 +54,10 @@ def scene_of(shape, bodies, seed):
         "bodies": [{"shape": {"superellipsoid": {"semi_axes": shape.semi_axes(), "exponents": [shape.exponent] * 2}},
                     "position": [pitch * (x + 0.5) for x in place], "orientation": {"quaternion_wxyz": gauss(1, 4)},
                     "velocity": gauss(0.3, 3)} for place in places[:bodies]],
-        "effects": {"linear": {"stiffness": STIFFNESS}, "damping": {"restitution": 0.5}, "drag": {"viscosity": 0.02},
+        "effects": {"linear": {"stiffness": STIFFNESS}, "drag": {"viscosity": protocol.viscosity},
+                    **({"damping": {"restitution": 0.5}} if protocol.has_dashpots else {}),
                     "periodic_box": {"sides": sides, "rate": [-STRAIN_RATE * side for side in sides], "pressure": PRESSURE}},
-        "run": {"duration": DURATION, "accuracy": 1e-2, "outputs": {"every": DURATION / 20, "write": ["bulk", "energy"]}},
+        "run": {"duration": protocol.duration, "accuracy": 1e-2, "outputs": {"every": protocol.duration / 20, "write": ["bulk", "energy"]}},
     }
 
 
@@ -51,12 +65,13 @@ def last_line(path):
     return json.loads(path.read_text().splitlines()[-1])
 
 
-def packed(shape, bodies, seed, out):
-    """The last frame's measures. A run that is there is read again."""
-    folder, file = out / f"{shape.name}-{bodies}-{seed}", out / f"{shape.name}-{bodies}-{seed}.json"
-    text = json.dumps(scene_of(shape, bodies, seed))
+def packed(shape, bodies, seed, name, out):
+    """The last frame's measures, by the protocol of that name. A run that is there is read again."""
+    protocol, folder = PROTOCOLS[name], out / f"{shape.name}-{bodies}-{name}-{seed}"
+    file = folder.with_name(folder.name + ".json")
+    text = json.dumps(scene_of(shape, bodies, seed, protocol))
     ended = folder / "bulk.jsonl"
-    if not (file.exists() and file.read_text() == text and ended.exists() and last_line(ended)["time"] >= DURATION * (1 - 1e-9)):
+    if not (file.exists() and file.read_text() == text and ended.exists() and last_line(ended)["time"] >= protocol.duration * (1 - 1e-9)):
         shutil.rmtree(folder, ignore_errors=True)
         file.write_text(text)
         done = subprocess.run([os.environ["PLUMB_SCENE"], file, "--out", folder, "--threads", "1"], capture_output=True, text=True, check=False)
@@ -80,12 +95,12 @@ def text_of(numbers, digits):
     return f"{mean:.{digits}f}" + ("" if half is None else f" +- {half:.{digits}f}")
 
 
-def row_of(shape, runs):
+def row_of(shape, protocol, runs):
     rattlers = 100 * sum(run["rattlers"] for run in runs) / sum(run["bodies"] for run in runs)
     rest = sum(run["is_at_rest"] for run in runs)
     contacts = [run.get("coordination_without_rattlers", math.nan) for run in runs]
     order = max(max(run.get("order", [0])) for run in runs)
-    return (f"{shape.name:14} {text_of([run['packing_fraction'] for run in runs], 4):18} {text_of(contacts, 2):14} {rattlers:8.1f} {order:6.2f} "
+    return (f"{shape.name:14} {protocol:8} {text_of([run['packing_fraction'] for run in runs], 4):18} {text_of(contacts, 2):14} {rattlers:8.1f} {order:6.2f} "
             f"{rest}/{len(runs):<8} {shape.published:26} {shape.source}").rstrip()
 
 
@@ -104,11 +119,12 @@ def parsed(arguments):
 def table_of(asked):
     shapes = [shape for shape in SHAPES if shape.name in asked.shapes]
     asked.out.mkdir(parents=True, exist_ok=True)
-    lines = [f"{'shape':14} {'packing fraction':18} {'contacts':14} {'rattlers%':8} {'order':>5} {'at rest':10} published"]
+    kinds = [(shape, name) for shape in shapes for name in shape.protocols]
+    lines = [f"{'shape':14} {'protocol':8} {'packing fraction':18} {'contacts':14} {'rattlers%':8} {'order':>5} {'at rest':10} published"]
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        runs = {shape: [pool.submit(packed, shape, asked.bodies, seed, asked.out) for seed in range(1, asked.seeds + 1)] for shape in shapes}
-        for shape in shapes:
-            lines.append(row_of(shape, [run.result() for run in runs[shape]]))
+        runs = {kind: [pool.submit(packed, kind[0], asked.bodies, seed, kind[1], asked.out) for seed in range(1, asked.seeds + 1)] for kind in kinds}
+        for kind in kinds:
+            lines.append(row_of(*kind, [run.result() for run in runs[kind]]))
             print(lines[-1], file=sys.stderr, flush=True)
     return "\n".join(lines) + "\n"
 

@@ -15,6 +15,7 @@ class Shape:
     exponent: float          # both
     published: str = ""      # packing fraction, as the source has it
     source: str = ""
+    protocols: tuple = ("damped",)
 
     def volume(self, a, b, c):
         """Of |x/a|^n + |y/b|^n + |z/c|^n <= 1."""
@@ -31,8 +32,8 @@ class Shape:
 
 
 SHAPES = (
-    Shape("ball", (1, 1, 1), 2, "0.64", DELANEY),
-    Shape("ellipsoid", (1.25, 1, 0.8), 2, "0.74 +- 0.005 in the core", MAN),
+    Shape("ball", (1, 1, 1), 2, "0.64", DELANEY, ("damped", "cooled")),
+    Shape("ellipsoid", (1.25, 1, 0.8), 2, "0.74 +- 0.005 in the core", MAN, ("damped", "cooled")),
     Shape("oblate-0.5", (1, 1, 0.5), 2),
     Shape("oblate-0.75", (1, 1, 0.75), 2),
     Shape("prolate-1.5", (1, 1, 1.5), 2),

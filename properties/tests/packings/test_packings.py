@@ -35,15 +35,18 @@ class Shapes(unittest.TestCase):
 class Scenes(unittest.TestCase):
     def test_bodies_start_apart_in_every_image(self):
         for shape in SHAPES:
-            scene = packings.scene_of(shape, 30, seed=2)
+            scene = packings.scene_of(shape, 30, 2, packings.PROTOCOLS["damped"])
             side = scene["effects"]["periodic_box"]["sides"][0]
             for one, other in itertools.combinations(scene["bodies"], 2):
                 apart = [(x - y + side / 2) % side - side / 2 for x, y in zip(one["position"], other["position"])]
                 self.assertGreater(math.hypot(*apart), 2 * shape.radius(), shape.name)
 
     def test_seeds_differ_and_are_kept(self):
-        self.assertEqual(packings.scene_of(SHAPES[1], 30, 1), packings.scene_of(SHAPES[1], 30, 1))
-        self.assertNotEqual(packings.scene_of(SHAPES[1], 30, 1), packings.scene_of(SHAPES[1], 30, 2))
+        damped, cooled = packings.PROTOCOLS.values()
+        self.assertEqual(packings.scene_of(SHAPES[1], 30, 1, damped), packings.scene_of(SHAPES[1], 30, 1, damped))
+        self.assertNotEqual(packings.scene_of(SHAPES[1], 30, 1, damped), packings.scene_of(SHAPES[1], 30, 2, damped))
+        self.assertIn("damping", packings.scene_of(SHAPES[1], 30, 1, damped)["effects"])
+        self.assertNotIn("damping", packings.scene_of(SHAPES[1], 30, 1, cooled)["effects"])
 
 
 class Table(unittest.TestCase):
@@ -53,22 +56,23 @@ class Table(unittest.TestCase):
         self.assertAlmostEqual(half, 4.303 / math.sqrt(3), places=12)
         self.assertEqual(packings.text_of([0.5], 2), "0.50")
 
-    @mock.patch.object(packings, "DURATION", 2)
+    @mock.patch.object(packings, "PROTOCOLS", {"damped": packings.Protocol(2, 0.02, True), "cooled": packings.Protocol(1, 5e-4, False)})
     def test_a_run_is_a_row_and_is_not_run_twice(self):
         with tempfile.TemporaryDirectory() as folder:
             asked = packings.parsed(["--shapes", "ball", "--bodies", "30", "--seeds", "2", "--out", folder])
             with contextlib.redirect_stderr(io.StringIO()):
                 table = packings.table_of(asked)
-                ended = pathlib.Path(folder, "ball-30-1", "bulk.jsonl")
+                ended = pathlib.Path(folder, "ball-30-damped-1", "bulk.jsonl")
                 before = ended.stat().st_mtime_ns
                 self.assertEqual(packings.table_of(asked), table)
             self.assertEqual(ended.stat().st_mtime_ns, before)
-            self.assertRegex(table.splitlines()[1], r"^ball +0\.\d{4} \+- 0\.\d{4} .*0\.64")
+            self.assertRegex(table.splitlines()[1], r"^ball +damped +0\.\d{4} \+- 0\.\d{4} .*0\.64")
+            self.assertRegex(table.splitlines()[2], r"^ball +cooled +0\.\d{4} \+- 0\.\d{4} .*0\.64")
 
     def test_a_scene_that_is_refused_is_said(self):
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(packings, "STIFFNESS", -1):
             with self.assertRaisesRegex(packings.Failed, "effects.linear.stiffness"):
-                packings.packed(SHAPES[0], 30, 1, pathlib.Path(folder))
+                packings.packed(SHAPES[0], 30, 1, "damped", pathlib.Path(folder))
 
 
 if __name__ == "__main__":
