@@ -25,7 +25,7 @@ double support_along(const World& world, std::uint32_t body, const Vec3<double>&
 
 void follow_turns(World& world) {
   if (world.state.turned == nullptr) return;
-  constexpr std::size_t worth_waking = 2048;
+  constexpr std::size_t worth_waking = 8192;
   for_each_part(world.bodies.count, worth_waking, world.threads, [&](std::size_t, std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
       const auto last = world.state.turned->entry(i);
