@@ -12,7 +12,7 @@ struct BesideBox {
   double spacing;     ///< of the lattice, in diameters
 };
 
-/// in.lammps of 22 x 22 x 22 bodies in a periodic box, each pressed into its neighbours.
+/// in.lammps of 22 x 22 x 22 bodies in a periodic box, so close that neighbours are pressed into each other.
 [[nodiscard]] std::string beside_script(const BesideBox& box);
 
 }  // namespace plumb::scene

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <string_view>
 #include <tuple>
 
 #include "corpus/case/case.hpp"
@@ -157,9 +160,8 @@ double beside_seconds(const BesideBox& box, const fs::path& folder, const fs::pa
 /// The least of a few rounds, in each of which all boxes have their turn.
 void print_beside(const fs::path& out, const fs::path& program) {
   constexpr int rounds = 3;
-  print_line(
-      "\nBeside LAMMPS's own granular style: 300 steps of 10 648 bodies in a periodic box, each pressed into its");
-  print_line(fmt::format("neighbours, on one process; the least of {} rounds", rounds));
+  print_line("\nBeside LAMMPS's own granular style: 300 steps of 10 648 bodies in a crowded periodic box,");
+  print_line(fmt::format("on one process; the least of {} rounds", rounds));
   const TextTable columns({{"bodies", "<16"}, {"style", "<20"}, {"seconds", ">8.2f"}, {"over the first", ">16.1f"}});
   print_line(columns.head());
   std::array<double, boxes.size()> least{};

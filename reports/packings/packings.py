@@ -26,7 +26,7 @@ STIFFNESS, PRESSURE, STRAIN_RATE = 1000, 0.1, 1e-2
 @dataclasses.dataclass(frozen=True)
 class Protocol:
     duration: float
-    viscosity: float  # the motion falls by e in a tenth of a unit of time over it
+    viscosity: float  # the motion falls by e in 1/18 of a unit of time over it
     restitution: float
 
 

@@ -1,6 +1,6 @@
 // The state as named columns: so many numbers for each body (walls after the bodies), for each pair of the contact list, or once.
-// What is kept goes into checkpoints and the hash, whoever owns it. A contact's answer goes into checkpoints: where a step finds none,
-// the last one stands (in a part of a scene until its list is new). The rest is made anew in each step.
+// What is kept goes into checkpoints and the hash, whoever owns it. A contact's answer goes into checkpoints, and what is known of pairs
+// apart: where a step finds none, the last one stands (in a part of a scene until its list is new). The rest is made anew in each step.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ColumnKind {
   bool is_kept = false;
   double initial = 0;      ///< of an entry that is new
   bool forgets = false;    ///< a pair that does not touch has the initial value again
-  bool is_answer = false;  ///< of the solver, or made of its answer alone
+  bool is_answer = false;  ///< of the solver, made of its answer alone, or that no answer is needed
 
   [[nodiscard]] bool is_saved() const { return is_kept || is_answer; }
 };

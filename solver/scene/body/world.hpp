@@ -77,7 +77,7 @@ struct Contacts {
   Column* area_moment = nullptr;  ///< 3: about the point; 0 of a ball
   double patch_tolerance = 0;
   Column* curvature = nullptr;     ///< 2: A <= B, the gap being A x^2 + B y^2 (1/length)
-  bool follows_curvature = false;  ///< in each step; else it is that of a contact's first
+  bool follows_curvature = false;  ///< in each step; else it is that of a contact's first, or a part's
   Column* arm1 = nullptr;          ///< 3: (point - centre) x normal, exactly 0 for spheres
   Column* arm2 = nullptr;
   Column* yield1 =

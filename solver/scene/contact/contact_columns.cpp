@@ -81,13 +81,15 @@ void keep_curvature(World& world, std::size_t c, const Curvatures& first, const 
   std::ranges::copy(relative_curvature(first, second), world.contacts.curvature->entry(c).begin());
 }
 
-/// The point on the normal through a ball's centre: there it is up to the solver's tolerance, but a ball's arm is zero by its shape, and what is
-/// left of it would be angular momentum made from nothing.
+/// The point on the normal through a ball's centre, and two balls' normal through both: there they are up to the tolerance of the solver or
+/// the patch, but a ball's arm is zero by its shape, and what is left of it would be angular momentum made from nothing.
 void straighten(const World& world, std::size_t c, Contact<double>& answer) {
   const auto [i, j] = world.contacts.pairs[c];
-  const bool is_ball1 = world.bodies.is_sphere[i] != 0;
-  if (!is_ball1 && world.bodies.is_sphere[j] == 0) return;
-  const Vec3<double> centre = is_ball1 ? Vec3<double>(world.state.position->vector(i)) : world.second_position(c);
+  const bool is_ball1 = world.bodies.is_sphere[i] != 0, is_ball2 = world.bodies.is_sphere[j] != 0;
+  if (!is_ball1 && !is_ball2) return;
+  const Vec3<double> x1 = world.state.position->vector(i), x2 = world.second_position(c);
+  if (is_ball1 && is_ball2 && x1 != x2) answer.normal = (x2 - x1).normalized();
+  const Vec3<double>& centre = is_ball1 ? x1 : x2;
   answer.contact_point = centre + answer.normal.dot(answer.contact_point - centre) * answer.normal;
 }
 

@@ -97,8 +97,7 @@ class Block {
     for (std::size_t c = first_; c < end_; ++c) sort(c);
     in_chunks(to_ask_, [&](std::span<const Index> part) { ask(part); });
     in_chunks(to_solve_, [&](std::span<const Index> part) { solve(part); });
-    for (std::size_t c = first_; c < end_; ++c)
-      if (touches_[c] == 0) leave_charts(c);
+    for (std::size_t c = first_; c < end_; ++c) leave_charts(c);
     return round_;
   }
 
@@ -158,7 +157,7 @@ class Block {
   }
 
   void ask(std::span<const Index> part) {
-    chunk_.ask(want_);
+    chunk_.ask(want_, world_.contacts.separation != nullptr);
     for (std::size_t k = 0; k < part.size(); ++k) decide(part[k], chunk_.answer(k));
   }
 
@@ -207,9 +206,9 @@ class Block {
   /// Where a pair that does not touch was solved last says nothing of where it will: a contact hangs on the bodies alone, and not on how the
   /// pair was known to be apart before.
   void leave_charts(std::size_t c) {
+    if (world_.bodies.is_wall(world_.contacts.pairs[c][1]) || touches_[c] != 0) return;
     const auto chart = world_.contacts.chart->entry(c);
-    if (!world_.bodies.is_wall(world_.contacts.pairs[c][1]) && !std::isnan(chart[0]))
-      std::ranges::fill(chart, std::numeric_limits<double>::quiet_NaN());
+    if (!std::isnan(chart[0])) std::ranges::fill(chart, std::numeric_limits<double>::quiet_NaN());
   }
 
   World& world_;

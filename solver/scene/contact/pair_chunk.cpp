@@ -71,15 +71,16 @@ ContactArrays PairChunk::verdicts() {
   return to;
 }
 
-void PairChunk::ask(const Want& want) {
+void PairChunk::ask(const Want& want, bool with_direction) {
   is_solved_ = false;
+  has_normal_ = with_direction;
   ContactArrays to = verdicts();
-  to.separating = firsts(normal_, count_);
+  if (with_direction) to.separating = firsts(normal_, count_);
   run(want, to);
 }
 
 void PairChunk::solve(const Want& want) {
-  is_solved_ = true;
+  is_solved_ = has_normal_ = true;
   ContactArrays to = verdicts();
   to.overlap = std::span(overlap_).first(count_);
   to.normal = firsts(normal_, count_);
@@ -102,7 +103,7 @@ Contact<double> PairChunk::answer(std::size_t k) const {
   out.chart2 = vector_at(chart2_, k);
   out.iterations = iterations_[k];
   out.evaluations = evaluations_[k];
-  out.normal = vector_at(normal_, k);
+  if (has_normal_) out.normal = vector_at(normal_, k);
   if (!is_solved_) return out;
   out.overlap = overlap_[k];
   out.point1 = vector_at(point1_, k);

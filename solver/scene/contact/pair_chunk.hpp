@@ -17,12 +17,12 @@ class PairChunk {
   /// A pair of bodies, no wall, with the charts that its contact has kept.
   void add(const World& world, std::size_t contact);
 
-  /// Whether they overlap, and along which direction those do not that are apart.
-  void ask(const Want& want);
+  /// Whether they overlap. `with_direction`: and along which those do not that are apart.
+  void ask(const Want& want, bool with_direction);
   /// Overlap, normal and points.
   void solve(const Want& want);
 
-  /// What the k-th was answered; where it was asked status, verdict, charts, counts and the direction for a normal.
+  /// What the k-th was answered; where it was asked status, verdict, charts, counts and maybe the direction for a normal.
   [[nodiscard]] Contact<double> answer(std::size_t k) const;
 
  private:
@@ -47,7 +47,7 @@ class PairChunk {
   Column overlap_;
   Vectors normal_, point1_, point2_, contact_point_, chart1_, chart2_;
   std::array<int, capacity> iterations_, evaluations_;
-  bool is_solved_ = false;
+  bool is_solved_ = false, has_normal_ = false;
 };
 
 }  // namespace plumb::scene

@@ -34,14 +34,17 @@ void follow_turns(World& world) {
       for (std::size_t k = 0; k < 4; ++k) square += (now[k] - last[k]) * (now[k] - last[k]);
       // A turn by t moves unit quaternions by 2 sin(t/4), and no point by more than 2 r sin(t/2).
       const double moved = world.bodies.is_sphere[i] != 0 ? 0 : 2 * world.bodies.radius[i] * std::sqrt(square);
-      last[4] = std::isnan(last[0]) ? 0 : last[4] + moved;
+      if (std::isnan(last[0]))
+        last[4] = 0;
+      else if (moved != 0)
+        last[4] = std::nextafter(last[4] + moved, HUGE_VAL);  // no sum of small ones is less than they are
       std::ranges::copy(now, last.begin());
     }
   });
 }
 
 bool are_parted(const World& world, std::size_t c) {
-  constexpr double rounding = 1e-9;  // of the radii: more than that of any term here
+  constexpr double rounding = 1e-9;  // of the radii: more than that of any length here
   const auto [i, j] = world.contacts.pairs[c];
   const auto kept = world.contacts.separation->entry(c);
   const Vec3<double> direction = Vec3<double>::Map(kept.data());
