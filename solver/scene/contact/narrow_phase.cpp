@@ -194,9 +194,10 @@ class Block {
                    .touches = touches,
                    .failed_warm = failed_warm};
     touches_[c] = touches ? 1 : 0;
-    if (is_answered) keep_charts(world_.contacts, c, answer);
-    if (is_answered && !touches) part(c, answer.normal);
-    if (is_answered && touches && !keep_contact(world_, c, answer)) ++round_.failed;
+    if (!is_answered) return;
+    if (!touches) return part(c, answer.normal);
+    keep_charts(world_.contacts, c, answer);
+    if (!keep_contact(world_, c, answer)) ++round_.failed;
   }
 
   void part(std::size_t c, const Vec3<double>& direction) {
