@@ -13,6 +13,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 import contacts  # noqa: E402
 import measured
+import patch
 import plans
 import search
 import terms
@@ -86,7 +87,7 @@ def misaligned(plumb):
 
 
 def drawn(plumb):
-    return {"misaligned.svg": misaligned(plumb), **terms.pictures(), **contacts.pictures(), **search.pictures(), **plans.pictures(), **measured.pictures(plumb, CASE)}
+    return {"misaligned.svg": misaligned(plumb), **terms.pictures(), **contacts.pictures(), **patch.pictures(), **search.pictures(), **plans.pictures(), **measured.pictures(plumb, CASE)}
 
 
 def main():
