@@ -73,7 +73,7 @@ test("a picture is finite whatever the unit, the place and the proportions", asy
       for (const ratio of [1, 1e-4]) {
         const pair = contactPair(random, { kind, size, far: 1e6 * size, ratio, overlapRatio: 1e-6, tilt: 0.3 });
         const geometry = geometryOf({ ...pair, case: { bodies: pair.bodies } });
-        for (const zoom of ["bodies", "points", "overlap"]) {
+        for (const zoom of ["bodies", "points", "overlap", ...(geometry.rim ? ["patch"] : [])]) {
           const { centre, radius } = focusOf(geometry, zoom);
           assert.ok([...centre, radius].every(Number.isFinite) && radius > 0, `${kind} ${size} ${zoom}`);
           if (zoom !== "bodies") continue;

@@ -136,6 +136,24 @@ test("contacts and colours are drawn, and the scale says what they mean", () =>
     await changed(page, bare);
   }));
 
+test("a scene whose effects use the patch shows it, and no other does", () => {
+  const plain = makePlayback({ bodies: 5, frames: 3 });
+  const patched = { ...plain, effects: [{ name: "foundation", on: true, why: "asked for" }] };
+  return withPage(makeSceneReport(patched, plain), {}, async (page, noticed) => {
+    const captions = await page.$$eval("#playback .view-caption", (all) => all.map((line) => line.textContent));
+    assert.deepEqual(
+      captions.map((words) => /patch/.test(words)),
+      [true, false],
+    );
+    await bring(page, "#playback canvas");
+    await page.click('#playback button[title="Last frame"]');
+    const bare = await pixels(page);
+    await page.click("#playback .player-choices input");
+    await changed(page, bare);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
+});
+
 test("a scene's end, its effects and what a table says", () =>
   withPage(makeSceneReport(makePlayback({ bodies: 5, frames: 6 })), {}, async (page) => {
     const text = await page.$eval("#playback", (part) => part.textContent.replaceAll("\u202f", " "));

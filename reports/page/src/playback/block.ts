@@ -10,9 +10,12 @@ import { SCALE } from "./colours";
 import { energyFigure } from "./energy";
 import { Frames } from "./frames";
 import { Player } from "./player";
+import { usesPatch } from "./uses_patch";
 
 const CAPTION =
   "Between frames positions are interpolated linearly, orientations by slerp; contacts are those of the frame last passed.";
+const PATCHES =
+  " A contact's patch is drawn up to the rim, where both surfaces cross, and its point is the patch's centre; frames of more than 100 contacts show no patches.";
 
 export class PlaybackBlock {
   readonly element: HTMLElement;
@@ -43,7 +46,7 @@ export class PlaybackBlock {
     this.figures = figures.map(({ element }) => element);
     const reset = button("Reset view", () => this.view?.reset(), { class: "quiet" });
     const bar = h("div", { class: "view-bar" }, this.key, reset);
-    const caption = h("p", { class: "view-caption" }, CAPTION);
+    const caption = h("p", { class: "view-caption" }, CAPTION, usesPatch(playback) ? PATCHES : "");
     this.element = h("div", { class: "view3d" }, this.canvas, player.element, bar, caption);
     this.canvas.addEventListener("keydown", (event) => this.keyed(event, player));
     this.clock.time.watch((time) => {

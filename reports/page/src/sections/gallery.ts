@@ -149,6 +149,7 @@ function key(): HTMLElement {
     entry("■", "second", "body 2, dashed lines; p2, its normal n2"),
     entry("➝", "link", "d = p2 − p1"),
     entry("◆", "reference", "the reference's points and normal"),
+    entry("⬭", "patch", "patch: what both bodies have in common, up to the rim where their surfaces cross"),
   );
 }
 

@@ -8,6 +8,7 @@ type Engine = typeof import("./engine");
 
 const ZOOMS: [Zoom, string, string][] = [
   ["bodies", "Bodies", "Show both bodies"],
+  ["patch", "Patch", "Zoom to the patch: what both bodies have in common"],
   ["points", "Points", "Zoom to all points: the answer's and the reference's"],
   ["overlap", "Overlap", "Zoom to the overlap at the reference's contact"],
 ];

@@ -1,5 +1,6 @@
 /** A failure's geometry in float64, in units of its larger body and from its own contact: sizes of 1e-300 and places of 1e6 alike. */
 import type { Answer, Body, Failure, Vec } from "../data";
+import { rimOf, surfaceOf } from "./rim";
 import { gauge, type Shape } from "./superellipsoid";
 import {
   add,
@@ -34,11 +35,13 @@ export interface Geometry {
   normal: Vec;
   /** What the answer says is the normal. */
   given: Vec | null;
+  /** Where both surfaces cross; closed. */
+  rim: Vec[] | null;
   /** The case's length of 1. */
   size: number;
 }
 
-export type Zoom = "bodies" | "points" | "overlap";
+export type Zoom = "bodies" | "patch" | "points" | "overlap";
 
 /** What is to be seen: a ball, in the geometry's units. */
 export interface Focus {
@@ -88,6 +91,7 @@ export function geometryOf(failure: Shown): Geometry {
     reference: contact(failure.reference, origin, size),
     normal,
     given: isFinite3(failure.answer?.normal) ? unit(failure.answer.normal) : null,
+    rim: rimOf(surfaceOf(bodies[0]), surfaceOf(bodies[1]), [0, 0, 0], normal),
     size,
   };
 }
@@ -160,7 +164,8 @@ function reach(body: Placed, axis: number): number {
 /** Null where there is nothing to zoom to. */
 export function focusOf(geometry: Geometry, zoom: Zoom, plain = false): Focus | null {
   if (zoom === "bodies") return aroundBodies(geometry, plain);
-  const { answer, reference } = geometry;
+  const { answer, reference, rim } = geometry;
+  if (zoom === "patch") return rim && aroundPoints(rim);
   const both = [...(answer?.points ?? []), ...(reference?.points ?? [])];
   const narrow = reference?.points ?? answer?.points ?? [];
   const points = zoom === "points" ? both : [...narrow];

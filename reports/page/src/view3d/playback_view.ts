@@ -5,10 +5,12 @@ import { BODY_COLOURS, type Colouring, FIXED_COLOUR, SCALE, type Scaled, scaled 
 import { type Extent, extentOf } from "../playback/extent";
 import { type Frames, type Moment, quantile } from "../playback/frames";
 import { PART } from "../playback/packed";
+import { usesPatch } from "../playback/uses_patch";
 import { ink, theme } from "../theme";
 import { Orbit } from "./orbit";
 import { Bodies } from "./playback_bodies";
 import { Contacts } from "./playback_contacts";
+import { Patches } from "./playback_patches";
 import { Walls } from "./playback_walls";
 import { renderTo } from "./renderer";
 import { COLOURS, dispose, type Label, litScene } from "./scene";
@@ -51,12 +53,15 @@ class Stage {
   readonly bodies: Bodies;
   readonly walls: Walls;
   readonly contacts: Contacts;
+  readonly patches: Patches | null;
 
   constructor(playback: Playback, frames: Frames, extent: Extent, force: number) {
     const { muted } = ink();
     this.bodies = new Bodies(playback);
     this.walls = new Walls(playback.walls, extent, muted);
     this.contacts = new Contacts(frames, extent.body, force, COLOURS[theme.value].link);
+    this.patches = usesPatch(playback) ? new Patches(playback, frames, COLOURS[theme.value].patch) : null;
+    if (this.patches) this.contacts.group.add(this.patches.group);
     const root = new Group().add(...this.bodies.meshes, this.walls.group, this.contacts.group);
     const radius = 0.95 * length(extent.half);
     // z up: three's y.
@@ -145,6 +150,7 @@ export class PlaybackView {
     this.stage.contacts.group.visible = look.contacts;
     if (look.contacts && this.contactsOf !== moment.frame) {
       this.stage.contacts.show(moment.frame);
+      this.stage.patches?.show(moment.frame);
       this.contactsOf = moment.frame;
     }
     this.canvas.dataset.drawn = "true";

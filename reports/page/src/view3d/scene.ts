@@ -19,6 +19,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  type Object3D,
   OctahedronGeometry,
   Quaternion,
   Scene,
@@ -29,6 +30,7 @@ import type { Vec } from "../data";
 import { number } from "../numbers";
 import type { Theme } from "../theme";
 import { type Mapping, patchMesh, type Mesh as Surface, wholeMesh } from "./mesh";
+import { patches } from "./patches";
 import { ARROW, anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
 import { across, add, cross, divide, dot, length, scale, subtract, type Turn, turned, unit } from "./vector";
 
@@ -53,15 +55,32 @@ export interface Colours {
   reference: string;
   link: string;
   wrong: string;
+  patch: string;
 }
 
 export const COLOURS: Record<Theme, Colours> = {
-  light: { first: "#0067a5", second: "#b84300", reference: "#00734f", link: "#1c2127", wrong: "#b8006e" },
-  dark: { first: "#63b8f7", second: "#ff9a5c", reference: "#3ed3a4", link: "#f2f4f6", wrong: "#ff7cc4" },
+  light: {
+    first: "#0067a5",
+    second: "#b84300",
+    reference: "#00734f",
+    link: "#1c2127",
+    wrong: "#b8006e",
+    patch: "#6a3d9a",
+  },
+  dark: {
+    first: "#63b8f7",
+    second: "#ff9a5c",
+    reference: "#3ed3a4",
+    link: "#f2f4f6",
+    wrong: "#ff7cc4",
+    patch: "#c3a3f0",
+  },
 };
 
 /** Shorter than this, a link is drawn by its direction only. */
 const VISIBLE = 0.07;
+/** A patch that reaches further from the middle is not drawn. */
+const SEEN = 1.2;
 /** Views below this part of a body's least axis show a patch of it. */
 const CLOSE = 0.5;
 
@@ -217,6 +236,16 @@ class Drawing {
     this.direction("reference", r1, normal, reference);
   }
 
+  /** Where all of it is seen. */
+  patch(rim: Vec[]): void {
+    const seen = rim.map(this.mapping.point);
+    const furthest = Math.max(...seen.map(length));
+    if (furthest > SEEN) return;
+    this.scene.add(patches([seen], this.colours.patch));
+    const first = seen[0] as Vec;
+    if (length(subtract(first, seen[seen.length / 2] as Vec)) > VISIBLE) this.note("patch", first, this.colours.patch);
+  }
+
   /** The right normal and the one that was given, both from the right contact so that the angle between them is seen. */
   normals({ points }: Contact, right: Vec, given: Vec, angle: string): void {
     const { reference, wrong } = this.colours;
@@ -247,12 +276,13 @@ export function picture(geometry: Geometry, zoom: Zoom, theme: Theme, plain = fa
   }
   if (geometry.reference) drawing.reference(geometry.reference, geometry.normal);
   if (geometry.answer) drawing.answer(geometry.answer);
+  if (geometry.rim) drawing.patch(geometry.rim);
   for (const note of bodyNotes) note();
   return { scene: drawing.scene, labels: drawing.labels, radius: focus.radius * geometry.size };
 }
 
-export function dispose(scene: Scene): void {
-  scene.traverse((thing) => {
+export function dispose(root: Object3D): void {
+  root.traverse((thing) => {
     const { geometry, material } = thing as unknown as { geometry?: BufferGeometry; material?: Material };
     geometry?.dispose();
     material?.dispose();

@@ -1,0 +1,5 @@
+import type { Playback } from "../data";
+
+/** Whether forces come from what both bodies have in common: then a contact's point is the centre of that. */
+export const usesPatch = ({ effects }: Playback): boolean =>
+  effects.some(({ name, on }) => on && (name === "volume" || name === "foundation"));
