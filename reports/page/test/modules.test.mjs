@@ -89,16 +89,16 @@ test("a picture is finite whatever the unit, the place and the proportions", asy
       }
 });
 
-test("a patch close to the contact meets both points, and shows the gap between them", async () => {
+test("a piece of surface close to the contact meets both points, and shows the gap between them", async () => {
   const { geometryOf, focusOf, anchorOf } = await load("view3d/placed.ts");
-  const { patchMesh } = await load("view3d/mesh.ts");
+  const { pieceMesh } = await load("view3d/mesh.ts");
   const pair = contactPair(stream(3), { kind: "ellipsoids", size: 1, far: 0, ratio: 1, overlapRatio: 1e-6, tilt: 0 });
   const geometry = geometryOf({ ...pair, case: { bodies: pair.bodies } });
   const focus = focusOf(geometry, "overlap");
   const mapping = { point: (x) => x.map((v, i) => (v - focus.centre[i]) / focus.radius), direction: (x) => x };
   const centres = geometry.bodies.map((body, index) => {
     const anchor = anchorOf(geometry, body, index, focus);
-    return patchMesh(body, anchor, 1.5 * focus.radius, mapping).positions.slice(0, 3);
+    return pieceMesh(body, anchor, 1.5 * focus.radius, mapping).positions.slice(0, 3);
   });
   const gap = Math.hypot(...centres[0].map((x, i) => x - centres[1][i])) * focus.radius * geometry.size;
   assert.ok(Math.abs(gap / pair.reference.overlap - 1) < 1e-3, `${gap} against ${pair.reference.overlap}`);

@@ -10,7 +10,7 @@ export interface Mesh {
   triangles: number[];
   /** Polylines that show the form. */
   lines: Vec[][];
-  isPatch: boolean;
+  isPiece: boolean;
 }
 
 /** From the world (in units of the pair, from its origin) to the view. */
@@ -42,14 +42,14 @@ class Collector {
       }
   }
 
-  mesh(lines: Vec[][], isPatch: boolean): Mesh {
+  mesh(lines: Vec[][], isPiece: boolean): Mesh {
     const mapped = lines.map((line) => line.map(this.mapping.point));
     return {
       positions: new Float32Array(this.positions),
       normals: new Float32Array(this.normals),
       triangles: this.triangles,
       lines: mapped,
-      isPatch,
+      isPiece,
     };
   }
 }
@@ -104,7 +104,7 @@ function heightAlong(body: Placed, start: Vec, n: Vec): number {
 }
 
 /** The surface within `radius` of a point on it, as a disc of rings: for views far smaller than the body. */
-export function patchMesh(body: Placed, anchor: Vec, radius: number, mapping: Mapping): Mesh {
+export function pieceMesh(body: Placed, anchor: Vec, radius: number, mapping: Mapping): Mesh {
   const local = turnedBack(body.turn, subtract(anchor, body.centre));
   const n = unit(gauge(body, local).gradient);
   const t1 = across(n);
@@ -125,11 +125,11 @@ export function patchMesh(body: Placed, anchor: Vec, radius: number, mapping: Ma
       collector.add(world, turned(body.turn, normal));
     }
   collector.grid(RINGS + 1, SECTORS + 1, (index) => points[index] !== null);
-  return collector.mesh(patchLines(points), true);
+  return collector.mesh(pieceLines(points), true);
 }
 
 /** Some rings and spokes, broken where the surface is not there. */
-function patchLines(points: (Vec | null)[]): Vec[][] {
+function pieceLines(points: (Vec | null)[]): Vec[][] {
   const at = (ring: number, sector: number) => points[ring * (SECTORS + 1) + sector] ?? null;
   const lines: (Vec | null)[][] = [];
   for (const ring of [6, 11, RINGS]) lines.push(Array.from({ length: SECTORS + 1 }, (_, sector) => at(ring, sector)));

@@ -29,7 +29,7 @@ import {
 import type { Vec } from "../data";
 import { number } from "../numbers";
 import type { Theme } from "../theme";
-import { type Mapping, patchMesh, type Mesh as Surface, wholeMesh } from "./mesh";
+import { type Mapping, pieceMesh, type Mesh as Surface, wholeMesh } from "./mesh";
 import { patches } from "./patches";
 import { ARROW, anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
 import { across, add, cross, divide, dot, length, scale, subtract, type Turn, turned, unit } from "./vector";
@@ -81,7 +81,7 @@ export const COLOURS: Record<Theme, Colours> = {
 const VISIBLE = 0.07;
 /** A patch that reaches further from the middle is not drawn. */
 const SEEN = 1.2;
-/** Views below this part of a body's least axis show a patch of it. */
+/** Views below this part of a body's least axis show a piece of it. */
 const CLOSE = 0.5;
 
 /** The reference's normal goes up, and what the answer's normals miss it by lies in the picture. */
@@ -102,7 +102,7 @@ function mappingOf(geometry: Geometry, focus: Focus, plain: boolean): Mapping {
 
 function surface(geometry: Geometry, body: Placed, index: 0 | 1, focus: Focus, mapping: Mapping): Surface {
   if (focus.radius >= CLOSE * Math.min(...body.axes)) return wholeMesh(body, mapping);
-  return patchMesh(body, anchorOf(geometry, body, index, focus), 1.5 * focus.radius, mapping);
+  return pieceMesh(body, anchorOf(geometry, body, index, focus), 1.5 * focus.radius, mapping);
 }
 
 function skin(
@@ -191,11 +191,11 @@ class Drawing {
     this.scene.add(bodyGroup(shape, index === 0 ? this.colours.first : this.colours.second, index === 1));
   }
 
-  /** At the centre where that is seen, else on the patch. */
-  bodyLabel(body: Placed, index: 0 | 1, { positions, isPatch }: Surface): void {
+  /** At the centre where that is seen, else on the piece. */
+  bodyLabel(body: Placed, index: 0 | 1, { positions, isPiece }: Surface): void {
     const { first, second } = this.colours;
     const middle: Vec = [positions[0] ?? 0, positions[1] ?? 0, positions[2] ?? 0];
-    const at = isPatch ? add(middle, [index === 0 ? -0.5 : 0.5, 0, 0.3]) : this.mapping.point(body.centre);
+    const at = isPiece ? add(middle, [index === 0 ? -0.5 : 0.5, 0, 0.3]) : this.mapping.point(body.centre);
     if (length(at) < 1.2) this.note(index === 0 ? "body 1" : "body 2", at, index === 0 ? first : second);
   }
 
