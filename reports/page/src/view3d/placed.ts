@@ -99,10 +99,14 @@ export function geometryOf(failure: Shown): Geometry {
 /** No view is smaller, in units of the larger body: doubles end there. */
 const LEAST = 1e-12;
 
-function aroundPoints(points: Vec[]): Focus {
+/** In units of how far they reach: around two points and their arrows, around a rim. */
+const ROOM = 2.5;
+const RIM_ROOM = 1.6;
+
+function aroundPoints(points: Vec[], room: number): Focus {
   const centre = divide(points.reduce(add), points.length);
   const radius = Math.max(...points.map((point) => length(subtract(point, centre))));
-  return { centre, radius: Math.max(LEAST, 2.5 * radius) };
+  return { centre, radius: Math.max(LEAST, room * radius) };
 }
 
 /** Of an arrow, in radii of what is seen; and with its name. */
@@ -165,11 +169,11 @@ function reach(body: Placed, axis: number): number {
 export function focusOf(geometry: Geometry, zoom: Zoom, plain = false): Focus | null {
   if (zoom === "bodies") return aroundBodies(geometry, plain);
   const { answer, reference, rim } = geometry;
-  if (zoom === "patch") return rim && aroundPoints(rim);
+  if (zoom === "patch") return rim && aroundPoints(rim, RIM_ROOM);
   const both = [...(answer?.points ?? []), ...(reference?.points ?? [])];
   const narrow = reference?.points ?? answer?.points ?? [];
   const points = zoom === "points" ? both : [...narrow];
-  return points.length > 0 ? aroundPoints(points) : null;
+  return points.length > 0 ? aroundPoints(points, ROOM) : null;
 }
 
 /** The surface point of a body that a small view is centred on. */

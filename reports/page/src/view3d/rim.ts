@@ -28,9 +28,8 @@ interface RimPoint {
 }
 
 const STEPS = 60;
-/** In distances from the normal: the longest step, the longest one towards the normal, and the last. */
-const LONGEST = 3;
-const INWARDS = 0.75;
+/** In distances from the normal: the longest step, and the last. */
+const LONGEST = 0.5;
 const CLOSE = 1e-13;
 /** What rounding leaves of a gauge. */
 const ROUNDING = 1e-15;
@@ -83,7 +82,7 @@ class Rim {
       if (size <= CLOSE || Math.max(Math.abs(r1), Math.abs(r2)) <= ROUNDING)
         return b > 0 && d < 0 ? { angle, away, along, at } : null;
       const part = Math.min(1, LONGEST / size);
-      away += Math.max(part * outwards, -INWARDS * away);
+      away += part * outwards;
       along += part * upwards;
     }
     return null;
