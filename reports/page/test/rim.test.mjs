@@ -9,7 +9,7 @@ import { load } from "./support/modules.mjs";
 const { geometryOf, halfSpace, rimOf, surfaceOf, usesPatch } = await load(
   "view3d/placed.ts",
   "view3d/rim.ts",
-  "playback/uses_patch.ts",
+  "playback/patches.ts",
 );
 
 const TURN = [

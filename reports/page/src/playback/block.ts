@@ -10,12 +10,11 @@ import { SCALE } from "./colours";
 import { energyFigure } from "./energy";
 import { Frames } from "./frames";
 import { Player } from "./player";
-import { usesPatch } from "./uses_patch";
+import { MOST_PATCHES, usesPatch } from "./patches";
 
 const CAPTION =
   "Between frames positions are interpolated linearly, orientations by slerp; contacts are those of the frame last passed.";
-const PATCHES =
-  " A contact's patch is drawn up to the rim, where both surfaces cross, and its point is the patch's centre; frames of more than 100 contacts show no patches.";
+const PATCHES = ` A contact's patch is drawn up to the rim, where both surfaces cross, and its point is the patch's centre; frames of more than ${MOST_PATCHES} contacts show no patches.`;
 
 export class PlaybackBlock {
   readonly element: HTMLElement;

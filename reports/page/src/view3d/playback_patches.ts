@@ -2,13 +2,11 @@
 import { Group } from "three";
 import type { Playback, Vec } from "../data";
 import { type ContactAt, type Frames } from "../playback/frames";
+import { MOST_PATCHES } from "../playback/patches";
 import { patches } from "./patches";
 import { halfSpace, rimOf, type Surface, surfaceOf } from "./rim";
 import { dispose } from "./scene";
 import { divide, turnOf, unit } from "./vector";
-
-/** Frames with more contacts show none: rims take about a millisecond each. */
-const MOST = 100;
 
 const triple = (x: Float32Array, at: number): Vec => [...x.subarray(3 * at, 3 * at + 3)] as unknown as Vec;
 
@@ -32,7 +30,7 @@ export class Patches {
     dispose(this.group);
     this.group.clear();
     const count = this.frames.contacts(frame);
-    if (count > MOST) return;
+    if (count > MOST_PATCHES) return;
     const moment = { frame, part: 0 };
     this.frames.positions(moment, this.x);
     this.frames.orientations(moment, this.q);

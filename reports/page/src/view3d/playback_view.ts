@@ -5,7 +5,7 @@ import { BODY_COLOURS, type Colouring, FIXED_COLOUR, SCALE, type Scaled, scaled 
 import { type Extent, extentOf } from "../playback/extent";
 import { type Frames, type Moment, quantile } from "../playback/frames";
 import { PART } from "../playback/packed";
-import { usesPatch } from "../playback/uses_patch";
+import { usesPatch } from "../playback/patches";
 import { ink, theme } from "../theme";
 import { Orbit } from "./orbit";
 import { Bodies } from "./playback_bodies";
