@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "solver/batch/chunk.hpp"
+#include "solver/instruction_set.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/standard_arithmetic.hpp"
 
@@ -21,14 +22,9 @@ struct Kernel {
 /// In the order of instruction_sets.
 constexpr std::array<Kernel, instruction_sets.size()> kernels{
     Kernel{"baseline", 2, [] { return true; }, solve_chunk_baseline},
-#if defined(PLUMB_BATCH_X86)
-    Kernel{"avx2", 4, [] { return __builtin_cpu_supports("avx2") != 0; }, solve_chunk_avx2},
-    Kernel{"avx512", 8,
-           [] {
-             return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-                    __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vl") != 0;
-           },
-           solve_chunk_avx512},
+#if defined(PLUMB_WIDE_REGISTERS)
+    Kernel{"avx2", 4, runs_avx2, solve_chunk_avx2},
+    Kernel{"avx512", 8, runs_avx512, solve_chunk_avx512},
 #else
     Kernel{"avx2", 4, [] { return false; }, nullptr},
     Kernel{"avx512", 8, [] { return false; }, nullptr},

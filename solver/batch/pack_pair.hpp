@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "solver/batch/chunk.hpp"
-#include "solver/batch/pack.hpp"
+#include "solver/method/pack.hpp"
 #include "solver/method/auto/framed_pair.hpp"
 
 namespace plumb {

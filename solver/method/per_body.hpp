@@ -1,7 +1,7 @@
 // One number of body 1 and the same of body 2, side by side: what is done to one is done to both.
 //
 // PerBody<S>   of a built-in type two lanes of one vector register; of any other scalar (50 digits), and of a register that
-//              holds a number of each of several pairs (batch/pack.hpp), a struct of two; so where the standard library has
+//              holds a number of each of several pairs (pack.hpp), a struct of two; so where the standard library has
 //              no such registers, as LLVM's under Emscripten
 //
 // <experimental/simd> (Parallelism TS 2) rather than xsimd or Highway: it comes with g++ and clang's libstdc++, takes long
@@ -191,6 +191,10 @@ struct TwoNumbers {
   [[nodiscard, gnu::always_inline]] friend TwoNumbers abs(const TwoNumbers& x) {
     using std::abs;
     return {abs(x.a), abs(x.b)};
+  }
+  [[nodiscard, gnu::always_inline]] friend TwoNumbers copysign(const TwoNumbers& x, const TwoNumbers& of) {
+    using std::copysign;
+    return {copysign(x.a, of.a), copysign(x.b, of.b)};
   }
   [[nodiscard, gnu::always_inline]] friend TwoNumbers sqrt(const TwoNumbers& x) {
     using std::sqrt;

@@ -9,35 +9,53 @@
 #include <Eigen/Cholesky>
 #include <limits>
 
-#include "solver/patch/lens.hpp"
+#include "solver/patch/lens_frame.hpp"
 
 namespace plumb::detail {
 
-struct LensMoments {
-  double volume = 0;
-  Vec3<double> first = Vec3<double>::Zero();                                        ///< int u dV
-  Mat3<double> second = Mat3<double>::Zero();                                       ///< int u u' dV, the upper triangle
-  std::array<Vec3<double>, 2> area = {Vec3<double>::Zero(), Vec3<double>::Zero()};  ///< int dA over each body's part
-  std::array<Vec3<double>, 2> moment = {Vec3<double>::Zero(), Vec3<double>::Zero()};  ///< int y x dA, lengths
+/// Sums of so many parts of a lens side by side as T has numbers.
+template <class T>
+struct Moments {
+  T volume;
+  Vector3<T> first;                        ///< int u dV
+  Symmetric3<T> second;                    ///< int u u' dV
+  std::array<Vector3<T>, 2> area, moment;  ///< int dA and int y x dA over each body's part, lengths
 
   /// The column under a piece of surface, of area e3 . dA.
-  void add_column(const Vec3<double>& u, double across) {
-    const double x = u[0], y = u[1], z = u[2], column = across * z, half = column * z / 2;
+  [[gnu::always_inline]] void add_column(const Vector3<T>& u, const T& across) {
+    const T x = u.x, y = u.y, z = u.z, column = across * z, half = column * z / T(2);
     volume += column;
-    first += Vec3<double>(x * column, y * column, half);
-    second(0, 0) += x * x * column, second(0, 1) += x * y * column, second(1, 1) += y * y * column;
-    second(0, 2) += x * half, second(1, 2) += y * half, second(2, 2) += half * z * (2.0 / 3);
+    first = first + Vector3<T>{x * column, y * column, half};
+    second.xx += x * x * column, second.xy += x * y * column, second.yy += y * y * column;
+    second.xz += x * half, second.yz += y * half, second.zz += half * z * T(2.0 / 3);
   }
   /// The cone from the origin to a piece of surface, `height` y . dA.
-  void add_cone(const Vec3<double>& u, double height) {
-    volume += height / 3;
-    first += (height / 4) * u;
-    second.triangularView<Eigen::Upper>() += (height / 5 * u) * u.transpose();
+  [[gnu::always_inline]] void add_cone(const Vector3<T>& u, const T& height) {
+    volume += height / T(3);
+    first = first + u * (height / T(4));
+    second = second + square(u) * (height / T(5));
   }
   /// A piece of body `owner`'s surface, y from the origin.
-  void add_area(const Vec3<double>& y, const Vec3<double>& piece, std::size_t owner) {
-    area[owner] += piece;
-    moment[owner] += y.cross(piece);
+  [[gnu::always_inline]] void add_area(const Vector3<T>& y, const Vector3<T>& piece, std::size_t owner) {
+    area[owner] = area[owner] + piece;
+    moment[owner] = moment[owner] + cross(y, piece);
+  }
+};
+
+struct LensMoments {
+  double volume = 0;
+  Vec3<double> first = Vec3<double>::Zero();
+  Mat3<double> second = Mat3<double>::Zero();
+  std::array<Vec3<double>, 2> area = {Vec3<double>::Zero(), Vec3<double>::Zero()};
+  std::array<Vec3<double>, 2> moment = {Vec3<double>::Zero(), Vec3<double>::Zero()};
+
+  LensMoments& operator+=(const Moments<double>& part) {
+    const Symmetric3<double>& s = part.second;
+    volume += part.volume;
+    first += part.first.eigen();
+    second += Mat3<double>{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}};
+    for (std::size_t i = 0; i < 2; ++i) area[i] += part.area[i].eigen(), moment[i] += part.moment[i].eigen();
+    return *this;
   }
   /// All of it times a number.
   [[nodiscard]] LensMoments scaled(double by) const {
@@ -49,10 +67,7 @@ struct LensMoments {
   /// In units of the frame.
   [[nodiscard]] Vec3<double> centre() const { return first / volume; }
   /// Second moments about the centre, by the volume.
-  [[nodiscard]] Mat3<double> spread() const {
-    const Mat3<double> about_origin = second.selfadjointView<Eigen::Upper>();
-    return about_origin / volume - centre() * centre().transpose();
-  }
+  [[nodiscard]] Mat3<double> spread() const { return second / volume - centre() * centre().transpose(); }
   /// What errors of areas are measured with: of an inner body the area vector is zero, but not the lens.
   [[nodiscard]] double area_scale(const LensFrame& frame) const {
     return std::max(area[0].norm(), volume / frame.width());

@@ -1,15 +1,37 @@
 #include "solver/patch/patch.hpp"
 
+#include "solver/instruction_set.hpp"
+#include "solver/patch/kernel_impl.hpp"
 #include "solver/patch/patch_quadrature.hpp"
 #include "solver/patch/principal_axes.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
 namespace plumb {
+namespace detail {
+
+#if defined(__GLIBCXX__)
+constinit const LensKernel lens_kernel_baseline = kernel_of<Pack<2>>();
+#else
+constinit const LensKernel lens_kernel_baseline = kernel_of<double>();
+#endif
+
+std::span<const LensKernel* const> lens_kernels() {
+#if defined(PLUMB_WIDE_REGISTERS) && defined(__GLIBCXX__)
+  static constexpr std::array all{&lens_kernel_baseline, &lens_kernel_avx2, &lens_kernel_avx512};
+  const std::span<const LensKernel* const> kernels(all);
+  return kernels.first(runs_avx512() ? 3 : runs_avx2() ? 2 : 1);
+#else
+  static constexpr std::array all{&lens_kernel_baseline};
+  return all;
+#endif
+}
+
+}  // namespace detail
+
 namespace {
 
 using detail::Lens;
 using detail::LensFrame;
-using detail::Meridians;
 using detail::Quadrature;
 
 /// What rounding leaves of a lens's thickness: of coordinates as large as the pair, in two gauges and the middle of two points.
@@ -32,12 +54,15 @@ struct NewtonsEnd {
 
 Quadrature moments(const Lens& lens, const LensFrame& frame, double tolerance, double step) {
   // Two squares turned by 45 degrees look the same to 4 azimuths and to 8; ellipses have no more than two axes each.
-  const detail::Azimuths of_ellipsoids{8, detail::Convergence::geometric}, of_all{16, detail::Convergence::power};
+  const detail::AzimuthPlan of_ellipsoids{8, detail::Convergence::geometric}, of_all{16, detail::Convergence::power};
+  const detail::FramedLens framed(lens, frame);
+  const detail::LensTask task{framed, frame, step, tolerance};
   if (lens.has_smooth_normals()) {
-    detail::CapQuadrature caps(lens, frame, step, tolerance, lens.is_of_ellipsoids() ? of_ellipsoids : of_all);
-    if (const auto found = caps.moments<4, 6, 8, 12, 16>()) return *found;
+    const double slack = tolerance / 10 * (1 - lens.gauge(frame.origin));
+    const auto& azimuths = lens.is_of_ellipsoids() ? of_ellipsoids : of_all;
+    if (const auto found = detail::CapQuadrature(task, slack, azimuths).moments()) return *found;
   }
-  return detail::moments_by_meridians(Meridians(lens, frame, step), frame, tolerance);
+  return detail::moments_by_meridians(task);
 }
 
 /// Columns right-handed, the third on the side of `normal`, and the first's largest component positive.

@@ -16,115 +16,140 @@ struct Quadrature {
 };
 
 /// The fewest azimuths that are an answer, and what more of them bring.
-struct Azimuths {
+struct AzimuthPlan {
   int least;
   Convergence convergence;
+};
+
+/// What is integrated, and how well.
+struct LensTask {
+  const FramedLens& lens;
+  const LensFrame& frame;
+  double newton_step;  ///< relative, at which Newton stops
+  double tolerance;
+};
+
+/// So many azimuths, k of them.
+struct Azimuths {
+  static constexpr double start = 0.4;  // of no symmetry: corners are often at multiples of 45 degrees
+
+  [[nodiscard]] static double step(int count) { return 2 * std::numbers::pi / count; }
+  /// Eight from k on.
+  [[nodiscard]] static Circle from(int k, int count, int by = 1) {
+    return circle(start + k * step(count), by * step(count));
+  }
 };
 
 /// The two caps of a lens, integrated.
 class CapQuadrature {
  public:
-  CapQuadrature(const Lens& lens, const LensFrame& frame, double newton_step, double tolerance,
-                const Azimuths& azimuths)
-      : frame_(frame), caps_(lens, frame, newton_step, tolerance), tolerance_(tolerance), azimuths_(azimuths) {}
+  /// `slack`: what sticks out of a body by so much of its gauge has an area below the tolerance.
+  CapQuadrature(const LensTask& task, double slack, const AzimuthPlan& azimuths)
+      : task_(task), slack_(slack), azimuths_(azimuths) {
+    std::array<Eight, 2> exits;
+    const FramedLens& lens = task.lens;
+    lens_kernel().find_exits(lens.bodies, lens.origin, both_ways(lens.e3.eigen()), 2, task.newton_step, exits);
+    apex_ = {lens.origin + lens.e3 * exits[0][0], lens.origin - lens.e3 * exits[1][1]};
+  }
 
-  /// By the first of the rules with n, m, .. points a fan that differs from the next by little enough. Nothing where the lens has not
-  /// two caps, for which the first levels look: a rule with few points overlooks what comes out between them.
-  template <std::size_t n, std::size_t m, std::size_t... more>
+  /// By the first of the rules that differs from the next by little enough. Nothing where the lens has not two caps, for which the
+  /// first eight azimuths look: a rule with few points overlooks what comes out between them.
   [[nodiscard]] std::optional<Quadrature> moments() {
-    FirstLevels coarse, fine;
-    if (!find_first_rims() || !add_first<n>(coarse) || !add_first<m>(fine)) return {};
-    return by_fans<n, m, more...>(coarse, fine);
+    const double share = 0.5;  // of the tolerance, left to the fans
+    const double missed = 3;   // at other azimuths than those looked at
+    const std::array rules{fan_rule<4>(), fan_rule<6>(), fan_rule<8>(), fan_rule<12>(), fan_rule<16>()};
+    rho_.fill(1), z_.fill(0);
+    Rims rims;
+    std::optional<Halves> coarse, fine;
+    if (!find_rims(rims, 0, eight, 1) || !(coarse = fans(rules[0], rims, true))) return {};
+    for (std::size_t i = 0; (fine = fans(rules[i + 1], rims, true)); coarse = fine, ++i) {
+      const double radial = missed * difference(both(*coarse), both(*fine), task_.frame);
+      if (radial <= share * task_.tolerance || i + 2 == rules.size()) return by_azimuths(rules[i], *coarse, radial);
+    }
+    return {};
   }
 
  private:
-  static constexpr int first_count = 4, second_count = 2 * first_count;
+  static constexpr int most = 256;
 
-  /// Sums over the azimuths of the first level, and of the second.
-  struct FirstLevels {
-    LensMoments first, second;
+  struct FanRule {
+    int points;
+    const double *nodes, *weights;
   };
+  template <std::size_t n>
+  [[nodiscard]] static FanRule fan_rule() {
+    static constexpr GaussRule<n> rule = gauss_rule<n, 1>();
+    return {n, rule.nodes.data(), rule.weights.data()};
+  }
+  [[nodiscard]] static LensMoments both(const Halves& halves) {
+    LensMoments out;
+    return (out += halves.even) += halves.odd;
+  }
 
-  [[nodiscard]] static double azimuth(int k, int count) {
-    const double start = 0.4;  // of no symmetry: corners are often at multiples of 45 degrees
-    return start + 2 * std::numbers::pi * k / count;
-  }
-  /// Those of the first level, then those that the second adds.
-  [[nodiscard]] bool find_first_rims() {
-    for (int i = 0; i < second_count; ++i) {
-      RimPoint& rim = first_rims_[static_cast<std::size_t>(i)];
-      rim = caps_.rim(i < first_count ? azimuth(i, first_count) : azimuth(2 * (i - first_count) + 1, second_count));
-      if (!rim.is_found) return false;
+  /// At eight of `count` azimuths, from k on, `by` apart; each begins as the mean of its neighbours.
+  [[nodiscard]] bool find_rims(Rims& rims, int k, int count, int by) {
+    const auto place = [&](std::size_t i) { return (k + static_cast<int>(i) * by) * (most / count); };
+    for (std::size_t i = 0; i < eight; ++i) {
+      const auto before = at(place(i) - most / count), after = at(place(i) + most / count);
+      rims.rho[i] = (rho_[before] + rho_[after]) / 2, rims.z[i] = (z_[before] + z_[after]) / 2;
     }
+    if (!lens_kernel().find_rims(task_.lens, Azimuths::from(k, count, by), task_.newton_step, rims)) return false;
+    for (std::size_t i = 0; i < eight; ++i) rho_[at(place(i))] = rims.rho[i], z_[at(place(i))] = rims.z[i];
     return true;
   }
-  template <std::size_t n>
-  [[nodiscard]] bool add_first(FirstLevels& sums) const {
-    LensMoments sum;
-    for (std::size_t i = 0; i < second_count; ++i) {
-      if (i == first_count) sums.first = sum;
-      if (!caps_.add<n>(sum, first_rims_[i], 2 * std::numbers::pi, true)) return false;
-    }
-    sums.second = sum;
-    return true;
+  [[nodiscard]] static std::size_t at(int place) { return static_cast<std::size_t>((place + most) % most); }
+
+  [[nodiscard]] std::optional<Halves> fans(const FanRule& rule, const Rims& rims, bool is_checked) const {
+    return lens_kernel().add_fans(
+        {task_.lens, apex_, rule.points, rule.nodes, rule.weights, 2 * std::numbers::pi, 1 + slack_, is_checked}, rims);
   }
-  template <std::size_t n, std::size_t m, std::size_t... more>
-  [[nodiscard]] std::optional<Quadrature> by_fans(const FirstLevels& coarse, const FirstLevels& fine) {
-    const double share = 0.5;  // of the tolerance, left to the fans
-    const double missed = 3;   // at other azimuths than those looked at
-    const double radial = missed * difference(coarse.second, fine.second, frame_);
-    if constexpr (sizeof...(more) > 0)
-      if (radial > share * tolerance_) return by_finer_fans<m, more...>(fine);
-    auto out = by_azimuths<n>(coarse, tolerance_ - radial);
-    if (out) out->error += radial;
-    return out;
-  }
-  template <std::size_t m, std::size_t k, std::size_t... more>
-  [[nodiscard]] std::optional<Quadrature> by_finer_fans(const FirstLevels& fine) {
-    FirstLevels finer;
-    if (!add_first<k>(finer)) return {};
-    return by_fans<m, k, more...>(fine, finer);
-  }
-  /// The trapezoidal rule over the azimuth with n points a fan, doubled until `tolerance`.
-  template <std::size_t n>
-  [[nodiscard]] std::optional<Quadrature> by_azimuths(const FirstLevels& first, double tolerance) {
-    const int most = 256, last_checked = 16;
+  /// The trapezoidal rule over the azimuth, doubled until the tolerance; `first`: of the first eight. `radial`: error of the fans.
+  [[nodiscard]] std::optional<Quadrature> by_azimuths(const FanRule& rule, const Halves& first, double radial) {
+    const int last_checked = 16;
     Refinement levels(azimuths_.convergence);
-    levels.add(first.first.scaled(1.0 / first_count), frame_);
-    LensMoments sum = first.second;
+    LensMoments sum;
+    levels.add((sum += first.even).scaled(2.0 / eight), task_.frame);
+    sum += first.odd;
     Quadrature out;
-    for (int count = second_count;; count *= 2) {
-      levels.add(sum.scaled(1.0 / count), frame_);
-      if (count >= azimuths_.least) out = {levels.finest(), levels.error() + closure_error(levels.finest(), frame_)};
-      if (count == most || out.error <= tolerance) return out;
-      for (int k = 1; k < 2 * count; k += 2) {
-        const RimPoint rim = caps_.rim(azimuth(k, 2 * count));
-        if (!rim.is_found || !caps_.add<n>(sum, rim, 2 * std::numbers::pi, 2 * count <= last_checked)) return {};
+    for (int count = eight;; count *= 2) {
+      levels.add(sum.scaled(1.0 / count), task_.frame);
+      if (count >= azimuths_.least)
+        out = {levels.finest(), levels.error() + closure_error(levels.finest(), task_.frame) + radial};
+      if (count == most || out.error <= task_.tolerance) return out;
+      for (int k = 1; k < 2 * count; k += 2 * eight) {
+        Rims rims;
+        if (!find_rims(rims, k, 2 * count, 2)) return {};
+        const auto more = fans(rule, rims, 2 * count <= last_checked);
+        if (!more) return {};
+        sum += more->even;
+        sum += more->odd;
       }
     }
   }
 
-  const LensFrame& frame_;
-  Caps caps_;
-  std::array<RimPoint, second_count> first_rims_;
-  double tolerance_;
-  const Azimuths& azimuths_;
+  const LensTask& task_;
+  double slack_;
+  const AzimuthPlan& azimuths_;
+  std::array<Vector3<double>, 2> apex_;
+  std::array<double, most> rho_, z_;  ///< of the rims that are known, in the azimuths' order
 };
 
-/// By meridians: twice as many and twice the panels a level, until `tolerance`.
-[[nodiscard]] inline Quadrature moments_by_meridians(const Meridians& meridians, const LensFrame& frame,
-                                                     double tolerance) {
-  const int most = 64;
-  const double first_azimuth = 0.4;
-  const double missed = 4, open = 2;  // edges wander between the meridians, so that the differences fall unevenly
+/// By meridians: twice as many and twice the panels a level, until the tolerance.
+[[nodiscard]] inline Quadrature moments_by_meridians(const LensTask& task) {
+  const int most = 128;
+  const double missed = 8, open = 4;  // edges wander between the meridians, so that the differences fall unevenly
   Refinement levels(Convergence::power);
   Quadrature out;
-  for (int count = 8; count <= most && out.error > tolerance; count *= 2) {
+  for (int count = eight; count <= most && out.error > task.tolerance; count *= 2) {
     LensMoments sum;
-    for (int k = 0; k < count; ++k)
-      meridians.add(sum, first_azimuth + 2 * std::numbers::pi * k / count, 2 * std::numbers::pi / count, count / 4);
-    levels.add(sum, frame);
-    out = {levels.finest(), missed * levels.error() + open * closure_error(levels.finest(), frame)};
+    for (int k = 0; k < count; k += eight) {
+      const Halves part = lens_kernel().add_meridians(task.lens, Azimuths::from(k, count), task.newton_step,
+                                                      Azimuths::step(count), count / 4);
+      sum += part.even;
+      sum += part.odd;
+    }
+    levels.add(sum, task.frame);
+    out = {levels.finest(), missed * levels.error() + open * closure_error(levels.finest(), task.frame)};
   }
   return out;
 }

@@ -1,112 +1,140 @@
-// The gauges of bodies at their places, as the quadratures of the patch need them: value and gradient at several points at once.
+// The gauges of bodies at their places, as the quadratures of the patch need them.
 //
-// g(x) = N(M (x - c)), M = diag(1/a, 1/b, 1/c) R' (superellipsoid.hpp). Exponents cost a chain of eight exponentials and logarithms,
-// each of which waits for the one before: those of several points run side by side, which halves the time of a point.
+// g(x) = N(M (x - c)), M = diag(1/a, 1/b, 1/c) R' (superellipsoid.hpp). P is a number, or a register that holds one of each of several
+// points: exponents cost a chain of eight exponentials and logarithms, each of which waits for the one before.
 // Lengths and axes are those of the pair's frame.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "solver/method/per_body.hpp"
 #include "solver/pose.hpp"
 
 namespace plumb::detail {
 
-/// g and its gradient (1/length).
-struct GaugeAt {
-  double value = 0;
-  Vec3<double> gradient = Vec3<double>::Zero();
-};
-
-/// N = (x^p + y^p)^(1/p) of x, y >= 0, and its derivatives, k of them. With t = (small/large)^p the exponential's error, |log t| epsilon,
-/// comes into N times t/p: no digit of it is lost, and exp and log cost half of pow.
-template <std::size_t k>
-struct PairNorms {
-  std::array<double, k> value, by_x, by_y;
-
-  [[nodiscard]] static PairNorms of(const std::array<double, k>& x, const std::array<double, k>& y,
-                                    const std::array<double, k>& p) {
-    std::array<double, k> ratio, power, root;
-    for (std::size_t i = 0; i < k; ++i) {
-      const double large = std::max(x[i], y[i]);
-      ratio[i] = large > 0 ? std::min(x[i], y[i]) / large : 0;
-    }
-    for (std::size_t i = 0; i < k; ++i) power[i] = std::log(ratio[i]);
-    for (std::size_t i = 0; i < k; ++i) power[i] = std::exp(p[i] * power[i]);
-    for (std::size_t i = 0; i < k; ++i) root[i] = std::log(1 + power[i]);
-    for (std::size_t i = 0; i < k; ++i) root[i] = std::exp(root[i] / p[i]);
-    PairNorms out;
-    for (std::size_t i = 0; i < k; ++i) {
-      // (large/N)^(p-1) = root / sum, and (small/N)^(p-1) is (small/large)^(p-1) times that.
-      const double by_large = root[i] / (1 + power[i]), by_small = ratio[i] > 0 ? by_large * (power[i] / ratio[i]) : 0;
-      const bool is_x_larger = x[i] >= y[i];
-      out.value[i] = std::max(x[i], y[i]) * root[i];
-      out.by_x[i] = is_x_larger ? by_large : by_small;
-      out.by_y[i] = is_x_larger ? by_small : by_large;
-    }
-    return out;
-  }
-};
-
 struct PlacedGauge {
   explicit PlacedGauge(const PlacedBody<double>& body)
-      : to_gauge(body.shape.semi_axes.cwiseInverse().asDiagonal() * body.rotation.transpose()), centre(body.centre),
-        n1(body.shape.n1), n2(body.shape.n2), is_ellipsoid(n1 == 2 && n2 == 2) {}
+      : PlacedGauge(body.centre, body.shape.semi_axes.cwiseInverse().asDiagonal() * body.rotation.transpose(),
+                    body.shape.n1, body.shape.n2) {}
 
   /// All within `half` of a plane, of which the face on the side of the unit `normal` is meant: an ellipsoid with two axes without end.
   [[nodiscard]] static PlacedGauge slab(const Vec3<double>& centre, const Vec3<double>& normal, double half) {
-    return PlacedGauge(centre, normal / half);
+    Mat3<double> rows = Mat3<double>::Zero();
+    rows.row(2) = normal / half;
+    return PlacedGauge(centre, rows, 2, 2);
   }
 
-  Mat3<double> to_gauge;
-  Vec3<double> centre;
-  double n1 = 2, n2 = 2;
-  bool is_ellipsoid = true;
+  Matrix3<double> to_gauge;
+  Vector3<double> centre;
+  double n1, n2;
+
+  [[nodiscard, gnu::always_inline]] bool is_ellipsoid() const { return n1 == 2 && n2 == 2; }
 
  private:
-  PlacedGauge(const Vec3<double>& at, const Vec3<double>& row) : to_gauge(Mat3<double>::Zero()), centre(at) {
-    to_gauge.row(2) = row;
+  PlacedGauge(const Vec3<double>& at, const Mat3<double>& rows, double of_meridian, double of_equator)
+      : to_gauge{Vector3<double>::of(rows.row(0)), Vector3<double>::of(rows.row(1)), Vector3<double>::of(rows.row(2))},
+        centre(Vector3<double>::of(at)), n1(of_meridian), n2(of_equator) {}
+};
+
+/// An exponent of each of P's norms.
+template <class P>
+struct Exponent {
+  P p, inverse;
+  bool is_two;  ///< all are
+};
+
+/// N = (x^p + y^p)^(1/p) of x, y >= 0, and its derivatives. With t = (small/large)^p the exponential's error, |log t| epsilon, comes into
+/// N times t/p: no digit of it is lost, and exp and log cost half of pow.
+template <class P>
+struct PairNorm {
+  P value, by_x, by_y;
+
+  [[nodiscard, gnu::always_inline]] static PairNorm of(const P& x, const P& y, const Exponent<P>& n) {
+    using std::exp;
+    using std::log;
+    using std::max;
+    using std::min;
+    using std::sqrt;
+    const P one(1.0), none(0.0), large = max(x, y);
+    const P ratio = blend(large > none, min(x, y) / large, none);
+    const P power = n.is_two ? ratio * ratio : exp(n.p * log(ratio));
+    const P root = n.is_two ? sqrt(one + power) : exp(log(one + power) * n.inverse);
+    // (large/N)^(p-1) = root / sum, and (small/N)^(p-1) is (small/large)^(p-1) times that.
+    const P by_large = root / (one + power), by_small = blend(ratio > none, by_large * (power / ratio), none);
+    const auto is_x_larger = x >= y;
+    return {large * root, blend(is_x_larger, by_large, by_small), blend(is_x_larger, by_small, by_large)};
   }
 };
 
-namespace gauges {
-
-/// Of an ellipsoid at its centre + v.
-[[nodiscard]] inline GaugeAt of_ellipsoid(const PlacedGauge& body, const Vec3<double>& v) {
-  const Vec3<double> u = body.to_gauge * v;
-  const double value = u.norm();
-  if (!(value > 0)) return {};
-  return {value, body.to_gauge.transpose() * (u / value)};
+/// The same vector for all of P.
+template <class P>
+[[nodiscard, gnu::always_inline]] inline Vector3<P> for_all(const Vector3<double>& v) {
+  return {P(v.x), P(v.y), P(v.z)};
+}
+template <class P>
+[[nodiscard, gnu::always_inline]] inline Matrix3<P> for_all(const Matrix3<double>& m) {
+  return {for_all<P>(m.row0), for_all<P>(m.row1), for_all<P>(m.row2)};
+}
+/// One vector of the bodies 1, one of the bodies 2.
+template <class P>
+[[nodiscard, gnu::always_inline]] inline Vector3<TwoNumbers<P>> of_each(const Vector3<P>& a, const Vector3<P>& b) {
+  return {{a.x, b.x}, {a.y, b.y}, {a.z, b.z}};
 }
 
-}  // namespace gauges
+/// g and its gradient (1/length).
+template <class P>
+struct GaugeAt {
+  P value;
+  Vector3<P> gradient;
+};
 
-/// Entry i of body i, at its centre + v_i; the gradient is zero at v = 0, where there is none.
-template <std::size_t k>
-[[nodiscard]] inline std::array<GaugeAt, k> gauges_from_centres(const std::array<const PlacedGauge*, k>& bodies,
-                                                                const std::array<Vec3<double>, k>& v) {
-  std::array<GaugeAt, k> out;
-  std::array<double, k> x, y, z, n1, n2;
-  std::array<Vec3<double>, k> u;
-  bool are_ellipsoids = true;
-  for (std::size_t i = 0; i < k; ++i) are_ellipsoids = are_ellipsoids && bodies[i]->is_ellipsoid;
-  if (are_ellipsoids) {
-    for (std::size_t i = 0; i < k; ++i) out[i] = gauges::of_ellipsoid(*bodies[i], v[i]);
-    return out;
+/// The gauge of one body at as many points as P has numbers, or of two bodies.
+template <class P>
+struct Gauge {
+  Matrix3<P> to_gauge;
+  Vector3<P> centre;
+  Exponent<P> n1, n2;
+
+  [[nodiscard, gnu::always_inline]] static Gauge of(const PlacedGauge& body) {
+    const auto exponent = [](double n) { return Exponent<P>{P(n), P(1 / n), n == 2}; };
+    return {for_all<P>(body.to_gauge), for_all<P>(body.centre), exponent(body.n1), exponent(body.n2)};
   }
-  for (std::size_t i = 0; i < k; ++i) {
-    u[i] = bodies[i]->to_gauge * v[i];
-    x[i] = std::abs(u[i][0]), y[i] = std::abs(u[i][1]), z[i] = std::abs(u[i][2]);
-    n1[i] = bodies[i]->n1, n2[i] = bodies[i]->n2;
+
+  /// The gradient is zero at the centre, where there is none.
+  [[nodiscard, gnu::always_inline]] GaugeAt<P> at(const Vector3<P>& x) const { return from_centre(x - centre); }
+  [[nodiscard, gnu::always_inline]] GaugeAt<P> from_centre(const Vector3<P>& v) const {
+    using std::abs;
+    using std::copysign;
+    const Vector3<P> u = to_gauge * v;
+    if (n1.is_two && n2.is_two) {
+      const P value = length(u), none(0.0);
+      return {value, to_gauge.transposed_times(u * blend(value > none, P(1.0) / value, none))};
+    }
+    const PairNorm<P> inner = PairNorm<P>::of(abs(u.x), abs(u.y), n2),
+                      outer = PairNorm<P>::of(inner.value, abs(u.z), n1);
+    const Vector3<P> by_u{copysign(outer.by_x * inner.by_x, u.x), copysign(outer.by_x * inner.by_y, u.y),
+                          copysign(outer.by_y, u.z)};
+    return {outer.value, to_gauge.transposed_times(by_u)};
   }
-  const PairNorms<k> inner = PairNorms<k>::of(x, y, n2), outer = PairNorms<k>::of(inner.value, z, n1);
-  for (std::size_t i = 0; i < k; ++i) {
-    const Vec3<double> by_u(std::copysign(outer.by_x[i] * inner.by_x[i], u[i][0]),
-                            std::copysign(outer.by_x[i] * inner.by_y[i], u[i][1]),
-                            std::copysign(outer.by_y[i], u[i][2]));
-    out[i] = {outer.value[i], bodies[i]->to_gauge.transpose() * by_u};
-  }
-  return out;
+};
+
+/// Of both bodies, a point each.
+template <class P>
+using BothGauges = Gauge<TwoNumbers<P>>;
+
+template <class P>
+[[nodiscard, gnu::always_inline]] inline BothGauges<P> gauges_of(const std::array<PlacedGauge, 2>& bodies) {
+  const Gauge<P> a = Gauge<P>::of(bodies[0]), b = Gauge<P>::of(bodies[1]);
+  const auto both = [](const Exponent<P>& m, const Exponent<P>& n) {
+    return Exponent<TwoNumbers<P>>{{m.p, n.p}, {m.inverse, n.inverse}, m.is_two && n.is_two};
+  };
+  return {{of_each(a.to_gauge.row0, b.to_gauge.row0), of_each(a.to_gauge.row1, b.to_gauge.row1),
+           of_each(a.to_gauge.row2, b.to_gauge.row2)},
+          of_each(a.centre, b.centre),
+          both(a.n1, b.n1),
+          both(a.n2, b.n2)};
 }
 
 }  // namespace plumb::detail

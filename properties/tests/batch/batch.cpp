@@ -275,7 +275,9 @@ TEST(Batch, NoFunctionIsSharedBetweenInstructionSets) {
     std::string file, register_type, solver;
   };
   for (const Names& of : {Names{"chunk_avx2", "_VecBuiltinILi32", "ChunkSolverILi4"},
-                          Names{"chunk_avx512", "_VecBltnBtmskILi64", "ChunkSolverILi8"}}) {
+                          Names{"chunk_avx512", "_VecBltnBtmskILi64", "ChunkSolverILi8"},
+                          Names{"kernel_avx2", "_VecBuiltinILi32", "_VecBuiltinILi32"},
+                          Names{"kernel_avx512", "_VecBltnBtmskILi64", "_VecBltnBtmskILi64"}}) {
     const std::set<std::string> own = weak_symbols(of.file, false), others = weak_symbols(of.file, true);
     ASSERT_FALSE(own.empty());
     ASSERT_FALSE(others.empty());

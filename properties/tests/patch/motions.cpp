@@ -150,7 +150,7 @@ TEST_P(PatchMotions, HaveNoJump) {
   EXPECT_TRUE(!has_points_that_jump || counted.points_that_jump > 0);
 }
 
-// A million at night. Of exponents above 8 a patch takes up to 50 ms.
+// A million at night. Of exponents above 8 a patch takes up to 20 ms.
 std::vector<MotionsOf> all_motions() {
   std::vector<MotionsOf> out;
   for (const auto& [part, name] : {std::pair{Part::face, "face"}, {Part::edge, "edge"}, {Part::corner, "corner"}})

@@ -128,6 +128,23 @@ TEST(Patch, OfABodyBehindAWallIsTheBody) {
   }
 }
 
+// Along a wall a ray hardly leaves it: Newton goes on for as long as the wall is not known to be farther than the body.
+TEST(Patch, OfABodyBehindAnyWallIsOneOfTheBody) {
+  Body body = ball(0.5, 0);
+  body.position.setZero();
+  body.shape.semi_axes = {1, 0.8, 0.5};
+  for (const double exponent : {1.5, 2.5, 4.0, 8.0})
+    for (int x = -3; x <= 3; ++x)
+      for (int y = -3; y <= 3; ++y)
+        for (const double distance : {-2.0, -0.9, -0.6, 0.1}) {
+          body.shape.n1 = body.shape.n2 = exponent;
+          const Vec3<double> into_wall = Vec3<double>(x, y, 2).normalized();
+          const Patch patch = patch_at_wall(body, into_wall, distance * into_wall, 1e-2);
+          ASSERT_LE(patch.error, 0.1) << exponent << ", " << into_wall.transpose() << " at " << distance;
+          ASSERT_LE(patch.volume, 8 * 0.4 * 1.1) << exponent << ", " << into_wall.transpose() << " at " << distance;
+        }
+}
+
 TEST(Patch, OfBoxesIsABox) {
   const double depth = 0.05, offset = 0.7;
   const Patch patch = patch_of({box({1, 1, 1}, {0, 0, 0}), box({1, 1, 1}, {offset, 0, 2 - depth})});

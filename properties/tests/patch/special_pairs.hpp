@@ -27,6 +27,7 @@ struct SpecialPair {
   return {{"rod through a plate", {plate, special_body({0.1, 0.1, 2}, 4, {0.3, 0.2, 0.1}, 0.3)}},
           {"needle through a disc", {disc, special_body({0.1, 0.15, 2}, 2, {0.3, 0.2, 0.1}, 0.3)}},
           {"tip through a disc", {disc, special_body({0.5, 0.6, 2}, 2, {0.1, 0.2, 1.87})}},
+          {"blunt tip through a plate", {plate, special_body({0.5, 0.6, 2}, 2.5, {0.1, 0.2, 1.87})}},
           {"crossed rods",
            {special_body({0.3, 0.3, 2}, 4, {0, 0, 0}, 1.5707963), special_body({0.25, 0.3, 2}, 4, {0.1, 0, 0})}},
           {"inside", {die, special_body({0.2, 0.3, 0.1}, 4, {0.1, 0.2, 0.3}, 0.3)}},

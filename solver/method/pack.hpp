@@ -9,7 +9,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "solver/batch/elementary.hpp"
+#include "solver/method/elementary.hpp"
 #include "solver/method/per_body.hpp"
 
 namespace plumb {
