@@ -36,19 +36,24 @@ std::vector<Pair> judged_pairs(std::uint64_t of_a_family) {
   return out;
 }
 
-/// The first finding of a bug in pairs of all families; "" for none.
+/// A bug's patch; -1: without one.
+Patch patch_by(const SeededPatch& library, int bug, const Pair& pair, double tolerance) {
+  const Contact<double> contact = find_method("auto")->solve(pair, {}, nullptr);
+  Patch out;
+  if (contact.verdict == Verdict::overlapping) library.solve(bug, &pair, &contact, tolerance, &out);
+  return out;
+}
+
+/// The first finding of a bug in pairs of all families, or that it does not reach a tolerance that is reached without it; "" for none.
 std::string killer_of(const SeededPatch& library, int bug, const std::vector<Pair>& pairs) {
-  const auto solve = [&](const Pair& pair, double tolerance) {
-    const Contact<double> contact = find_method("auto")->solve(pair, {}, nullptr);
-    Patch out;
-    if (contact.verdict == Verdict::overlapping) library.solve(bug, &pair, &contact, tolerance, &out);
-    return out;
-  };
+  const auto solve = [&](const Pair& pair, double tolerance) { return patch_by(library, bug, pair, tolerance); };
   for (const Pair& pair : pairs) {
     const Contact<double> contact = find_method("auto")->solve(pair, {}, nullptr);
     if (contact.status != Status::converged || contact.verdict != Verdict::overlapping) continue;
-    const Finding found = judge_patch({pair, solve(pair, asked), asked, solve});
+    const Patch patch = solve(pair, asked);
+    const Finding found = judge_patch({pair, patch, asked, solve});
     if (found.kind != FindingKind::none) return found.law + ": " + found.detail;
+    if (patch.error > asked && patch_by(library, -1, pair, asked).error <= asked) return "the tolerance is not reached";
   }
   return "";
 }
