@@ -1,6 +1,7 @@
 #include "solver/patch/patch.hpp"
 
 #include "solver/instruction_set.hpp"
+#include "solver/patch/ball_caps.hpp"
 #include "solver/patch/kernel_impl.hpp"
 #include "solver/patch/patch_quadrature.hpp"
 #include "solver/patch/principal_axes.hpp"
@@ -121,11 +122,50 @@ Patch patch_of_lens(const Lens& lens, const PlacedPair<double>& placed, const Pa
   return is_representable(out) ? out : Patch{};
 }
 
+bool is_ellipsoid(const Superellipsoid<double>& shape) {
+  return shape.n1 == 2 && shape.n2 == 2;
+}
+
+bool is_ball(const Superellipsoid<double>& shape) {
+  return is_ellipsoid(shape) && shape.semi_axes.minCoeff() == shape.semi_axes.maxCoeff();
+}
+
+Patch patch_of_caps(const detail::FramedMoments& lens, const PlacedPair<double>& placed, const Pair& pair) {
+  Patch out = patch_of({lens.moments, 0}, lens.frame, placed, pair);
+  out.error = rounding_error(placed, lens.frame);
+  return is_representable(out) ? out : Patch{};
+}
+
+/// Of balls whose surfaces cross, in closed form.
+std::optional<Patch> patch_of_balls(const PlacedPair<double>& placed, const Pair& pair) {
+  const auto &body1 = placed.body1, &body2 = placed.body2;
+  if (!is_ball(body1.shape) || !is_ball(body2.shape)) return {};
+  const double r1 = body1.shape.semi_axes[0], r2 = body2.shape.semi_axes[0];
+  const Vec3<double> between = body2.centre - body1.centre;
+  const double distance = between.norm();
+  if (!(distance > std::abs(r1 - r2) && distance < r1 + r2)) return {};
+  const auto caps = detail::BallCaps::of_balls(between / distance, r1, r2, distance);
+  const Vec3<double> middle_of_rim = body1.centre + (r1 - caps.height[0]) * caps.axis;
+  return patch_of_caps(lens_of_caps(caps, Mat3<double>::Identity(), middle_of_rim), placed, pair);
+}
+
+/// Of an ellipsoid of which `overlap` is beyond a wall: a ball's cap, stretched.
+std::optional<Patch> patch_of_ellipsoid_at_wall(const PlacedPair<double>& placed, const Pair& pair,
+                                                const Vec3<double>& into_wall, double reach, double overlap) {
+  const PlacedBody<double>& body = placed.body1;
+  if (!is_ellipsoid(body.shape) || !(overlap < 2 * reach)) return {};
+  const Mat3<double> stretch = body.rotation * body.shape.semi_axes.asDiagonal();
+  const detail::BallCaps caps{stretch.transpose() * into_wall / reach, {1, 0}, {overlap / reach, 0}};
+  const Vec3<double> middle_of_rim = body.centre + stretch * ((1 - caps.height[0]) * caps.axis);
+  return patch_of_caps(lens_of_caps(caps, stretch, middle_of_rim), placed, pair);
+}
+
 }  // namespace
 
 Patch patch_at(const Pair& pair, const Vec3<double>& normal, const Vec3<double>& point1, const Vec3<double>& point2,
                double tolerance) {
   const PlacedPair<double> placed = place<double>(pair);
+  if (const auto closed = patch_of_balls(placed, pair)) return *closed;
   return patch_of_lens(Lens(placed), placed, pair, normal, (point1 + point2) / 2, tolerance);
 }
 
@@ -138,6 +178,7 @@ Patch patch_at_wall(const Body& body, const Vec3<double>& into_wall, const Vec3<
   // The body spans twice its support. From there on nothing changes, and no depth need be larger than twice that.
   const double overlap = std::min(deepest.value - distance, 4 * deepest.value), half = 4 * placed.size();
   if (!(overlap > 0)) return {.volume = 0, .area = 0, .error = 0};
+  if (const auto closed = patch_of_ellipsoid_at_wall(placed, pair, into_wall, deepest.value, overlap)) return *closed;
   const Vec3<double> middle_of_wall = (deepest.value - overlap + half) * into_wall;
   const Lens lens(detail::PlacedGauge(own), detail::PlacedGauge::slab(middle_of_wall, -into_wall, half));
   const Vec3<double> middle =

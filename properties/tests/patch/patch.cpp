@@ -89,6 +89,37 @@ TEST(Patch, IsTheLensOfTwoSpheres) {
       }
 }
 
+/// Exponents as near to 2 as can be go by the quadrature.
+void expect_same(const Patch& closed, const Patch& by_quadrature) {
+  const double error = closed.error + 2 * by_quadrature.error, width = std::sqrt(by_quadrature.second_moments[0]);
+  EXPECT_NEAR(closed.volume, by_quadrature.volume, error * closed.volume);
+  EXPECT_NEAR(closed.area, by_quadrature.area, error * closed.area);
+  EXPECT_LE((closed.normal - by_quadrature.normal).norm(), error);
+  EXPECT_LE((closed.centre - by_quadrature.centre).norm(), error * width);
+  EXPECT_LE((closed.area_moment - by_quadrature.area_moment).norm(), error * closed.area * width);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(closed.second_moments[i], by_quadrature.second_moments[i], 2 * error * closed.second_moments[i]);
+}
+
+TEST(Patch, OfAnEllipsoidAtAWallIsAStretchedCap) {
+  Body body = ball(1, 0);
+  body.shape.semi_axes = {0.4, 0.7, 0.2};
+  body.quaternion = {0.7, 0.1, -0.4, 0.5};
+  body.position = {1, -2, 3};
+  const Mat3<double> rotation = Eigen::Quaterniond(0.7, 0.1, -0.4, 0.5).normalized().toRotationMatrix();
+  for (int x = -2; x <= 2; ++x)
+    for (const double share : {1e-4, 0.1, 0.9, 1.7}) {
+      const Vec3<double> into_wall = Vec3<double>(x, 1, 2).normalized();
+      const double reach = (rotation.transpose() * into_wall).cwiseProduct(body.shape.semi_axes).norm();
+      const Vec3<double> at_wall = body.position + (1 - share) * reach * into_wall;
+      Body near_it = body;
+      near_it.shape.n1 = 2 + 1e-14;
+      const Patch closed = patch_at_wall(body, into_wall, at_wall, 1e-3);
+      EXPECT_NEAR(closed.volume, pi * 0.4 * 0.7 * 0.2 * share * share * (3 - share) / 3, closed.error * closed.volume);
+      expect_same(closed, patch_at_wall(near_it, into_wall, at_wall, 1e-6));
+    }
+}
+
 TEST(Patch, OfABodyInsideTheOtherIsTheInnerBody) {
   Pair pair{ball(1, 0), ball(1, 0.2)};
   pair.body2.shape.semi_axes = {0.4, 0.3, 0.2};
