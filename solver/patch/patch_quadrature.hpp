@@ -60,11 +60,14 @@ class CapQuadrature {
     const std::array rules{fan_rule<4>(), fan_rule<6>(), fan_rule<8>(), fan_rule<12>(), fan_rule<16>()};
     rho_.fill(1), z_.fill(0);
     Rims rims;
-    std::optional<Halves> coarse, fine;
-    if (!find_rims(rims, 0, eight, 1) || !(coarse = fans(rules[0], rims, true))) return {};
-    for (std::size_t i = 0; (fine = fans(rules[i + 1], rims, true)); coarse = fine, ++i) {
+    if (!find_rims(rims, 0, eight, 1)) return {};
+    std::optional<Halves> coarse = fans(rules[0], rims, true);
+    for (std::size_t i = 0; coarse; ++i) {
+      const std::optional<Halves> fine = fans(rules[i + 1], rims, true);
+      if (!fine) break;
       const double radial = missed * difference(both(*coarse), both(*fine), task_.frame);
       if (radial <= share * task_.tolerance || i + 2 == rules.size()) return by_azimuths(rules[i], *coarse, radial);
+      coarse = fine;
     }
     return {};
   }
