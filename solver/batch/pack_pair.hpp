@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "solver/batch/chunk.hpp"
-#include "solver/method/pack.hpp"
 #include "solver/method/auto/framed_pair.hpp"
+#include "solver/method/pack.hpp"
 
 namespace plumb {
 
