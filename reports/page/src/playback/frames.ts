@@ -18,6 +18,15 @@ export interface ContactAt {
   force: number;
 }
 
+/** For Frames.contact to fill. */
+export const blankContact = (): ContactAt => ({
+  first: 0,
+  second: 0,
+  point: new Float32Array(3),
+  normal: new Float32Array(3),
+  force: 0,
+});
+
 /** The shorter way between two unit quaternions, into `out` at `at`; what it writes has length 1. */
 export function slerp(q: Int16Array, from: number, to: number, part: number, out: Float32Array, at: number): void {
   let cosine = 0;

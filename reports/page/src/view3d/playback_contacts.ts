@@ -11,7 +11,7 @@ import {
   Quaternion,
   Vector3,
 } from "three";
-import type { ContactAt, Frames } from "../playback/frames";
+import { blankContact, type Frames } from "../playback/frames";
 
 const UP = new Vector3(0, 1, 0);
 /** In units of the median body. */
@@ -49,13 +49,7 @@ export class Contacts {
 
   show(frame: number): void {
     const count = this.frames.contacts(frame);
-    const contact: ContactAt = {
-      first: 0,
-      second: 0,
-      point: new Float32Array(3),
-      normal: new Float32Array(3),
-      force: 0,
-    };
+    const contact = blankContact();
     const [at, along, size] = [new Vector3(), new Vector3(), new Vector3()];
     const [turn, matrix] = [new Quaternion(), new Matrix4()];
     for (let index = 0; index < count; index++) {

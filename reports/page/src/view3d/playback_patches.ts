@@ -1,7 +1,7 @@
 /** The patches of a frame's contacts, from the places of the bodies in it. */
 import { Group } from "three";
 import type { Playback, Vec } from "../data";
-import { type ContactAt, type Frames } from "../playback/frames";
+import { blankContact, type Frames } from "../playback/frames";
 import { MOST_PATCHES } from "../playback/patches";
 import { patches } from "./patches";
 import { halfSpace, rimOf, type Surface, surfaceOf } from "./rim";
@@ -45,13 +45,7 @@ export class Patches {
   }
 
   private rim(frame: number, index: number): Vec[] | null {
-    const contact: ContactAt = {
-      first: 0,
-      second: 0,
-      point: new Float32Array(3),
-      normal: new Float32Array(3),
-      force: 0,
-    };
+    const contact = blankContact();
     this.frames.contact(frame, index, contact);
     const [first, second] = [this.surface(contact.first), this.surface(contact.second)];
     return rimOf(first, second, triple(contact.point, 0), unit(triple(contact.normal, 0)));
