@@ -15,56 +15,27 @@
 
 namespace plumb {
 
-template <class P>
-[[nodiscard, gnu::always_inline]] inline P exp_of(const P& x) {
-  if constexpr (std::is_floating_point_v<P>) {
-    return std::exp(x);
-  } else {
 #if defined(__AVX512F__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_expd8_u10avx512fnofma(static_cast<__m512d>(x)));
+#define PLUMB_OF_REGISTER(name) P(Sleef_cinz_##name##d8_u10avx512fnofma(static_cast<__m512d>(x)))
 #elif defined(__AVX__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_expd4_u10avx(static_cast<__m256d>(x)));
+#define PLUMB_OF_REGISTER(name) P(Sleef_cinz_##name##d4_u10avx(static_cast<__m256d>(x)))
 #elif defined(__SSE2__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_expd2_u10sse2(static_cast<__m128d>(x)));
+#define PLUMB_OF_REGISTER(name) P(Sleef_cinz_##name##d2_u10sse2(static_cast<__m128d>(x)))
 #else
-    return P([&](auto lane) { return std::exp(double(x[lane])); });
+#define PLUMB_OF_REGISTER(name) P([&](auto lane) { return std::name(double(x[lane])); })
 #endif
+#define PLUMB_ELEMENTARY(name)                                       \
+  template <class P>                                                 \
+  [[nodiscard, gnu::always_inline]] inline P name##_of(const P& x) { \
+    if constexpr (std::is_floating_point_v<P>)                       \
+      return std::name(x);                                           \
+    else                                                             \
+      return PLUMB_OF_REGISTER(name);                                \
   }
-}
-
-/// x > 0, or -infinity at 0.
-template <class P>
-[[nodiscard, gnu::always_inline]] inline P log_of(const P& x) {
-  if constexpr (std::is_floating_point_v<P>) {
-    return std::log(x);
-  } else {
-#if defined(__AVX512F__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_logd8_u10avx512fnofma(static_cast<__m512d>(x)));
-#elif defined(__AVX__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_logd4_u10avx(static_cast<__m256d>(x)));
-#elif defined(__SSE2__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_logd2_u10sse2(static_cast<__m128d>(x)));
-#else
-    return P([&](auto lane) { return std::log(double(x[lane])); });
-#endif
-  }
-}
-
-template <class P>
-[[nodiscard, gnu::always_inline]] inline P sin_of(const P& x) {
-  if constexpr (std::is_floating_point_v<P>) {
-    return std::sin(x);
-  } else {
-#if defined(__AVX512F__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_sind8_u10avx512fnofma(static_cast<__m512d>(x)));
-#elif defined(__AVX__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_sind4_u10avx(static_cast<__m256d>(x)));
-#elif defined(__SSE2__) && defined(PLUMB_SLEEF)
-    return P(Sleef_cinz_sind2_u10sse2(static_cast<__m128d>(x)));
-#else
-    return P([&](auto lane) { return std::sin(double(x[lane])); });
-#endif
-  }
-}
+PLUMB_ELEMENTARY(exp)
+PLUMB_ELEMENTARY(log)  // of x > 0; -infinity at 0
+PLUMB_ELEMENTARY(sin)
+#undef PLUMB_ELEMENTARY
+#undef PLUMB_OF_REGISTER
 
 }  // namespace plumb
