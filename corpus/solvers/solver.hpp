@@ -46,7 +46,7 @@ struct SolverLimits {
   /// tells of a library that does not come back.
   double seconds = 10;
   double gibibytes = 4;  ///< of memory in its process
-  double start = 60;     ///< seconds that a program may sleep before its first line, or as long as before an answer
+  double start = 60;     ///< seconds that it may sleep until it has started, or as long as before an answer
 };
 
 /// Every solver that this build has, in the order of `plumb methods`.

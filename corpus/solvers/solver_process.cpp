@@ -87,31 +87,47 @@ SolverPatience of_an_answer(const SolverLimits& limits) {
   return {limits.seconds, asleep * limits.seconds};
 }
 
-/// An interpreter, and what it imports, take longer than an answer, also where the machine is short of processors.
-SolverPatience of_a_start(const SolverLimits& limits) {
-  constexpr double to_start = 20;  // times the limit
-  return {to_start * limits.seconds, std::max(limits.start, of_an_answer(limits).asleep)};
+/// A process takes longer to start than a quick answer, also where the machine is short of processors; an interpreter, with what it
+/// imports, longer still.
+SolverPatience of_a_start(const SolverLimits& limits, bool of_a_command) {
+  constexpr double to_load = 1;             // seconds of processor time
+  constexpr double of_an_interpreter = 20;  // times the limit
+  return {of_a_command ? of_an_interpreter * limits.seconds : std::max(to_load, limits.seconds),
+          std::max(limits.start, of_an_answer(limits).asleep)};
 }
 
-/// Processor time while it runs, time on the wall while it sleeps.
+/// Processor time while it runs, time on the wall while it sleeps; what it waits for a processor is neither.
 class Patience {
  public:
   explicit Patience(const SolverPatience& limits) : limits_(limits) {}
   /// After another wait of so many seconds; throws NoAnswer.
-  void use(double waited, double processor_seconds) {
-    if (first_ < 0) first_ = last_ = processor_seconds;
-    const double now = std::max(last_, processor_seconds);  // the time of a child that nobody waits for is lost with it
-    asleep_ += std::max(0.0, waited - (now - last_));
-    last_ = now;
-    if (last_ - first_ >= limits_.processor)
+  void use(double waited, const Usage& usage) {
+    processor_.see(usage.processor_seconds);
+    queued_.see(usage.queued_seconds);
+    waited_ += waited;
+    if (processor_.seen() >= limits_.processor)
       throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer after {} s of processor time", limits_.processor));
-    if (asleep_ >= limits_.asleep)
+    if (waited_ - processor_.seen() - queued_.seen() >= limits_.asleep)
       throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer, and {:.3g} s asleep", limits_.asleep));
   }
 
  private:
+  /// Seconds since the first look. The time of a child that nobody waits for is lost with it, and what was seen stays seen.
+  class Clock {
+   public:
+    void see(double seconds) {
+      if (first_ < 0) first_ = last_ = seconds;
+      last_ = std::max(last_, seconds);
+    }
+    [[nodiscard]] double seen() const { return last_ - first_; }
+
+   private:
+    double first_ = -1, last_ = -1;
+  };
+
   SolverPatience limits_;
-  double first_ = -1, last_ = -1, asleep_ = 0;
+  Clock processor_, queued_;
+  double waited_ = 0;
 };
 
 /// Without what is another one each time, so that two runs keep the same case with the same words.
@@ -159,7 +175,7 @@ void SolverProcess::start() {
 }
 
 void SolverProcess::greet() try {
-  wait_for_message(source_.is_command() ? of_a_start(limits_) : of_an_answer(limits_));
+  wait_for_message(of_a_start(limits_, source_.is_command()));
   hello_ = receive<wire::Hello>();
   if (!hello_.loaded) throw InputFailure(source_.text, 0, hello_.field.text(), with_last_words(hello_.reason.text()));
 } catch (const NoAnswer& e) {
@@ -210,7 +226,7 @@ void SolverProcess::wait_for_message(const SolverPatience& limits) {
     if (ready != 0) continue;
     const Usage usage = usage_of(child_);
     require_memory(usage.resident_bytes);
-    patience.use(1e-3 * tick, usage.processor_seconds);
+    patience.use(1e-3 * tick, usage);
   }
 }
 

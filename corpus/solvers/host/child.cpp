@@ -40,6 +40,13 @@ double own_seconds(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+double queued_seconds(pid_t process) {
+  std::ifstream in(folder_of(process) + "/schedstat");
+  double run = 0, queued = 0;  // ns
+  in >> run >> queued;
+  return 1e-9 * queued;
+}
+
 /// A process may end while it is looked at: then it has no children.
 void add_children(pid_t process, std::vector<pid_t>& all) {
   std::error_code gone;
@@ -89,6 +96,7 @@ Usage usage_of(pid_t process) {
   Usage out;
   for (const pid_t one : all) {
     out.processor_seconds += own_seconds(one) + seconds_of_ended_children(one);
+    out.queued_seconds += queued_seconds(one);
     out.resident_bytes += resident_bytes_of(std::to_string(one));
   }
   return out;
