@@ -53,11 +53,17 @@ def lens_window(first, second, frame, inside, cells=48, margin=1.15):
             continue
         wanted_centre, wanted = _box(is_lens, gap.step, half)
         centre = centre + wanted_centre[0] * frame[0] + wanted_centre[1] * frame[1]
-        wanted = wanted * margin
-        if np.all(wanted > 0.8 * half):
+        is_cut = _is_cut(is_lens)  # as where cells too wide for a narrow strip saw a part of it alone
+        wanted = wanted * np.where(is_cut, 1.5, margin)
+        if np.all((wanted > 0.8 * half) & ~is_cut):
             return centre, wanted
         half = wanted
     return centre, half
+
+
+def _is_cut(mask):
+    """By the window's rim, along either axis."""
+    return np.array([mask[[0, -1]].any(), mask[:, [0, -1]].any()])
 
 
 def _box(mask, step, half):
