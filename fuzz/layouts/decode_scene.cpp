@@ -28,6 +28,8 @@ constexpr std::array<double, 16> kSpeeds{0, 1, 0.1, 10, 1e-2, 1e-3, 0.5, 2, 5, 2
 constexpr std::array<double, 16> kDensities{1, 2, 0.5, 10, 0.1, 100, 1e-2, 1e3, 1e-3, 3, 5, 7, 0.3, 0.2, 20, 50};
 constexpr std::array<double, 16> kDurations{1, 0.1, 10, 1e-2, 1e-3, 100, 1e-4, 0.5, 2, 5, 0.2, 0.3, 20, 50, 3, 0.7};
 
+constexpr std::array<double, 4> kTiltRatios{1, 1.4, 8.0 / 3, 0};
+
 /// Numbers one after the other.
 class Cursor {
  public:
@@ -56,16 +58,15 @@ double in_range(std::uint32_t v, Range range) {
   return 0;
 }
 
-/// Fills the fields of an effect.
+/// Fills the fields of an effect; what one has had since the layout was fixed keeps its own value.
 struct FillField {
   Cursor& numbers;
   std::size_t walls;
 
-  void operator()(std::string_view /*name*/, double& value, Range range) const {
-    value = in_range(numbers.next(), range);
+  void operator()(std::string_view name, double& value, Range range) const {
+    if (name != "tilt_ratio") value = in_range(numbers.next(), range);
   }
   void operator()(std::string_view /*name*/, int& /*the motion's own wall*/, Range /*range*/) const {}
-  /// What walls have had since the layout was fixed keeps its own value.
   void operator()(std::string_view name, Vec3<double>& value, Range range) const {
     if (name == "angular_velocity" || name == "pivot") return;
     for (double& x : value) {
@@ -125,6 +126,7 @@ Effects read_scene_effects(Bytes bytes, std::size_t walls) {
   });
   fill(effects.volume);
   fill(effects.foundation);
+  if (effects.foundation) effects.foundation->tilt_ratio = kTiltRatios[read(bytes, kPeriodicBox, 1) >> 6];
   fill(effects.dmt);
   fill(effects.jkr);
   keep_one_elastic_law(effects);

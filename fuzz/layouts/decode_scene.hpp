@@ -22,7 +22,7 @@
 //           stiffness times 2, 10, 0.1, 1. The second: the friction's coefficient v % 16 and the damping's restitution v / 16, of a table. None of it
 //           where the scene has no elastic law
 //  118   1  periodic box: bits 0..2 the axes along which it repeats itself: not where there is a wall; bits 3, 4: 1 it shrinks, 2 it grows (not where
-//           a body is fixed); bit 5: to a pressure, where it shrinks and has three axes
+//           a body is fixed); bit 5: to a pressure, where it shrinks and has three axes; bits 6, 7: a foundation's tilt_ratio: 1, 1.4, 8/3, 0
 //  119   1  its sides: the shortest that there may be, times 1 + v / 64
 //  120  48  body 1, and so on to body 6
 //  408  16  wall 1, and so on to wall 3

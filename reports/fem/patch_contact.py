@@ -20,6 +20,7 @@ from tasks import Task, calculation
 
 CELLS, FINER = 48, 72  # of the half-spaces' grids, along each of the lens's axes
 TOLD_APART = 0.05  # of two lines, radii of the patch
+TILT_RATIO = 1.4  # of a foundation: between springs' 1 and 8/3 of a flat round punch on a half-space
 SETTLED_DEG = 1e-3  # of their plane: what is asked of directions is 0.2
 
 
@@ -51,11 +52,13 @@ class Line:
 
 
 def laws_of(patch):
-    """Of plumb's patch. `volume`: a pressure that is the same everywhere; `foundation`: one like the depth."""
-    normal, centre = np.array(patch["normal"]), np.array(patch["centre"])
+    """Of plumb's patch. `volume`: a pressure that is the same everywhere; `foundation`: one like the depth; `tilted`: a foundation's, with
+    TILT_RATIO as its tilt_ratio."""
+    normal, centre, moment = (np.array(patch[name]) for name in ("normal", "centre", "area_moment"))
     return {
-        "volume": Line.of_wrench(patch["area"] * normal, np.array(patch["area_moment"]), centre),
+        "volume": Line.of_wrench(patch["area"] * normal, moment, centre),
         "foundation": Line(normal, centre),
+        "tilted": Line.of_wrench(normal, (1 - TILT_RATIO) / patch["area"] * moment, centre),
     }
 
 

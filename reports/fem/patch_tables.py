@@ -1,9 +1,10 @@
 """The patch study's lines as text, and what of them is a finding. The limits of the laws stand here alone; CN's in tables.py."""
 
 import tables
+from patch_contact import TILT_RATIO
 from tables import number, of_any, of_kind, rows
 
-LAWS = {"volume": "volume", "foundation": "foundation"}
+LAWS = {"volume": "volume", "foundation": "foundation", "tilted": f"foundation {TILT_RATIO}"}
 SHOWN = {"auto": "CN", **LAWS, "half_space": "half-sp."}
 # centre: from the force's line to a law's, radii of the patch; moment: of a force of one size about the common normal's point, relative, where
 # the force's own arm is that long. Both are asked of faces; of edges, the common normal's limit.
@@ -77,8 +78,8 @@ def header(run):
 def patches(lines):
     yield "\ndeg: degrees from the force to a normal. off: from its line to a law's, across it, in radii of the patch. arm: from its line to the"
     yield "common normal's point. mom: of a law's moment about that point, for a force of one size, against the force's own. volume: a pressure"
-    yield "that is the same everywhere; foundation: one like the depth; half-sp.: elastic half-spaces. to half-sp.: how far the force's line is"
-    yield "on the way from foundation's, 0, to that of half-spaces, 1"
+    yield "that is the same everywhere; foundation: one like the depth, with its tilt_ratio; half-sp.: elastic half-spaces. to half-sp.: how far the"
+    yield "force's line is on the way from foundation's, 0, to that of half-spaces, 1"
     head = ["geometry", "ratio", "deg CN", "deg patch", "arm", *(f"off {of}" for of in SHOWN.values())]
     head += [*(f"mom {of}" for of in list(SHOWN.values())[1:]), "to half-sp."]
     yield from rows(head, [_row(x, len(head)) for x in lines])

@@ -174,7 +174,8 @@ double collision_time(const Scene& scene) {
   if (linear && linear->stiffness > 0) return std::numbers::pi * std::sqrt(mass / linear->stiffness);
   if (scene.effects.volume && scene.effects.volume->stiffness > 0) return volume_time(scene, *scene.effects.volume);
   if (scene.effects.foundation && scene.effects.foundation->stiffness > 0)
-    return foundation_time(scene, scene.effects.foundation->stiffness);
+    return foundation_time(scene,
+                           scene.effects.foundation->stiffness * std::max(1.0, scene.effects.foundation->tilt_ratio));
   if (!hertz || hertz->youngs_modulus == 0) return std::numeric_limits<double>::infinity();
   const double size = longest_axis(scene), modulus = hertz->contact_modulus();
   const double sound = std::sqrt(modulus * size * size * size / mass);

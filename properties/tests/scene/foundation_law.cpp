@@ -38,6 +38,24 @@ TEST(FoundationLaw, OfAFaceIsThatOfAWinklerFoundation) {
   }
 }
 
+/// Against the tilt of a flat face tilt_ratio times the moment of springs, and the same force.
+TEST(FoundationLaw, ATiltRatioMultipliesTheMomentOfTheDepthThatVaries) {
+  constexpr double tilt = 1e-5, of_square = winkler * 16 / 12;
+  const auto wrench_at = [&](double ratio) {
+    Scene scene = die_on_the_floor(tilt);
+    scene.effects.foundation->tilt_ratio = ratio;
+    const auto run = made::started(scene);
+    return std::pair{run->world().state.force->vector(0).z(), run->world().state.torque->vector(0).x()};
+  };
+  const auto [force, torque] = wrench_at(1);
+  for (const double ratio : {0.0, 1.4, 8.0 / 3}) {
+    const auto [other_force, other_torque] = wrench_at(ratio);
+    EXPECT_EQ(other_force, force);
+    const double stiffness = (torque - other_torque) / (ratio - 1) / tilt;
+    EXPECT_TRUE(stiffness < of_square && stiffness > 0.75 * of_square) << ratio << ' ' << stiffness;
+  }
+}
+
 /// All pressure on a ball goes through its centre, that of dashpots too.
 TEST(FoundationLaw, DashpotsDoNotSlowABallThatSpins) {
   for (const bool is_volume : {false, true}) {
