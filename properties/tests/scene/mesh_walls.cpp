@@ -289,7 +289,7 @@ TEST(MeshWalls, WhatIsBeneathATableDoesNotTouchIt) {
   for (const Touch& touch : found) EXPECT_LT(touch.overlap, 0.01);
 }
 
-// A ball over hills: where it touches is the point of the surface nearest to its centre, to what its squares are short of it.
+// Bodies over hills, asked for twice, as in a run: the second time what they are near is known to the processor.
 TEST(MeshWalls, AQueryOfManyTriangles) {
   const int n = is_nightly() ? 708 : 100;
   std::vector<Triangle> hills = sheet(n, Vec::Zero(), Vec::UnitX(), Vec::UnitY());
@@ -307,16 +307,18 @@ TEST(MeshWalls, AQueryOfManyTriangles) {
         placed(shape, at + (height(at) + 0.98 * shape.semi_axes.z()) * Vec::UnitZ(), Eigen::Quaterniond::Identity()));
   }
   std::vector<std::uint32_t> scratch;
-  std::int64_t touched = 0;
-  const std::clock_t start = std::clock();
-  for (const BodyAtWall& body : bodies) {
-    Touches found;
-    find_touches(mesh, body, scratch, found);
-    touched += found.all().size() == 1 && found.is_complete() ? 1 : 0;
+  for (const char* const when : {"at first", "again"}) {
+    std::int64_t touched = 0;
+    const std::clock_t start = std::clock();
+    for (const BodyAtWall& body : bodies) {
+      Touches found;
+      find_touches(mesh, body, scratch, found);
+      touched += found.all().size() == 1 && found.is_complete() ? 1 : 0;
+    }
+    const double spent = 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    EXPECT_GT(touched, 1990);
+    std::printf("%zu triangles, %s: %.1f us a query\n", mesh.mesh->triangles().size(), when, spent / 2000);
   }
-  const double spent = 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  EXPECT_GT(touched, 1990);
-  std::printf("%zu triangles: %.1f us a query\n", mesh.mesh->triangles().size(), spent / 2000);
 }
 
 TEST(MeshWalls, WhatIsNoMeshIsRefused) {

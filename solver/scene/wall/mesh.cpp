@@ -1,5 +1,6 @@
 #include "solver/scene/wall/mesh.hpp"
 
+#include <Eigen/Geometry>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>

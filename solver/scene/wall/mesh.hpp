@@ -50,7 +50,7 @@ class Mesh {
   Mesh(const Mesh&) = delete;
   Mesh& operator=(const Mesh&) = delete;
 
-  /// As they were given.
+  /// Those that were given, in an order by place.
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
   /// Of the farthest corner from the origin.
   [[nodiscard]] double extent() const { return extent_; }

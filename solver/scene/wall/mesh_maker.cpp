@@ -39,6 +39,39 @@ struct HashOfPoint {
   }
 };
 
+/// The lowest 21 bits, two free places after each.
+std::uint64_t spread(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+/// Places along Morton's curve in the box of all corners.
+std::vector<std::uint64_t> places_of(std::span<const Triangle> triangles) {
+  Vec3<double> low = triangles[0][0], high = low;
+  for (const Triangle& t : triangles)
+    for (const Vec3<double>& corner : t) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+  constexpr double steps = 0x1fffff;
+  const Vec3<double> side = high - low;
+  std::vector<std::uint64_t> out;
+  out.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3<double> middle = a / 3 + b / 3 + c / 3 - low;
+    const auto bits = [&](int axis) {
+      const double part = side[axis] > 0 ? middle[axis] / side[axis] : 0;
+      return spread(static_cast<std::uint64_t>(steps * std::clamp(part, 0.0, 1.0)));
+    };
+    out.push_back(bits(0) | bits(1) << 1 | bits(2) << 2);
+  }
+  return out;
+}
+
 /// Whether a normal is away from all directions.
 bool is_away(const Vec3<double>& n, std::span<const Vec3<double>> directions, double slack) {
   return std::ranges::all_of(directions, [&](const Vec3<double>& d) { return n.dot(d) <= slack; });
@@ -79,9 +112,11 @@ bool sticks_out(std::span<const Vec3<double>> directions) {
 
 void MeshMaker::make() {
   check_triangles();
+  order_triangles();
   join_corners();
   list_joints();
   lay_together();
+  order_facets();
   find_edges();
   find_corners();
 }
@@ -100,6 +135,18 @@ void MeshMaker::check_triangles() const {
     const double longest = longest_side(t);
     if (!(doubled_area(t).norm() > least_height * longest * longest)) refuse(k, "has no area");
   }
+}
+
+/// So that what a body is near lies together in memory, whatever the order in the file. In that order already, nothing changes.
+void MeshMaker::order_triangles() {
+  const std::vector<std::uint64_t> places = places_of(mesh_.triangles_);
+  std::vector<std::uint32_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t k) { return places[k]; });
+  std::vector<Triangle> ordered;
+  ordered.reserve(order.size());
+  for (const std::uint32_t k : order) ordered.push_back(mesh_.triangles_[k]);
+  mesh_.triangles_ = std::move(ordered);
 }
 
 void MeshMaker::join_corners() {
@@ -171,6 +218,22 @@ void MeshMaker::fill_facet(std::uint32_t seed) {
     }
   }
   sharpen(mesh_.facets_[index], members);
+}
+
+/// As their first triangles.
+void MeshMaker::order_facets() {
+  std::vector<std::uint32_t> place(mesh_.facets_.size(), Mesh::none);
+  std::vector<MeshFacet> ordered;
+  ordered.reserve(mesh_.facets_.size());
+  for (Mesh::Parts& parts : mesh_.parts_) {
+    std::uint32_t& at = place[parts.facet];
+    if (at == Mesh::none) {
+      at = static_cast<std::uint32_t>(ordered.size());
+      ordered.push_back(mesh_.facets_[parts.facet]);
+    }
+    parts.facet = at;
+  }
+  mesh_.facets_ = std::move(ordered);
 }
 
 /// The normal by three corners that are far apart: what rounding does to the corners of one triangle is less there.

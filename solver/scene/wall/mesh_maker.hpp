@@ -24,10 +24,12 @@ class MeshMaker {
   };
 
   void check_triangles() const;
+  void order_triangles();
   void join_corners();
   void list_joints();
   void lay_together();
   void fill_facet(std::uint32_t seed);
+  void order_facets();
   void sharpen(MeshFacet& facet, std::span<const std::uint32_t> members) const;
   [[nodiscard]] bool is_in_plane(const MeshFacet& facet, std::uint32_t triangle) const;
   void find_edges();
