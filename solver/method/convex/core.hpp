@@ -14,6 +14,7 @@
 
 #include "solver/method/convex/foreign.hpp"
 #include "solver/power_of_two.hpp"
+#include "solver/shape/chart.hpp"
 #include "solver/shape/hull.hpp"
 #include "solver/shape/superellipsoid.hpp"
 
@@ -32,6 +33,7 @@ struct SegmentCore {
   [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
     return {corner(piece), Mat3<double>::Zero()};
   }
+  [[nodiscard]] static int corners() { return 2; }
   [[nodiscard]] Vec3<double> corner(int end) const { return {0, 0, end == 0 ? -half_length : half_length}; }
 };
 
@@ -48,6 +50,7 @@ struct BoxCore {
   [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
     return {corner(piece), Mat3<double>::Zero()};
   }
+  [[nodiscard]] static int corners() { return 8; }
   [[nodiscard]] Vec3<double> corner(int k) const {
     const auto along = [&](int i) { return (k >> i) % 2 == 0 ? -half_extents[i] : half_extents[i]; };
     return {along(0), along(1), along(2)};
@@ -64,13 +67,15 @@ struct HullCore {
 
   [[nodiscard]] bool is_of_revolution() const { return false; }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
-    const int best = is_moderate ? farthest([&](const Vec3<double>& x) { return x.dot(u); })
+    const double a = u[0], b = u[1], c = u[2];
+    const int best = is_moderate ? farthest([&](const Vec3<double>& x) { return x[0] * a + x[1] * b + x[2] * c; })
                                  : farthest([&](const Vec3<double>& x) { return unit(x).dot(u); });
     return {corner(best), best};
   }
   [[nodiscard]] PieceSupport support(int piece, const Vec3<double>&) const {
     return {corner(piece), Mat3<double>::Zero()};
   }
+  [[nodiscard]] int corners() const { return static_cast<int>(hull->corners.size()); }
   [[nodiscard]] Vec3<double> corner(int k) const { return unit(hull->corners[static_cast<std::size_t>(k)]); }
 
  private:
@@ -148,6 +153,16 @@ struct SmoothCore {
   [[nodiscard]] PieceSupport support(int, const Vec3<double>& u) const {
     const NormHessian<double> at = support_hessian<double>(octant(u), u);
     return {at.gradient, at.hessian};
+  }
+  /// Of the chart (chart.hpp), in the octant that w is in.
+  [[nodiscard]] SurfacePoint<double> on_chart(const CubePoint<double>& at) const {
+    return surface_point<double>(octant(at.w), at);
+  }
+  [[nodiscard]] CubePoint<double> chart_of_normal(const Vec3<double>& u) const {
+    return plumb::chart_of_normal<double>(octant(u), u);
+  }
+  [[nodiscard]] CubePoint<double> chart_of_point(const Vec3<double>& x) const {
+    return plumb::chart_of_point<double>(octant(x), x);
   }
   /// g, 1 on the surface, with its derivatives by x.
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const { return gauge_hessian<double>(octant(x), x); }

@@ -26,16 +26,11 @@ class Descent {
     return settled(best);
   }
 
-  /// A direction that is about as low as what `from` comes to.
-  [[nodiscard]] Vec3<double> some_steps_from(const Vec3<double>& n) const {
-    constexpr int steps = 2;
-    CommonNormal best = seen(n);
-    for (int step = 0; step < steps; ++step) {
-      const CommonNormal next = seen(target_above(best, std::ldexp(pair_.size, -6)).normal);
-      if (!(next.overlap < best.overlap)) break;
-      best = next;
-    }
-    return best.normal;
+  /// A direction that is lower, where a step leads to one.
+  [[nodiscard]] Vec3<double> a_step_from(const Vec3<double>& n) const {
+    const CommonNormal at = seen(n);
+    const Vec3<double> next = target_above(at, std::ldexp(pair_.size, -6)).normal;
+    return pair_.overlap(next) < at.overlap ? next : n;
   }
 
   /// The contact of a normal that is known.
@@ -70,12 +65,28 @@ class Descent {
   [[nodiscard]] CommonNormal settled(CommonNormal best) const {
     constexpr int most_steps = 6;
     for (const int height : {-3, -6, -14})
-      for (int step = 0; step < most_steps && !is_exact(best); ++step) {
-        const CommonNormal next = after(best, std::ldexp(pair_.size, height));
-        if (next.overlap > best.overlap + pair_.rounding() || !(defect(next) < defect(best))) break;
-        best = next;
-      }
-    return beside_an_edge(best);
+      for (int step = 0; step < most_steps && !is_exact(best); ++step)
+        if (!draws_near(best, std::ldexp(pair_.size, height))) break;
+    return beside_an_edge(seen_from_near(best));
+  }
+
+  /// False: a step from there leads to nothing better.
+  [[nodiscard]] bool draws_near(CommonNormal& best, double height) const {
+    const CommonNormal next = after(best, height);
+    if (next.overlap > best.overlap + pair_.rounding() || !(defect(next) < defect(best))) return false;
+    best = next;
+    return true;
+  }
+
+  /// Of bodies that overlap by next to nothing all normals of the fan of a corner are as low but for rounding, and what lies about the corner
+  /// is seen from as near as that alone.
+  [[nodiscard]] CommonNormal seen_from_near(CommonNormal best) const {
+    constexpr double next_to_nothing = 0x1p-30;
+    const bool is_touching = std::abs(best.overlap) <= next_to_nothing * pair_.size;
+    const auto is_done = [&] { return is_touching ? defect(best) <= pair_.rounding() : is_exact(best); };
+    for (const int height : {-36, -38, -40, -42, -44})
+      while (!is_done() && draws_near(best, std::ldexp(pair_.size, height))) continue;
+    return best;
   }
 
   /// Of points within a hair's breadth of an edge the pieces beyond it are seen from targets about as near to M as that: from others the
@@ -118,9 +129,14 @@ class Descent {
     if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));
     if (pair_.are_polytopes() && mixture.count == 3) return best;  // what Newton would find
     const StationaryNewton newton(pair_, mixture, nearest.normal);
+    using enum Described;
     for (const NewtonStep step : {NewtonStep::only, NewtonStep::shortest}) {
-      for (const auto& [gauge1, gauge2] : {std::pair(false, false), {true, false}, {false, true}, {true, true}})
-        if (const auto solved = newton.solve(gauge1, gauge2, step)) return consider(*solved), best;
+      for (const Described first : {by_support, from_normal, from_point})
+        for (const Described second : {by_support, from_normal, from_point})
+          if (const auto solved = newton.solve(first, second, step)) {
+            consider(*solved);
+            if (is_exact(best)) return best;
+          }
       if (is_exact(best)) break;
     }
     return best;

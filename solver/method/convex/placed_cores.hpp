@@ -37,6 +37,17 @@ struct PlacedCore {
   /// Its pieces are not told: Newton takes all of them for one.
   [[nodiscard]] bool is_foreign() const { return std::holds_alternative<ForeignCore>(core); }
   [[nodiscard]] bool is_smooth() const { return std::holds_alternative<SmoothCore>(core); }
+  /// Of a smooth core, in the frame.
+  [[nodiscard]] SurfacePoint<double> on_chart(const CubePoint<double>& at) const {
+    const SurfacePoint<double> of = std::get<SmoothCore>(core).on_chart(at);
+    return {rotation * of.point + centre, rotation * of.normal, rotation * of.dpoint, rotation * of.dnormal};
+  }
+  [[nodiscard]] CubePoint<double> chart_of_normal(const Vec3<double>& u) const {
+    return std::get<SmoothCore>(core).chart_of_normal(rotation.transpose() * u);
+  }
+  [[nodiscard]] CubePoint<double> chart_of_point(const Vec3<double>& x) const {
+    return std::get<SmoothCore>(core).chart_of_point(rotation.transpose() * (x - centre));
+  }
   /// Of a smooth core, with its derivatives by a point of the frame.
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const {
     const NormHessian<double> at = std::get<SmoothCore>(core).gauge(rotation.transpose() * (x - centre));

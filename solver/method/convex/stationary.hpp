@@ -6,8 +6,9 @@
 //            sum l_i = 1,  sum m_j = 1,  n.n = 1
 //
 // One piece of each body: two points of smooth surfaces. Two of one body: a point of an edge or of a cone's side; three: of a face.
-// A smooth core is described by its support point x(n), or, where it is so flat that x(n) jumps, by x itself:
-//            grad g(x) = s n,  g(x) = 1          two more unknowns x and s
+// A smooth core is described by its support point x(n), or by the chart of its surface (chart.hpp), which is smooth where x(n) jumps, on a
+// flat, and where n turns by much between points that are next to each other, at an edge:
+//            nu(w) = s n                            its two coordinates w and s more
 //
 // Where bodies touch with a corner on an edge or a rim, a fan of normals is one contact: o I vanishes in the equations, and turning n within the
 // fan changes nothing. The shortest of all steps that solve them leaves it where it is.
@@ -27,14 +28,17 @@ struct CommonNormal {
   Vec3<double> point1, point2;
 };
 
+/// How a smooth core is described: by its support point; or by its chart, from where that has the normal, or the point.
+enum class Described : std::uint8_t { by_support, from_normal, from_point };
+
 /// A body's part in a contact: the pieces that it lies on, and how it is described.
 struct ActivePieces {
   static constexpr int most = 3;
   std::array<int, most> piece{};
   std::array<double, most> weight{};
   int count = 0;
-  bool by_gauge = false;
-  Vec3<double> x = Vec3<double>::Zero();  ///< by_gauge
+  bool by_chart = false;
+  CubePoint<double> at{};  ///< by_chart
   double s = 1;
 
   /// False: there is no room for one more.
@@ -75,19 +79,20 @@ class StationaryNewton {
     fits_ = fits_ && pieces_[0].count + pieces_[1].count <= most_pieces;
   }
 
-  /// nullopt: it does not converge, or not to a contact. Each smooth core may be described by its gauge.
-  [[nodiscard]] std::optional<CommonNormal> solve(bool by_gauge1, bool by_gauge2, NewtonStep step) const {
-    if (!fits_ || (by_gauge1 && !pair_.body1.is_smooth()) || (by_gauge2 && !pair_.body2.is_smooth()))
+  /// nullopt: it does not converge, or not to a contact. Each smooth core may be described by its chart.
+  [[nodiscard]] std::optional<CommonNormal> solve(Described first, Described second, NewtonStep step) const {
+    if (!fits_ || (first != Described::by_support && !pair_.body1.is_smooth()) ||
+        (second != Described::by_support && !pair_.body2.is_smooth()))
       return std::nullopt;
     Iteration iteration{pair_, start_normal_, start_.w().dot(start_normal_), pieces_, step, {}, {}};
-    iteration.describe(0, by_gauge1, start_.point1());
-    iteration.describe(1, by_gauge2, start_.point2());
+    iteration.describe(0, first, start_.point1());
+    iteration.describe(1, second, start_.point2());
     return iteration.run();
   }
 
  private:
   static constexpr int most_pieces = 4;  // n has two degrees of freedom
-  static constexpr int most_unknowns = 3 + 1 + most_pieces + 2 * 4;
+  static constexpr int most_unknowns = 3 + 1 + most_pieces + 2 * 3;
   using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
 
@@ -105,12 +110,10 @@ class StationaryNewton {
     [[nodiscard]] const ActivePieces& of(int i) const { return pieces[static_cast<std::size_t>(i)]; }
     [[nodiscard]] static double sign(int i) { return i == 0 ? 1 : -1; }
 
-    void describe(int i, bool by_gauge, const Vec3<double>& x) {
-      of(i).by_gauge = by_gauge;
-      if (!by_gauge) return;
-      const NormHessian<double> g = body(i).gauge(x);
-      of(i).x = x;
-      of(i).s = g.gradient.norm();
+    void describe(int i, Described how, const Vec3<double>& x) {
+      of(i).by_chart = how != Described::by_support;
+      if (how == Described::from_normal) of(i).at = body(i).chart_of_normal(sign(i) * n);
+      if (how == Described::from_point) of(i).at = body(i).chart_of_point(x);
     }
 
     [[nodiscard]] std::optional<CommonNormal> run() {
@@ -122,7 +125,7 @@ class StationaryNewton {
         const double now = evaluate();
         const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2);
         if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
-        if (!(now < 1e3 * last) || !take_step()) return std::nullopt;
+        if (!(now < 1e3 * last || (is_touching() && now < 0.1 * pair.size)) || !take_step()) return std::nullopt;
         last = std::min(last, now);
       }
       return std::nullopt;
@@ -130,14 +133,18 @@ class StationaryNewton {
 
     /// Whether it is the contact that was begun from. Of bodies that all but touch the least error of a point turns the normal by any angle.
     [[nodiscard]] bool is_near(const Vec3<double>& start) const {
-      constexpr double near = 0.1, touching = 0x1p-30;
-      return (n - start).norm() < near || std::abs(overlap) <= touching * pair.size;
+      constexpr double near = 0.1;
+      return (n - start).norm() < near || is_touching();
+    }
+    [[nodiscard]] bool is_touching() const {
+      constexpr double touching = 0x1p-30;
+      return std::abs(overlap) <= touching * pair.size;
     }
 
     /// The residual's largest component, a length.
     double evaluate() {
       const int m = of(0).count + of(1).count,
-                unknowns = 4 + m + 4 * (of(0).by_gauge ? 1 : 0) + 4 * (of(1).by_gauge ? 1 : 0);
+                unknowns = 4 + m + 3 * (of(0).by_chart ? 1 : 0) + 3 * (of(1).by_chart ? 1 : 0);
       jacobian = System::Zero(unknowns, unknowns);
       residual = Column::Zero(unknowns);
       jacobian.topLeftCorner<3, 3>() = -overlap * Mat3<double>::Identity();
@@ -145,10 +152,10 @@ class StationaryNewton {
       residual.head<3>() = -overlap * n;
       jacobian.block<1, 3>(3, 0) = 2 * n.transpose();
       residual[3] = n.squaredNorm() - 1;
-      int weights = 4, gauges = 4 + m;
+      int weights = 4, charts = 4 + m;
       for (int i = 0; i < 2; ++i) {
-        if (of(i).by_gauge)
-          add_gauge(i, weights, gauges), gauges += 4;
+        if (of(i).by_chart)
+          add_chart(i, weights, charts), charts += 3;
         else
           add_pieces(i, weights);
         weights += of(i).count;
@@ -176,20 +183,16 @@ class StationaryNewton {
       }
     }
 
-    /// One piece, of weight 1; its equations are as lengths are.
-    void add_gauge(int i, int at, int unknown) {
-      const Vec3<double>& x = of(i).x;
-      const NormHessian<double> g = body(i).gauge(x);
-      const double unit = 1 / g.gradient.norm();
-      residual.head<3>() += sign(i) * x;
-      jacobian.block<3, 3>(0, unknown) = sign(i) * Mat3<double>::Identity();
+    /// One piece, of weight 1.
+    void add_chart(int i, int at, int unknown) {
+      const SurfacePoint<double> of_chart = body(i).on_chart(of(i).at);
+      residual.head<3>() += sign(i) * of_chart.point;
+      jacobian.block<3, 2>(0, unknown) = sign(i) * of_chart.dpoint;
       jacobian(at, at) = 1;
-      residual.segment<3>(unknown) = unit * g.gradient - unit * of(i).s * sign(i) * n;
-      jacobian.block<3, 3>(unknown, unknown) = unit * g.hessian;
-      jacobian.block<3, 3>(unknown, 0) = -unit * of(i).s * sign(i) * Mat3<double>::Identity();
-      jacobian.block<3, 1>(unknown, unknown + 3) = -unit * sign(i) * n;
-      residual[unknown + 3] = unit * (g.value - 1);
-      jacobian.block<1, 3>(unknown + 3, unknown) = unit * g.gradient.transpose();
+      residual.segment<3>(unknown) = of_chart.normal - of(i).s * sign(i) * n;
+      jacobian.block<3, 2>(unknown, unknown) = of_chart.dnormal;
+      jacobian.block<3, 3>(unknown, 0) = -of(i).s * sign(i) * Mat3<double>::Identity();
+      jacobian.block<3, 1>(unknown, unknown + 2) = -sign(i) * n;
     }
 
     /// The shortest step: J' (J J' + e I)^-1 r, which is that but for what e makes it shorter, where e is far below the squares of the
@@ -209,14 +212,14 @@ class StationaryNewton {
       if (!step.allFinite()) return false;
       n = (n - step.head<3>()).normalized();
       overlap -= step[3];
-      int weights = 4, gauges = 4 + of(0).count + of(1).count;
+      int weights = 4, charts = 4 + of(0).count + of(1).count;
       for (int i = 0; i < 2; ++i) {
         for (int k = 0; k < of(i).count; ++k) of(i).weight[static_cast<std::size_t>(k)] -= step[weights + k];
         weights += of(i).count;
-        if (!of(i).by_gauge) continue;
-        of(i).x -= step.segment<3>(gauges);
-        of(i).s -= step[gauges + 3];
-        gauges += 4;
+        if (!of(i).by_chart) continue;
+        of(i).at = of(i).at.moved(-step[charts], -step[charts + 1]);
+        of(i).s -= step[charts + 2];
+        charts += 3;
       }
       return true;
     }
@@ -257,7 +260,7 @@ class StationaryNewton {
       return {n, overlap, point(0), point(1)};
     }
     [[nodiscard]] Vec3<double> point(int i) const {
-      if (of(i).by_gauge) return of(i).x;
+      if (of(i).by_chart) return body(i).on_chart(of(i).at).point;
       Vec3<double> out = Vec3<double>::Zero();
       for (int k = 0; k < of(i).count; ++k)
         out += of(i).weight[static_cast<std::size_t>(k)] *
