@@ -63,7 +63,9 @@ struct Lowest {
 [[nodiscard]] std::optional<Lowest> lowest_of_polytopes(const PlacedCores& pair, const Vec3<double>& line) {
   if (!pair.are_polytopes()) return std::nullopt;
   const Descent descent(pair);
-  PolytopeMinimum minimum(pair, pair.has_hull() ? descent.some_steps_from(line) : line);
+  const Vec3<double> low = pair.has_hull() ? descent.a_step_from(line) : line;
+  if (!(pair.overlap(low) > 0)) return std::nullopt;
+  PolytopeMinimum minimum(pair, low);
   const auto normal = minimum.lowest();
   if (!normal || !(pair.overlap(*normal) > pair.rounding())) return std::nullopt;
   for (const auto& n : {minimum.face_as_low(), normal}) {
@@ -108,14 +110,11 @@ template <class Search>
 [[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
   const Vec3<double>& c = pair.body2.centre;
   const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
-  // Of few edges all crossings are looked at sooner than the nearest points are found.
-  const bool are_few_edges = !pair.has_hull() && pair.are_polytopes() && pair.overlap(line) > 0;
-  if (are_few_edges)
+  if (pair.are_polytopes() && pair.overlap(line) > 0)  // sooner than the nearest points are found
     if (const auto overlapping = lowest_of_polytopes(pair, line)) return *overlapping;
   const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
   if (!nearest.is_inside && pair.overlap(nearest.normal) < 0) return nearest_points(pair, nearest);
-  const auto of_polytopes = are_few_edges ? std::nullopt : lowest_of_polytopes(pair, line);
-  return of_polytopes ? *of_polytopes : lowest_by_search(pair, line);
+  return lowest_by_search(pair, line);
 }
 
 /// The middle of the face of a core that is farthest along u: of its support points a little to all sides of u, those that are as far to

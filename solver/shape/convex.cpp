@@ -94,9 +94,7 @@ FieldsError RowOf<Polyhedron>::error_of(const Polyhedron& s) {
 }
 
 double RowOf<Polyhedron>::reach(const Polyhedron& s) {
-  double out = 0;
-  for (const Vec3<double>& corner : s.hull->corners) out = std::max(out, corner.stableNorm());
-  return out;
+  return s.hull->reach;
 }
 
 ConvexPair convex(const Pair& pair) {

@@ -188,7 +188,9 @@ Hull hull_of(const ExactPoints& points) {
 
 Polyhedron make_polyhedron(std::span<const Vec3<double>> points) {
   refuse_illegal(points);
-  return {std::make_shared<const Hull>(hull_of(ExactPoints(distinct(points))))};
+  Hull hull = hull_of(ExactPoints(distinct(points)));
+  for (const Vec3<double>& corner : hull.corners) hull.reach = std::max(hull.reach, corner.stableNorm());
+  return {std::make_shared<const Hull>(std::move(hull))};
 }
 
 }  // namespace plumb

@@ -27,6 +27,7 @@ struct Hull {
   std::vector<Vec3<double>> corners;  ///< in the order in which they were given
   std::vector<HullEdge> edges;
   std::vector<HullFace> faces;
+  double reach = 0;  ///< the greatest distance of a corner from the origin
 };
 
 /// Of any number of finite points, repeated ones among them; throws std::invalid_argument where there is none or one is not finite.

@@ -10,6 +10,11 @@ struct Ends {
   int from, to;
 };
 
+/// The numbers of the two faces that meet at an edge; -1: it has none.
+struct Sides {
+  int first, second;
+};
+
 /// An edge from corner to corner, and the normals of its two faces; a segment's has none.
 struct EdgeOfCore {
   Vec3<double> from, to;
@@ -38,6 +43,7 @@ struct SegmentEdges {
   [[nodiscard]] static Vec3<double> face_normal(int) { return Vec3<double>::Zero(); }
   [[nodiscard]] int edges() const { return core.half_length > 0 ? 1 : 0; }
   [[nodiscard]] static Ends ends(int) { return {0, 1}; }
+  [[nodiscard]] static Sides sides(int) { return {-1, -1}; }
   [[nodiscard]] EdgeOfCore edge(int) const { return {core.corner(0), core.corner(1), none, false}; }
   [[nodiscard]] int directions() const { return edges(); }
   [[nodiscard]] static Vec3<double> direction(int) { return Vec3<double>::UnitZ(); }
@@ -53,6 +59,10 @@ struct BoxEdges {
   [[nodiscard]] static Ends ends(int k) {
     const int axis = k / 4, from = (k % 2 << second(axis)) + (k / 2 % 2 << third(axis));
     return {from, from + (1 << axis)};
+  }
+  [[nodiscard]] static Sides sides(int k) {
+    const int axis = k / 4;
+    return {2 * second(axis) + k % 2, 2 * third(axis) + k / 2 % 2};
   }
   [[nodiscard]] EdgeOfCore edge(int k) const {
     const int axis = k / 4;
@@ -79,6 +89,10 @@ struct HullEdges {
   [[nodiscard]] Ends ends(int k) const {
     const auto& corners = core.hull->edges[static_cast<std::size_t>(k)].corners;
     return {corners[0], corners[1]};
+  }
+  [[nodiscard]] Sides sides(int k) const {
+    const auto& faces = core.hull->edges[static_cast<std::size_t>(k)].faces;
+    return {faces[0], faces[1]};
   }
   [[nodiscard]] EdgeOfCore edge(int k) const {
     const HullEdge& e = core.hull->edges[static_cast<std::size_t>(k)];

@@ -9,6 +9,7 @@
 // along it.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 
 #include "solver/method/convex/edges.hpp"
@@ -19,13 +20,13 @@ class PolytopeMinimum {
  public:
   /// `known`: a unit direction whose overlap is low already, and above 0.
   PolytopeMinimum(const PlacedCores& pair, const Vec3<double>& known)
-      : pair_(pair), best_(pair.overlap(known) * (1 + margin)) {
-    if (!pair.has_hull()) return;  // few faces and edges: all are looked at
+      : pair_(pair), best_(pair.overlap(known) * (1 + margin)), has_witnesses_(pair.has_hull()) {
+    if (!has_witnesses_) return;
     const Vec3<double> s = known.unitOrthogonal(), t = known.cross(s);
-    for (; witness_count_ < witnesses_.size(); ++witness_count_) {
-      const std::size_t k = witness_count_;
+    for (int k = 0; k < most_witnesses; ++k) {
       const double aside = k % 2 == 0 ? wide : narrow;
-      witnesses_[k] = pair.support((known + aside * (eighths[k + 2] * s + eighths[k] * t)).normalized()).w();
+      const auto at = static_cast<std::size_t>(k);
+      witnesses_.row(k) = pair.support((known + aside * (eighths[at + 2] * s + eighths[at] * t)).normalized()).w();
     }
   }
 
@@ -44,6 +45,7 @@ class PolytopeMinimum {
 
  private:
   static constexpr int together = 12;
+  static constexpr int most_witnesses = 8;
   static constexpr double wide = 2, narrow = 0.5;
   static constexpr std::array<double, 10> eighths{0,    0.7, 1,    0.7, 0,
                                                   -0.7, -1,  -0.7, 0,   0.7};  // about the sine of k turns
@@ -56,27 +58,50 @@ class PolytopeMinimum {
     return overlap;
   }
 
-  /// Whether a witness is higher than the lowest that is known, along both.
-  [[nodiscard]] bool is_left_out(const Vec3<double>& n1, const Vec3<double>& n2) const {
-    return std::any_of(witnesses_.begin(), witnesses_.begin() + static_cast<std::ptrdiff_t>(witness_count_),
-                       [&](const Vec3<double>& w) { return w.dot(n1) > best_ && w.dot(n2) > best_; });
+  /// Of each of a body's faces the witnesses that are higher than the lowest that is known, a bit each; of faces beyond the last place none.
+  using Higher = std::array<std::uint8_t, 512>;
+  using Witnesses = Eigen::Matrix<double, most_witnesses, 3>;  // a row each
+
+  [[nodiscard]] static unsigned bits_above(const Eigen::Matrix<double, most_witnesses, 1>& heights, double level) {
+    unsigned out = 0;
+    for (int k = 0; k < most_witnesses; ++k) out |= (heights[k] > level ? 1U : 0U) << k;
+    return out;
+  }
+
+  [[nodiscard]] static unsigned at(const Higher& higher, int face) {
+    return static_cast<std::size_t>(face) < higher.size() ? higher[static_cast<std::size_t>(face)] : 0;
+  }
+  /// Whether one witness is higher along both normals, and so along all between them.
+  [[nodiscard]] static bool is_left_out(const Higher& higher, Sides of) {
+    return of.first >= 0 && (at(higher, of.first) & at(higher, of.second)) != 0;
   }
 
   template <class First, class Second>
   void look_at(const First& first, const Second& second) {
-    const Mat3<double>&r1 = pair_.body1.rotation, &r2 = pair_.body2.rotation;
-    const auto consider_unless_high = [&](const Vec3<double>& n) {
-      if (is_left_out(n, n)) return;
-      if (const double overlap = consider(n); overlap < best_face_) best_face_ = overlap, face_ = n;
-    };
-    for (int k = 0; k < first.faces(); ++k) consider_unless_high(r1 * first.face_normal(k));
-    for (int k = 0; k < second.faces(); ++k) consider_unless_high(-(r2 * second.face_normal(k)));
-    look_at_crossings(first, second);
+    const Higher higher1 = look_at_faces(first, pair_.body1.rotation, 1),
+                 higher2 = look_at_faces(second, pair_.body2.rotation, -1);
+    look_at_crossings(first, higher1, second, higher2);
+  }
+
+  template <class Edges>
+  [[nodiscard]] Higher look_at_faces(const Edges& edges, const Mat3<double>& rotation, double sign) {
+    Higher out;
+    const Witnesses turned = sign * witnesses_ * rotation;  // in the body's axes and to its side
+    for (int face = 0; face < edges.faces(); ++face) {
+      const Vec3<double> n = edges.face_normal(face);
+      const unsigned higher = has_witnesses_ ? bits_above(turned.lazyProduct(n), best_) : 0;
+      if (static_cast<std::size_t>(face) < out.size())
+        out[static_cast<std::size_t>(face)] = static_cast<std::uint8_t>(higher);
+      if (higher != 0) continue;
+      const Vec3<double> in_frame = sign * (rotation * n);
+      if (const double overlap = consider(in_frame); overlap < best_face_) best_face_ = overlap, face_ = in_frame;
+    }
+    return out;
   }
 
   /// Each two directions of edges cross somewhere, on one side or the other.
   template <HasDirections First, HasDirections Second>
-  void look_at_crossings(const First& first, const Second& second) {
+  void look_at_crossings(const First& first, const Higher& /*unused*/, const Second& second, const Higher& /*unused*/) {
     for (int i = 0; i < first.directions(); ++i)
       for (int j = 0; j < second.directions(); ++j) {
         const Vec3<double> product =
@@ -88,23 +113,23 @@ class PolytopeMinimum {
   }
 
   template <class First, class Second>
-  void look_at_crossings(const First& first, const Second& second) {
+  void look_at_crossings(const First& first, const Higher& higher1, const Second& second, const Higher& higher2) {
     std::array<EdgeOfCore, together> against;
     int count = 0;
     for (int j = 0; j < second.edges(); ++j) {
-      const EdgeOfCore edge = placed(pair_.body2, second.edge(j), -1);
-      if (edge.has_faces && is_left_out(edge.normals[0], edge.normals[1])) continue;
-      against[static_cast<std::size_t>(count++)] = edge;
-      if (count == together) look_at_edges(first, against, std::exchange(count, 0));
+      if (is_left_out(higher2, second.sides(j))) continue;
+      against[static_cast<std::size_t>(count++)] = placed(pair_.body2, second.edge(j), -1);
+      if (count == together) look_at_edges(first, higher1, against, std::exchange(count, 0));
     }
-    look_at_edges(first, against, count);
+    look_at_edges(first, higher1, against, count);
   }
 
   template <class First>
-  void look_at_edges(const First& first, const std::array<EdgeOfCore, together>& against, int count) {
+  void look_at_edges(const First& first, const Higher& higher, const std::array<EdgeOfCore, together>& against,
+                     int count) {
     for (int i = 0; i < first.edges() && count > 0; ++i) {
+      if (is_left_out(higher, first.sides(i))) continue;
       const EdgeOfCore edge = placed(pair_.body1, first.edge(i), 1);
-      if (edge.has_faces && is_left_out(edge.normals[0], edge.normals[1])) continue;
       for (int j = 0; j < count; ++j) look_at_edges(edge, against[static_cast<std::size_t>(j)]);
     }
   }
@@ -127,8 +152,8 @@ class PolytopeMinimum {
   const PlacedCores& pair_;
   double best_, best_face_ = std::numeric_limits<double>::infinity();
   std::optional<Vec3<double>> normal_, face_;
-  std::array<Vec3<double>, 8> witnesses_;
-  std::size_t witness_count_ = 0;
+  bool has_witnesses_;  ///< few faces and edges are all looked at
+  Witnesses witnesses_;
 };
 
 }  // namespace plumb::detail

@@ -131,14 +131,21 @@ class SharedFace {
       const Flat seen = Flat(s.dot(x), t.dot(x)) + centre;
       if (corners.size() <= most_corners && !corners.holds(seen)) corners.add(seen);
     };
-    const auto below = [&](const Vec3<double>& x) { return reach - x.dot(u); };
     add(to_body * (farthest - body.centre));
     (void)with_edges(body.core, [&](const auto& polytope) {
+      const auto below = [&](int corner) { return reach - polytope.core.corner(corner).dot(u); };
+      std::array<double, 64>
+          known;  // of the corners with the lowest numbers: an edge asks for two, a corner has three edges or more
+      const int count = std::min(polytope.core.corners(), static_cast<int>(known.size()));
+      for (int k = 0; k < count; ++k) known[static_cast<std::size_t>(k)] = below(k);
+      const auto below_of = [&](int corner) {
+        return corner < count ? known[static_cast<std::size_t>(corner)] : below(corner);
+      };
       for (int k = 0; k < polytope.edges(); ++k) {
         const Ends ends = polytope.ends(k);
-        const Vec3<double> from = polytope.core.corner(ends.from), to = polytope.core.corner(ends.to);
-        const double before = below(from), after = below(to);
+        const double before = below_of(ends.from), after = below_of(ends.to);
         if (before > 0 && after > 0) continue;
+        const Vec3<double> from = polytope.core.corner(ends.from), to = polytope.core.corner(ends.to);
         add(before > 0 ? to + after / (after - before) * (from - to) : from);
         add(after > 0 ? from + before / (before - after) * (to - from) : to);
       }
