@@ -6,9 +6,11 @@
 #include "corpus/command/command.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "corpus/command/text_table.hpp"
+#include "fuzz/peers/shape_peers.hpp"
 #include "reports/bench/bench_batch.hpp"
 #include "reports/bench/bench_measure.hpp"
 #include "reports/bench/bench_sets.hpp"
+#include "reports/bench/bench_shapes.hpp"
 #include "reports/report_lines.hpp"
 #include "solver/method/methods.hpp"
 
@@ -28,7 +30,8 @@ struct Options {
 };
 
 void declare(CommandLine& app, Options& options) {
-  app.add_option("--set", options.sets, "spheroid, ellipsoid, exponents-8, whole, exponents-40; default: all of them")
+  app.add_option("--set", options.sets,
+                 "spheroid, ellipsoid, exponents-8, whole, exponents-40, boxes, capsules, hulls; default: all of them")
       ->delimiter(',');
   app.add_option("--pairs", options.pairs, "cases of a file, .jsonl or one, in the place of the sets");
   app.add_option("--method", options.method, "NAME,.. or all (plumb methods lists them)")->capture_default_str();
@@ -56,7 +59,9 @@ struct Named {
 
 std::vector<PairSet> sets_asked(const Options& options) {
   if (options.sets.empty() && !options.pairs.empty()) return {};
-  return find_sets(pair_sets(), options.sets);
+  std::vector<PairSet> all = find_sets(pair_sets(), {});
+  std::ranges::copy(shape_sets(), std::back_inserter(all));
+  return find_sets(all, options.sets);
 }
 
 Named drawn(const PairSet& set, const Options& options) {
@@ -83,7 +88,7 @@ void each_set(const Options& options, const Work& work) {
 
 Job cold_job(const Named& set, const Solver& solver) {
   Job job{solver, Start::cold, {}};
-  for (const Case& c : set.cases) job.tasks.push_back({c.pair, {}});
+  for (const Case& c : set.cases) job.tasks.push_back({c.pair, {}, c.convex});
   return job;
 }
 
@@ -131,8 +136,28 @@ Solver with_patch(Solver solver) {
   return solver;
 }
 
+bool is_of_shapes(const Named& set) {
+  return !set.cases.empty() && set.cases[0].convex;
+}
+
+/// Of those asked for what takes shapes: `auto`, and peers in a form of their own.
+std::vector<Solver> solvers_of_shapes(const std::vector<Solver>& asked) {
+  std::vector<Solver> out;
+  const std::vector<Solver> peers = peers::shape_peers();
+  for (const Solver& solver : asked) {
+    if (solver.solve_convex) out.push_back(solver);
+    std::ranges::copy_if(peers, std::back_inserter(out),
+                         [&](const Solver& peer) { return peer.name.starts_with(solver.name); });
+  }
+  return out;
+}
+
 std::vector<Job> jobs_of(const Named& set, const std::vector<Solver>& solvers, std::uint64_t seed) {
   std::vector<Job> jobs;
+  if (is_of_shapes(set)) {
+    for (const Solver& solver : solvers_of_shapes(solvers)) jobs.push_back(cold_job(set, solver));
+    return jobs;
+  }
   for (const Solver& solver : solvers) {
     jobs.push_back(cold_job(set, solver));
     if (!takes_last(solver)) continue;
@@ -224,11 +249,11 @@ Json to_json(const Named& set, const BatchMeasurement& m) {
           {"alone", m.alone}};
 }
 
-/// Only where `auto` is measured as well.
+/// Only where `auto` is measured as well, of superellipsoids.
 std::vector<BatchMeasurement> batches(const std::vector<Job>& jobs, int repeats) {
   std::vector<BatchMeasurement> out;
   for (const Job& job : jobs)
-    if (job.solver.name == "auto" && job.start != Start::warm)
+    if (job.solver.name == "auto" && job.start != Start::warm && !job.tasks[0].convex)
       std::ranges::copy(measure_batches(job, repeats), std::back_inserter(out));
   return out;
 }
@@ -278,16 +303,37 @@ int count(const Options& options) {
   return exit_done;
 }
 
+/// Of each job on shapes; empty of a set of superellipsoids.
+std::vector<OverlapErrors> errors_in(const Named& set, const std::vector<Job>& jobs) {
+  std::vector<OverlapErrors> out;
+  if (is_of_shapes(set)) std::ranges::transform(jobs, std::back_inserter(out), overlap_errors_of);
+  return out;
+}
+
+void print_errors(const std::vector<Measurement>& all, const std::vector<OverlapErrors>& errors) {
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (answers(all[i]))
+      print_line(fmt::format("  {:<27}overlap off by {:.1e} of the size, {:.1e} at most", all[i].method,
+                             errors[i].median, errors[i].most));
+}
+
 int bench(Options& options) {
   const std::vector<Solver> solvers = solvers_here(options.method);
   each_set(options, [&](const Named& set) {
     const std::vector<Job> jobs = jobs_of(set, solvers, options.seed);
     const std::vector<Measurement> all = measure(jobs, options.repeat);
     const std::vector<BatchMeasurement> of_batch = batches(jobs, options.repeat);
+    const std::vector<OverlapErrors> errors = errors_in(set, jobs);
     if (interrupted()) return;
     if (!options.lines.is_json()) print_table(set, all);
     if (!options.lines.is_json()) print_batches(of_batch);
-    for (const Measurement& m : all) options.lines.add(to_json(set, m, all));
+    if (!options.lines.is_json()) print_errors(all, errors);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      Json line = to_json(set, all[i], all);
+      if (i < errors.size() && answers(all[i]))
+        line["overlap_error"] = {{"median", errors[i].median}, {"max", errors[i].most}};
+      options.lines.add(line);
+    }
     for (const BatchMeasurement& m : of_batch) options.lines.add(to_json(set, m));
     flush_output();
   });

@@ -14,10 +14,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Contact<double> answer(const Solver& solver, const Task& task) {
-  return solver.solve(task.pair, {}, task.last ? &*task.last : nullptr);
-}
-
 double since(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
@@ -121,6 +117,11 @@ Measurement measurement(const Job& job, benchmark::UserCounters& of) {
 }
 
 }  // namespace
+
+Contact<double> answer(const Solver& solver, const Task& task) {
+  const Contact<double>* last = task.last ? &*task.last : nullptr;
+  return task.convex ? solver.solve_convex(*task.convex, {}, last) : solver.solve(task.pair, {}, last);
+}
 
 void solve(const Solver& solver, const Task& task) {
   benchmark::DoNotOptimize(answer(solver, task));

@@ -12,7 +12,8 @@ namespace plumb::reports {
 /// One solve: cold, or from an earlier answer.
 struct Task {
   Pair pair;
-  std::optional<Contact<double>> last;
+  std::optional<Contact<double>> last = {};
+  std::optional<ConvexPair> convex = {};  ///< in the place of the pair, for solve_convex
 };
 
 /// cold; warm: after one move; moving: each step of a slow motion, from the answer of the step before.
@@ -33,6 +34,8 @@ struct Measurement {
   double median_iterations = 0, most_iterations = 0;
   double not_converged = 0;  ///< share of the answers
 };
+
+[[nodiscard]] Contact<double> answer(const Solver& solver, const Task& task);
 
 /// Solves, and throws the answer away where the compiler cannot see it.
 void solve(const Solver& solver, const Task& task);

@@ -1,5 +1,6 @@
 // plumb bench: its sets are what they say, its lines hold the figures, and what it cannot do is one line and exit code 2.
 #include <algorithm>
+#include <map>
 
 #include "properties/tests/corpus/programs.hpp"
 
@@ -49,6 +50,21 @@ TEST_F(Bench, TheRatioIsToEpaInTheSameRun) {
     }
 }
 
+TEST_F(Bench, ShapesAreTimedBesidePeersAndJudgedByBounds) {
+  std::map<std::string, int> count;
+  for (const Json& line : lines_of(plumb("bench --set boxes,capsules,hulls --cases 4 --repeat 1 --json").out)) {
+    ++count[line["method"]];
+    EXPECT_EQ(line["start"], "cold");
+    if (line["not_converged"] == 1) continue;
+    EXPECT_LE(line["overlap_error"]["median"], line["overlap_error"]["max"]);
+    if (line["method"] == "auto") {
+      EXPECT_LT(line["overlap_error"]["max"].get<double>(), 1e-13) << line;
+    }
+  }
+  EXPECT_EQ(count["auto"], 3);
+  EXPECT_EQ(count.size(), count.contains("peer_fcl") ? 4U : count.contains("peer_libccd_epa") ? 2U : 1U);
+}
+
 TEST_F(Bench, TheSetsAreOfTheirExponents) {
   for (const auto& [set, above, upto] : {std::tuple("spheroid", 0, 2), std::tuple("exponents-8", 2, 8),
                                          std::tuple("whole", 0, 10), std::tuple("exponents-40", 8, 40)}) {
@@ -74,8 +90,10 @@ TEST_F(Bench, CountsTheSolvesOfCasesThatAFileHolds) {
 }
 
 TEST_F(Bench, WhatItCannotDoIsOneLineAndTwo) {
-  expect_refusal("bench --set cubes",
-                 "--set: cubes: no such set; there are spheroid, ellipsoid, exponents-8, whole, exponents-40");
+  expect_refusal(
+      "bench --set cubes",
+      "--set: cubes: no such set; there are spheroid, ellipsoid, exponents-8, whole, exponents-40, boxes, capsules, "
+      "hulls");
   expect_refusal("bench --pairs none.jsonl", "none.jsonl: No such file or directory");
   expect_refusal("bench --count-only", "plumb bench: --count-only: needs one --method, and one --set or --pairs");
   for (const char* arguments : {"bench --method nobody", "bench --cases 0", "bench --repeat 0", "bench --times -1"})
