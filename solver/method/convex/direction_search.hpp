@@ -12,7 +12,7 @@ namespace plumb::detail {
 
 class DirectionSearch {
  public:
-  static constexpr int most_cells = 20'000;
+  static constexpr int most_cells = 120'000;
 
   DirectionSearch(const PlacedCores& pair, const CommonNormal& first) : pair_(pair), descent_(pair), best_(first) {}
 
