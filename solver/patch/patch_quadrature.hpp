@@ -140,7 +140,7 @@ class CapQuadrature {
 /// By meridians: twice as many and twice the panels a level, until the tolerance.
 [[nodiscard]] inline Quadrature moments_by_meridians(const LensTask& task) {
   const int most = 128;
-  const double missed = 8, open = 4;  // edges wander between the meridians, so that the differences fall unevenly
+  const double missed = 12, open = 4;  // edges wander between the meridians, so that the differences fall unevenly
   Refinement levels(Convergence::power);
   Quadrature out;
   for (int count = eight; count <= most && out.error > task.tolerance; count *= 2) {

@@ -29,7 +29,7 @@ class Refinement {
   [[nodiscard]] const LensMoments& finest() const { return finest_; }
   [[nodiscard]] double error() const {
     if (levels_ < 3 || !std::isfinite(last_step_)) return infinity;
-    const double steepest = 0.2, missed = 2;  // a ratio may be small by chance, and one coefficient beside the next
+    const double steepest = 0.2, missed = 2.5;  // a ratio may be small by chance, and one coefficient beside the next
     const double ratio = std::max(step_ / last_step_, steepest);
     if (!(ratio < 0.5)) return step_;
     return convergence_ == Convergence::power ? step_ * ratio / (1 - ratio) : missed * step_ * ratio * ratio;
