@@ -82,10 +82,12 @@ class Descent {
   /// is seen from as near as that alone.
   [[nodiscard]] CommonNormal seen_from_near(CommonNormal best) const {
     constexpr double next_to_nothing = 0x1p-30;
+    constexpr int most_steps = 6;
     const bool is_touching = std::abs(best.overlap) <= next_to_nothing * pair_.size;
     const auto is_done = [&] { return is_touching ? defect(best) <= pair_.rounding() : is_exact(best); };
     for (const int height : {-36, -38, -40, -42, -44})
-      while (!is_done() && draws_near(best, std::ldexp(pair_.size, height))) continue;
+      for (int step = 0; step < most_steps && !is_done(); ++step)
+        if (!draws_near(best, std::ldexp(pair_.size, height))) break;
     return best;
   }
 

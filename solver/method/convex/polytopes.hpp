@@ -58,9 +58,13 @@ class PolytopeMinimum {
     return overlap;
   }
 
-  /// Of each of a body's faces the witnesses that are higher than the lowest that is known, a bit each; of faces beyond the last place none.
-  using Higher = std::array<std::uint8_t, 512>;
   using Witnesses = Eigen::Matrix<double, most_witnesses, 3>;  // a row each
+  /// Of each of a body's faces the witnesses that were higher than the lowest that was known, a bit each. Of faces beyond the last place it is
+  /// found when it is asked for.
+  struct Higher {
+    Witnesses turned;  ///< into the body's axes, and to its side
+    std::array<std::uint8_t, 512> of_face;
+  };
 
   [[nodiscard]] static unsigned bits_above(const Eigen::Matrix<double, most_witnesses, 1>& heights, double level) {
     unsigned out = 0;
@@ -68,12 +72,17 @@ class PolytopeMinimum {
     return out;
   }
 
-  [[nodiscard]] static unsigned at(const Higher& higher, int face) {
-    return static_cast<std::size_t>(face) < higher.size() ? higher[static_cast<std::size_t>(face)] : 0;
+  template <class Edges>
+  [[nodiscard]] unsigned higher_along(const Edges& edges, const Higher& higher, int face) const {
+    if (static_cast<std::size_t>(face) < higher.of_face.size()) return higher.of_face[static_cast<std::size_t>(face)];
+    return bits_above(higher.turned.lazyProduct(Vec3<double>(edges.face_normal(face))), best_);
   }
-  /// Whether one witness is higher along both normals, and so along all between them.
-  [[nodiscard]] static bool is_left_out(const Higher& higher, Sides of) {
-    return of.first >= 0 && (at(higher, of.first) & at(higher, of.second)) != 0;
+  /// Whether one witness is higher along the normals of both faces, and so along all between them.
+  template <class Edges>
+  [[nodiscard]] bool is_left_out(const Edges& edges, const Higher& higher, int edge) const {
+    const auto [first, second] = edges.sides(edge);
+    return has_witnesses_ && first >= 0 &&
+           (higher_along(edges, higher, first) & higher_along(edges, higher, second)) != 0;
   }
 
   template <class First, class Second>
@@ -86,12 +95,12 @@ class PolytopeMinimum {
   template <class Edges>
   [[nodiscard]] Higher look_at_faces(const Edges& edges, const Mat3<double>& rotation, double sign) {
     Higher out;
-    const Witnesses turned = sign * witnesses_ * rotation;  // in the body's axes and to its side
+    out.turned = sign * witnesses_ * rotation;
     for (int face = 0; face < edges.faces(); ++face) {
-      const Vec3<double> n = edges.face_normal(face);
-      const unsigned higher = has_witnesses_ ? bits_above(turned.lazyProduct(n), best_) : 0;
-      if (static_cast<std::size_t>(face) < out.size())
-        out[static_cast<std::size_t>(face)] = static_cast<std::uint8_t>(higher);
+      const Vec3<double>& n = edges.face_normal(face);
+      const unsigned higher = has_witnesses_ ? bits_above(out.turned.lazyProduct(n), best_) : 0;
+      if (static_cast<std::size_t>(face) < out.of_face.size())
+        out.of_face[static_cast<std::size_t>(face)] = static_cast<std::uint8_t>(higher);
       if (higher != 0) continue;
       const Vec3<double> in_frame = sign * (rotation * n);
       if (const double overlap = consider(in_frame); overlap < best_face_) best_face_ = overlap, face_ = in_frame;
@@ -117,7 +126,7 @@ class PolytopeMinimum {
     std::array<EdgeOfCore, together> against;
     int count = 0;
     for (int j = 0; j < second.edges(); ++j) {
-      if (is_left_out(higher2, second.sides(j))) continue;
+      if (is_left_out(second, higher2, j)) continue;
       against[static_cast<std::size_t>(count++)] = placed(pair_.body2, second.edge(j), -1);
       if (count == together) look_at_edges(first, higher1, against, std::exchange(count, 0));
     }
@@ -128,7 +137,7 @@ class PolytopeMinimum {
   void look_at_edges(const First& first, const Higher& higher, const std::array<EdgeOfCore, together>& against,
                      int count) {
     for (int i = 0; i < first.edges() && count > 0; ++i) {
-      if (is_left_out(higher, first.sides(i))) continue;
+      if (is_left_out(first, higher, i)) continue;
       const EdgeOfCore edge = placed(pair_.body1, first.edge(i), 1);
       for (int j = 0; j < count; ++j) look_at_edges(edge, against[static_cast<std::size_t>(j)]);
     }
@@ -153,7 +162,7 @@ class PolytopeMinimum {
   double best_, best_face_ = std::numeric_limits<double>::infinity();
   std::optional<Vec3<double>> normal_, face_;
   bool has_witnesses_;  ///< few faces and edges are all looked at
-  Witnesses witnesses_;
+  Witnesses witnesses_ = Witnesses::Zero();
 };
 
 }  // namespace plumb::detail
