@@ -96,38 +96,26 @@ SolverPatience of_a_start(const SolverLimits& limits, bool of_a_command) {
           std::max(limits.start, of_an_answer(limits).asleep)};
 }
 
-/// Processor time while it runs, time on the wall while it sleeps; what it waits for a processor is neither.
+/// Processor time while it runs, time on the wall while it sleeps; while it waits for a processor neither.
 class Patience {
  public:
   explicit Patience(const SolverPatience& limits) : limits_(limits) {}
   /// After another wait of so many seconds; throws NoAnswer.
   void use(double waited, const Usage& usage) {
-    processor_.see(usage.processor_seconds);
-    queued_.see(usage.queued_seconds);
-    waited_ += waited;
-    if (processor_.seen() >= limits_.processor)
+    if (first_ < 0) first_ = last_ = usage.processor_seconds;
+    const double now =
+        std::max(last_, usage.processor_seconds);  // the time of a child that nobody waits for is lost with it
+    if (!usage.is_ready) asleep_ += std::max(0.0, waited - (now - last_));
+    last_ = now;
+    if (last_ - first_ >= limits_.processor)
       throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer after {} s of processor time", limits_.processor));
-    if (waited_ - processor_.seen() - queued_.seen() >= limits_.asleep)
+    if (asleep_ >= limits_.asleep)
       throw NoAnswer(NoAnswer::How::hung, fmt::format("no answer, and {:.3g} s asleep", limits_.asleep));
   }
 
  private:
-  /// Seconds since the first look. The time of a child that nobody waits for is lost with it, and what was seen stays seen.
-  class Clock {
-   public:
-    void see(double seconds) {
-      if (first_ < 0) first_ = last_ = seconds;
-      last_ = std::max(last_, seconds);
-    }
-    [[nodiscard]] double seen() const { return last_ - first_; }
-
-   private:
-    double first_ = -1, last_ = -1;
-  };
-
   SolverPatience limits_;
-  Clock processor_, queued_;
-  double waited_ = 0;
+  double first_ = -1, last_ = -1, asleep_ = 0;
 };
 
 /// Without what is another one each time, so that two runs keep the same case with the same words.

@@ -21,11 +21,24 @@ std::string folder_of(pid_t process) {
   return "/proc/" + std::to_string(process);
 }
 
-/// Of those that it waited for; 0 where there is no such process.
-double seconds_of_ended_children(pid_t process) {
-  constexpr int before = 13;  // fields between the name, which ends at the last ')', and cutime
+/// What its `stat` says from the state on: the name before it ends at the last ')'.
+std::ifstream stat_of(pid_t process) {
   std::ifstream in(folder_of(process) + "/stat");
   in.ignore(std::numeric_limits<std::streamsize>::max(), ')');
+  return in;
+}
+
+/// Of its first thread.
+bool is_ready(pid_t process) {
+  std::string state;
+  stat_of(process) >> state;
+  return state == "R";
+}
+
+/// Of those that it waited for; 0 where there is no such process.
+double seconds_of_ended_children(pid_t process) {
+  constexpr int before = 13;  // fields from the state to cutime
+  std::ifstream in = stat_of(process);
   std::string skipped;
   for (int i = 0; i < before; ++i) in >> skipped;
   double user = 0, system = 0;
@@ -38,13 +51,6 @@ double own_seconds(pid_t process) {
   timespec time{};
   if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double queued_seconds(pid_t process) {
-  std::ifstream in(folder_of(process) + "/schedstat");
-  double run = 0, queued = 0;  // ns
-  in >> run >> queued;
-  return 1e-9 * queued;
 }
 
 /// A process may end while it is looked at: then it has no children.
@@ -96,7 +102,7 @@ Usage usage_of(pid_t process) {
   Usage out;
   for (const pid_t one : all) {
     out.processor_seconds += own_seconds(one) + seconds_of_ended_children(one);
-    out.queued_seconds += queued_seconds(one);
+    out.is_ready = out.is_ready || is_ready(one);
     out.resident_bytes += resident_bytes_of(std::to_string(one));
   }
   return out;

@@ -49,7 +49,7 @@ int reap(pid_t child);
 /// Of a process and its descendants.
 struct Usage {
   double processor_seconds = 0;      ///< those of children that ended and were waited for among them
-  double queued_seconds = 0;         ///< that their first threads waited for a processor; 0 where the kernel does not say
+  bool is_ready = false;             ///< whether one of them runs, or would if it had a processor
   std::uint64_t resident_bytes = 0;  ///< as the kernel counts each: what several share counts for each
 };
 [[nodiscard]] Usage usage_of(pid_t process);
