@@ -6,7 +6,7 @@ namespace plumb::peers {
 
 std::vector<Solver> shape_peers() {
   std::vector<Solver> out;
-  const auto add = [&](const char* name, SolveShapes* solve) {
+  [[maybe_unused]] const auto add = [&](const char* name, SolveShapes* solve) {
     Solver& solver = out.emplace_back();
     solver.name = name;
     solver.published = true;

@@ -156,6 +156,7 @@ std::vector<Job> jobs_of(const Named& set, const std::vector<Solver>& solvers, s
   std::vector<Job> jobs;
   if (is_of_shapes(set)) {
     for (const Solver& solver : solvers_of_shapes(solvers)) jobs.push_back(cold_job(set, solver));
+    if (jobs.empty()) throw InputFailure("plumb bench", 0, "--method", "none of them takes the shapes of " + set.name);
     return jobs;
   }
   for (const Solver& solver : solvers) {
@@ -260,6 +261,10 @@ std::vector<BatchMeasurement> batches(const std::vector<Job>& jobs, int repeats)
 
 /// Of the start that was asked for.
 Job job_asked(const Named& set, const Solver& solver, const Options& options) {
+  if (is_of_shapes(set) && (options.moving || options.warm || options.batch))
+    throw InputFailure("plumb bench", 0, "--set", set.name + ": shapes are solved cold, one pair after the other");
+  if (is_of_shapes(set) && !solver.solve_convex)
+    throw InputFailure("plumb bench", 0, "--method", solver.name + ": takes no shapes here; auto does");
   return options.moving ? moving_job(set, solver, options.seed)
          : options.warm ? warm_job(set, solver, options.seed)
                         : cold_job(set, solver);

@@ -79,9 +79,11 @@ std::span<const PairSet> shape_sets() {
 
 OverlapErrors overlap_errors_of(const Job& job) {
   std::vector<double> errors;
-  for (const Task& task : job.tasks)
+  for (const Task& task : job.tasks) {
+    if (!task.convex) continue;
     if (const Contact<double> contact = answer(job.solver, task); contact.status == Status::converged)
       errors.push_back(overlap_error(*task.convex, contact.overlap));
+  }
   if (errors.empty()) return {};
   return {quantile(errors, 0.5), quantile(errors, 1)};
 }

@@ -94,6 +94,13 @@ TEST_F(Bench, WhatItCannotDoIsOneLineAndTwo) {
       "bench --set cubes",
       "--set: cubes: no such set; there are spheroid, ellipsoid, exponents-8, whole, exponents-40, boxes, capsules, "
       "hulls");
+  for (const char* how : {"--warm", "--moving", "--batch"})
+    expect_refusal(std::string("bench --count-only --set boxes --method auto ") + how,
+                   "plumb bench: --set: boxes: shapes are solved cold, one pair after the other");
+  expect_refusal("bench --count-only --set boxes --method new_cn",
+                 "plumb bench: --method: new_cn: takes no shapes here; auto does");
+  expect_refusal("bench --set hulls --cases 1 --method new_cn",
+                 "plumb bench: --method: none of them takes the shapes of hulls");
   expect_refusal("bench --pairs none.jsonl", "none.jsonl: No such file or directory");
   expect_refusal("bench --count-only", "plumb bench: --count-only: needs one --method, and one --set or --pairs");
   for (const char* arguments : {"bench --method nobody", "bench --cases 0", "bench --repeat 0", "bench --times -1"})
