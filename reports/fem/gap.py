@@ -58,7 +58,7 @@ def lens_window(first, second, frame, inside, cells=48, margin=1.15):
         if np.all((wanted > 0.8 * half) & ~is_cut):
             return centre, wanted
         half = wanted
-    return centre, half
+    raise ValueError("no window was found that holds where the bodies overlap")
 
 
 def _is_cut(mask):

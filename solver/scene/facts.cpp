@@ -98,14 +98,15 @@ double volume_time(const Scene& scene, const Volume& law) {
   return std::numbers::pi * std::sqrt(mass / std::max(of_balls, of_flats));
 }
 
-/// The same of a foundation, whose slope is stiffness * area; of balls, the energy is stiffness * pi R overlap^3 / 3.
-double foundation_time(const Scene& scene, double stiffness) {
+/// The same of a foundation, whose slope is stiffness * area, against a tilt up to tilt_ratio times that; of balls, the energy is stiffness * pi R overlap^3 / 3.
+double foundation_time(const Scene& scene, const Foundation& law) {
+  const double stiffness = law.stiffness;
   const double mass = least_contact_mass(scene), size = longest_axis(scene);
   const double slow = 1e-3 * std::sqrt(stiffness * size * size * size * size / mass);
   const double speed = std::max(greatest_speed(scene), slow);
   const double overlap = std::cbrt(1.5 * mass * speed * speed / (stiffness * std::numbers::pi * shortest_axis(scene)));
   const double area = std::max(2 * std::numbers::pi * size * std::min(overlap, size), flat_area(scene));
-  return std::numbers::pi * std::sqrt(mass / (stiffness * area));
+  return std::numbers::pi * std::sqrt(mass / (stiffness * std::max(1.0, law.tilt_ratio) * area));
 }
 
 /// A body's images meet others wherever it is.
@@ -174,8 +175,7 @@ double collision_time(const Scene& scene) {
   if (linear && linear->stiffness > 0) return std::numbers::pi * std::sqrt(mass / linear->stiffness);
   if (scene.effects.volume && scene.effects.volume->stiffness > 0) return volume_time(scene, *scene.effects.volume);
   if (scene.effects.foundation && scene.effects.foundation->stiffness > 0)
-    return foundation_time(scene,
-                           scene.effects.foundation->stiffness * std::max(1.0, scene.effects.foundation->tilt_ratio));
+    return foundation_time(scene, *scene.effects.foundation);
   if (!hertz || hertz->youngs_modulus == 0) return std::numeric_limits<double>::infinity();
   const double size = longest_axis(scene), modulus = hertz->contact_modulus();
   const double sound = std::sqrt(modulus * size * size * size / mass);
