@@ -95,7 +95,7 @@ class PolytopeMinimum {
   template <class Edges>
   [[nodiscard]] Higher look_at_faces(const Edges& edges, const Mat3<double>& rotation, double sign) {
     Higher out;
-    out.turned = sign * witnesses_ * rotation;
+    if (has_witnesses_) out.turned = sign * witnesses_ * rotation;
     for (int face = 0; face < edges.faces(); ++face) {
       const Vec3<double>& n = edges.face_normal(face);
       const unsigned higher = has_witnesses_ ? bits_above(out.turned.lazyProduct(n), best_) : 0;
@@ -162,7 +162,7 @@ class PolytopeMinimum {
   double best_, best_face_ = std::numeric_limits<double>::infinity();
   std::optional<Vec3<double>> normal_, face_;
   bool has_witnesses_;  ///< few faces and edges are all looked at
-  Witnesses witnesses_ = Witnesses::Zero();
+  Witnesses witnesses_;
 };
 
 }  // namespace plumb::detail
