@@ -5,6 +5,8 @@
 // the surface, and on a face it is gone at once. Newton takes over where the pieces are known.
 #pragma once
 
+#include <initializer_list>
+
 #include "solver/method/convex/stationary.hpp"
 
 namespace plumb::detail {
@@ -44,7 +46,7 @@ class Descent {
   [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return settled(best_of(nearest)); }
 
   /// Whether the points are those of the normal, to rounding.
-  [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= 16 * pair_.rounding(); }
+  [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= exact(); }
 
  private:
   [[nodiscard]] CommonNormal seen(const Vec3<double>& n) const {
@@ -62,12 +64,8 @@ class Descent {
   }
 
   /// The same contact with its points, where a step ended beside it: rounding turns the normal of a target close to M the most.
-  [[nodiscard]] CommonNormal settled(CommonNormal best) const {
-    constexpr int most_steps = 6;
-    for (const int height : {-3, -6, -14})
-      for (int step = 0; step < most_steps && !is_exact(best); ++step)
-        if (!draws_near(best, std::ldexp(pair_.size, height))) break;
-    return beside_an_edge(seen_from_near(best));
+  [[nodiscard]] CommonNormal settled(const CommonNormal& best) const {
+    return beside_an_edge(seen_from_near(drawn_near(best, {-3, -6, -14}, exact())));
   }
 
   /// False: a step from there leads to nothing better.
@@ -78,17 +76,19 @@ class Descent {
     return true;
   }
 
-  /// Of bodies that overlap by next to nothing all normals of the fan of a corner are as low but for rounding, and what lies about the corner
-  /// is seen from as near as that alone.
-  [[nodiscard]] CommonNormal seen_from_near(CommonNormal best) const {
-    constexpr double next_to_nothing = 0x1p-30;
+  /// After a few steps from each height, the size times 2 to it, until the defect is no more than `enough`.
+  [[nodiscard]] CommonNormal drawn_near(CommonNormal best, std::initializer_list<int> heights, double enough) const {
     constexpr int most_steps = 6;
-    const bool is_touching = std::abs(best.overlap) <= next_to_nothing * pair_.size;
-    const auto is_done = [&] { return is_touching ? defect(best) <= pair_.rounding() : is_exact(best); };
-    for (const int height : {-36, -38, -40, -42, -44})
-      for (int step = 0; step < most_steps && !is_done(); ++step)
+    for (const int height : heights)
+      for (int step = 0; step < most_steps && !(defect(best) <= enough); ++step)
         if (!draws_near(best, std::ldexp(pair_.size, height))) break;
     return best;
+  }
+
+  /// Of bodies that overlap by next to nothing all normals of the fan of a corner are as low but for rounding, and what lies about the corner
+  /// is seen from as near as that alone.
+  [[nodiscard]] CommonNormal seen_from_near(const CommonNormal& best) const {
+    return drawn_near(best, {-36, -38, -40, -42, -44}, pair_.all_but_touch(best.overlap) ? pair_.rounding() : exact());
   }
 
   /// Of points within a hair's breadth of an edge the pieces beyond it are seen from targets about as near to M as that: from others the
@@ -96,8 +96,7 @@ class Descent {
   [[nodiscard]] CommonNormal beside_an_edge(CommonNormal best) const {
     for (const double farther : {4.0, 64.0, 1024.0, 4.0, 64.0}) {
       if (is_exact(best)) break;
-      const CommonNormal next = after(best, farther * defect(best));
-      if (next.overlap <= best.overlap + pair_.rounding() && defect(next) < defect(best)) best = next;
+      (void)draws_near(best, farther * defect(best));
     }
     return is_exact(best) ? best : slid(best);
   }
@@ -144,6 +143,8 @@ class Descent {
     return best;
   }
 
+  /// The greatest defect of points that are those of the normal, to rounding.
+  [[nodiscard]] double exact() const { return 16 * pair_.rounding(); }
   /// By how much the points are not those of the normal, a length: off the planes that touch the cores, or off the line along it.
   [[nodiscard]] double defect(const CommonNormal& of) const {
     const Difference farthest = pair_.support(of.normal);

@@ -81,6 +81,8 @@ struct PlacedCores {
   }
   /// Of overlaps: less than this apart they are the same.
   [[nodiscard]] double rounding() const { return 64 * std::numeric_limits<double>::epsilon() * size; }
+  /// Of cores that overlap by so much, or are so far apart, the least error of a point turns the normal by any angle.
+  [[nodiscard]] bool all_but_touch(double overlap) const { return std::abs(overlap) <= 0x1p-30 * size; }
   /// o(n).
   [[nodiscard]] double overlap(const Vec3<double>& n) const { return support(n).w().dot(n); }
 };

@@ -125,7 +125,8 @@ class StationaryNewton {
         const double now = evaluate();
         const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2);
         if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
-        if (!(now < 1e3 * last || (is_touching() && now < 0.1 * pair.size)) || !take_step()) return std::nullopt;
+        if (!(now < 1e3 * last || (pair.all_but_touch(overlap) && now < 0.1 * pair.size)) || !take_step())
+          return std::nullopt;
         last = std::min(last, now);
       }
       return std::nullopt;
@@ -134,11 +135,7 @@ class StationaryNewton {
     /// Whether it is the contact that was begun from. Of bodies that all but touch the least error of a point turns the normal by any angle.
     [[nodiscard]] bool is_near(const Vec3<double>& start) const {
       constexpr double near = 0.1;
-      return (n - start).norm() < near || is_touching();
-    }
-    [[nodiscard]] bool is_touching() const {
-      constexpr double touching = 0x1p-30;
-      return std::abs(overlap) <= touching * pair.size;
+      return (n - start).norm() < near || pair.all_but_touch(overlap);
     }
 
     /// The residual's largest component, a length.
