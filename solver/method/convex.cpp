@@ -59,6 +59,18 @@ struct Lowest {
   int cells;
 };
 
+/// The contact along the lowest normal of a face or of two edges that cross, or along what of them is as low; nullopt: none is exact.
+[[nodiscard]] std::optional<CommonNormal> contact_of_features(const PlacedCores& pair, const Descent& descent,
+                                                              const PolytopeMinimum& minimum,
+                                                              const Vec3<double>& lowest) {
+  for (const auto& n : {minimum.face_as_low(), std::optional(lowest)}) {
+    if (!n) continue;
+    if (const auto shared = SharedFace(pair, *n).contact(); shared && descent.is_exact(*shared)) return shared;
+    if (const CommonNormal found = descent.along(*n); descent.is_exact(found)) return found;
+  }
+  return std::nullopt;
+}
+
 /// Of polytopes that overlap by more than rounding; nullopt: of others.
 [[nodiscard]] std::optional<Lowest> lowest_of_polytopes(const PlacedCores& pair, const Vec3<double>& line) {
   if (!pair.are_polytopes()) return std::nullopt;
@@ -68,15 +80,20 @@ struct Lowest {
   PolytopeMinimum minimum(pair, low);
   const auto normal = minimum.lowest();
   if (!normal || !(pair.overlap(*normal) > pair.rounding())) return std::nullopt;
-  for (const auto& n : {minimum.face_as_low(), normal}) {
-    if (!n) continue;
-    if (const auto shared = SharedFace(pair, *n).contact(); shared && descent.is_exact(*shared))
-      return Lowest{*shared, true, 0};
-    if (const CommonNormal found = descent.along(*n); descent.is_exact(found)) return Lowest{found, true, 0};
-  }
+  if (const auto found = contact_of_features(pair, descent, minimum, *normal)) return Lowest{*found, true, 0};
   const CommonNormal beside = descent.from(*normal);
   if (!descent.is_exact(beside) || beside.overlap > pair.overlap(*normal) + pair.rounding()) return std::nullopt;
   return Lowest{beside, true, 0};
+}
+
+/// Of polytopes that are apart by little more than rounding: there is one common normal alone. nullopt: it is not that of features.
+[[nodiscard]] std::optional<Lowest> nearest_features(const PlacedCores& pair, const Vec3<double>& low) {
+  if (!pair.are_polytopes()) return std::nullopt;
+  PolytopeMinimum minimum(pair, low);
+  const auto normal = minimum.lowest();
+  if (!normal || pair.overlap(*normal) > pair.rounding()) return std::nullopt;
+  const auto found = contact_of_features(pair, Descent(pair), minimum, *normal);
+  return found ? std::optional(Lowest{*found, true, 0}) : std::nullopt;
 }
 
 template <class Search>
@@ -98,9 +115,12 @@ template <class Search>
 }
 
 /// Of cores apart there is one common normal; of faces that are parallel the middle of what they share is taken.
-[[nodiscard]] Lowest nearest_points(const PlacedCores& pair, const Nearest& nearest) {
+[[nodiscard]] Lowest nearest_points(const PlacedCores& pair, const Nearest& nearest, const Vec3<double>& line) {
   const Descent descent(pair);
-  const CommonNormal found = descent.sharpened(nearest);
+  CommonNormal found = descent.sharpened(nearest);
+  // Of what is apart by little more than rounding more is seen from farther away, and otherwise from elsewhere.
+  for (const Vec3<double>& n : {found.normal, line})
+    if (!descent.is_exact(found)) found = descent.from(n);
   if (pair.are_polytopes())
     if (const auto shared = SharedFace(pair, found.normal).contact(); shared && descent.is_exact(*shared))
       return {*shared, true, 0};
@@ -113,8 +133,13 @@ template <class Search>
   if (pair.are_polytopes() && pair.overlap(line) > 0)  // sooner than the nearest points are found
     if (const auto overlapping = lowest_of_polytopes(pair, line)) return *overlapping;
   const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
-  if (!nearest.is_inside && pair.overlap(nearest.normal) < 0) return nearest_points(pair, nearest);
-  return lowest_by_search(pair, line);
+  if (!nearest.is_inside) {
+    const Lowest apart = nearest_points(pair, nearest, line);
+    const double overlap = apart.contact.overlap;
+    if (overlap < 0 && (apart.is_proved || !pair.all_but_touch(overlap))) return apart;
+  }
+  const Lowest found = lowest_by_search(pair, line);
+  return found.is_proved ? found : nearest_features(pair, found.contact.normal).value_or(found);
 }
 
 /// The middle of the face of a core that is farthest along u: of its support points a little to all sides of u, those that are as far to

@@ -4,7 +4,7 @@
 // corners of a polytope, the two rims of a frustum, one piece for what is smooth all over. Between pieces faces and edges lie: there
 // several x are farthest, and every mixture of them is.
 //
-// A core says whether it is a polytope, and whether it is of revolution about its z axis.
+// A core says whether it is a polytope, whether it is of revolution about its z axis, and whether it holds a point but for a length.
 #pragma once
 
 #include <algorithm>
@@ -35,6 +35,9 @@ struct SegmentCore {
   }
   [[nodiscard]] static int corners() { return 2; }
   [[nodiscard]] Vec3<double> corner(int end) const { return {0, 0, end == 0 ? -half_length : half_length}; }
+  [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
+    return std::hypot(x[0], x[1]) <= beyond && std::abs(x[2]) <= half_length + beyond;
+  }
 };
 
 /// Corner k has the positive half-extent along axis i where bit i of k is set.
@@ -54,6 +57,9 @@ struct BoxCore {
   [[nodiscard]] Vec3<double> corner(int k) const {
     const auto along = [&](int i) { return (k >> i) % 2 == 0 ? -half_extents[i] : half_extents[i]; };
     return {along(0), along(1), along(2)};
+  }
+  [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
+    return (x.cwiseAbs() - half_extents).maxCoeff() <= beyond;
   }
 };
 
@@ -77,6 +83,12 @@ struct HullCore {
   }
   [[nodiscard]] int corners() const { return static_cast<int>(hull->corners.size()); }
   [[nodiscard]] Vec3<double> corner(int k) const { return unit(hull->corners[static_cast<std::size_t>(k)]); }
+  /// False of any where the hull is flat.
+  [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
+    return hull->faces.size() > 2 && std::all_of(hull->faces.begin(), hull->faces.end(), [&](const HullFace& face) {
+             return (x - corner(face.corners[0])).dot(face.normal) <= beyond;
+           });
+  }
 
  private:
   template <class Height>
@@ -108,6 +120,11 @@ struct FrustumCore {
     const Vec3<double> along(-out[1], out[0], 0);
     return {radii[end] * out + Vec3<double>(0, 0, heights[end]), radii[end] / across * along * along.transpose()};
   }
+  [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
+    const double height = heights[1] - heights[0], wider = radii[1] - radii[0], slant = std::hypot(height, wider);
+    const double aside = (std::hypot(x[0], x[1]) - radii[0]) * height - (x[2] - heights[0]) * wider;
+    return x[2] >= heights[0] - beyond && x[2] <= heights[1] + beyond && aside <= slant * beyond;
+  }
 };
 
 /// Of the lower and of the upper half of a tablet, each with its end of the straight side.
@@ -130,6 +147,13 @@ struct TabletCore {
     const double below = cap_radius * across * across / (u.squaredNorm() + u.norm() * up);
     return {{cap_radius * n[0], cap_radius * n[1], side * (l + e - below)},
             cap_radius / u.norm() * (Mat3<double>::Identity() - n * n.transpose())};
+  }
+  [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
+    const auto& [l, r, e] = tablet;
+    const double across = std::hypot(x[0], x[1]), up = std::max(std::abs(x[2]) - l, 0.0);
+    if (across > r + beyond || up > e + beyond) return false;
+    // On the cap's sphere or within: across^2 + (up - e)^2 + 2 R (up - e) <= 0.
+    return across * across + (up - e) * (up - e) <= 2 * cap_radius * (e - up + beyond);
   }
 };
 
@@ -163,6 +187,10 @@ struct SmoothCore {
   }
   [[nodiscard]] CubePoint<double> chart_of_point(const Vec3<double>& x) const {
     return plumb::chart_of_point<double>(octant(x), x);
+  }
+  [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
+    const NormHessian<double> g = gauge(x);
+    return g.value - 1 <= beyond * g.gradient.norm();
   }
   /// g, 1 on the surface, with its derivatives by x.
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const { return gauge_hessian<double>(octant(x), x); }

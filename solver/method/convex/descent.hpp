@@ -101,19 +101,14 @@ class Descent {
     return is_exact(best) ? best : slid(best);
   }
 
-  /// One of the points moved so that both lie along the normal, where a smooth core's surface holds it to rounding: of surfaces that are all
-  /// but flat, and of what a normal does not tell.
+  /// One of the points moved so that both lie along the normal, where its core holds it to rounding: of surfaces that are all but flat, and of
+  /// what a normal does not tell.
   [[nodiscard]] CommonNormal slid(const CommonNormal& best) const {
     CommonNormal first = best, second = best;
     first.point1 = best.point2 + best.overlap * best.normal;
     second.point2 = best.point1 - best.overlap * best.normal;
-    if (is_on_smooth(pair_.body1, first.point1) && is_exact(first)) return first;
-    return is_on_smooth(pair_.body2, second.point2) && is_exact(second) ? second : best;
-  }
-  [[nodiscard]] bool is_on_smooth(const PlacedCore& body, const Vec3<double>& x) const {
-    if (!body.is_smooth()) return false;
-    const NormHessian<double> g = body.gauge(x);
-    return std::abs(g.value - 1) <= pair_.rounding() * g.gradient.norm();
+    if (pair_.body1.holds(first.point1, pair_.rounding()) && is_exact(first)) return first;
+    return pair_.body2.holds(second.point2, pair_.rounding()) && is_exact(second) ? second : best;
   }
 
   [[nodiscard]] CommonNormal best_of(const Nearest& nearest) const {

@@ -79,6 +79,8 @@ struct ForeignCore {
     const Vec3<double> n = unit_of(u);
     return {farthest(n), shape->hessian == nullptr ? by_differences(n) : by_function(n)};
   }
+  /// Not known.
+  [[nodiscard]] static bool holds(const Vec3<double>& /*x*/, double /*beyond*/) { return false; }
 
  private:
   [[nodiscard]] static Vec3<double> unit_of(const Vec3<double>& u) {

@@ -8,7 +8,8 @@
 //     n_a (x_a - z) + n_e x_e - cos (n_a y_a + n_e y_e) - [c.e + B (k.e)^2],   c = n_e s + (y_a n_e - y_e n_a) m,   B = (1 - cos) n_e y_e
 // For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where s is along m and 2 B <= |c|: there |c| cos + B sin^2 is
 // greatest at the angle 0. Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between
-// them have.
+// them have. Where the lowest e differs from point to point no two points show for all e what a mixture of them shows for each: then arcs of e
+// are searched, and over an arc the bracket's two terms are each at most their greatest in it.
 #pragma once
 
 #include "solver/method/convex/descent.hpp"
@@ -39,20 +40,23 @@ class MeridianSearch {
     across_ = tilt_.norm() > rounding ? tilt_ : shift_;
     across_ =
         across_.norm() > 0 ? (across_ - across_.dot(axis) * axis).normalized().eval() : axis.unitOrthogonal().eval();
+    beside_ = axis.cross(across_);
     is_plane_ = std::abs(axis.cross(across_).dot(shift_)) <= rounding * shift_.norm();
   }
 
   /// Whether all directions are excluded but those as low as the best, to rounding.
   [[nodiscard]] bool run() {
-    bool is_complete = true;
-    for (int k = 0; k < parts; ++k) is_complete = exclude(width() * k, width(), 0) && is_complete;
-    return is_complete;
+    const double before = best_.overlap;
+    if (search()) return true;
+    // What was looked at before the lowest was known is looked at again.
+    return best_.overlap < before - tolerance * pair_.size && search();
   }
   [[nodiscard]] const CommonNormal& best() const { return best_; }
   [[nodiscard]] int cells() const { return cells_; }
 
  private:
-  static constexpr int parts = 4, deepest = 30, most_cells = 2000;
+  static constexpr double pi = static_cast<double>(EIGEN_PI);
+  static constexpr int parts = 4, deepest = 60, most_cells = 20'000;
   /// Of the size. What an axis that is common but for rounding does to o, and what is left for the search.
   static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon(),
                           tolerance = 128 * std::numeric_limits<double>::epsilon();
@@ -64,7 +68,40 @@ class MeridianSearch {
     Vec2<double> first, second;
   };
 
-  [[nodiscard]] static double width() { return static_cast<double>(EIGEN_PI) / parts; }
+  /// Unit e, by their angle from `across_`: all of them, or an arc.
+  struct Arc {
+    double middle = 0, half = pi;
+
+    [[nodiscard]] bool is_circle() const { return half == pi; }
+    [[nodiscard]] Arc centre() const { return {middle, 0}; }
+    /// -1 or 1.
+    [[nodiscard]] Arc part(int side) const { return {middle + side * half / 2, half / 2}; }
+    /// The greatest cosine of the angle between a direction and one of the arc.
+    [[nodiscard]] double nearest_cosine(double angle) const {
+      return std::cos(std::max(std::abs(std::remainder(middle - angle, 2 * pi)) - half, 0.0));
+    }
+  };
+  /// The directions at the angles `from` to `from + width` from the axis, of an arc.
+  struct Cell {
+    double from, width;
+    Arc arc;
+    int depth;
+
+    [[nodiscard]] std::array<Cell, 2> parts_of_arc() const {
+      return {Cell{from, width, arc.part(-1), depth + 1}, {from, width, arc.part(1), depth + 1}};
+    }
+    [[nodiscard]] std::array<Cell, 2> parts_of_angle() const {
+      return {Cell{from, width / 2, arc, depth + 1}, {from + width / 2, width / 2, arc, depth + 1}};
+    }
+  };
+
+  [[nodiscard]] bool search() {
+    bool is_complete = true;
+    for (int k = 0; k < parts; ++k) is_complete = exclude({width() * k, width(), {}, 0}) && is_complete;
+    return is_complete;
+  }
+
+  [[nodiscard]] static double width() { return pi / parts; }
   [[nodiscard]] static bool is_point(const PlacedCore& body) {
     const auto* segment = std::get_if<SegmentCore>(&body.core);
     return segment != nullptr && segment->half_length == 0;
@@ -89,55 +126,84 @@ class MeridianSearch {
     return e.isZero(0) ? across_ : e.stableNormalized().eval();
   }
 
-  /// The lowest n.(x1 - x2) of all directions at an angle.
-  [[nodiscard]] double height(const Witness& w, const Angle& n) const {
-    const double turned = w.second[0] * n[1] - w.second[1] * n[0], along = n.dot(w.second);
-    const double aside = (n[1] * shift_ + turned * tilt_).norm(), bulge = less_ * n[1] * w.second[1];
-    const double greatest = is_plane_ && 2 * bulge <= aside ? aside : aside + std::max(bulge, 0.0);
-    return n.dot(w.first) - n[0] * centre_ - (1 - less_) * along - greatest;
+  /// c, and B.
+  struct Aside {
+    Vec3<double> vector;
+    double bulge;
+
+    [[nodiscard]] Aside operator-() const { return {-vector, -bulge}; }
+  };
+  [[nodiscard]] Aside aside(const Witness& w, const Angle& n) const {
+    const double turned = w.second[0] * n[1] - w.second[1] * n[0];
+    return {n[1] * shift_ + turned * tilt_, less_ * n[1] * w.second[1]};
+  }
+  /// The greatest bracket of an arc, or more.
+  [[nodiscard]] double greatest(const Aside& of, const Arc& arc) const {
+    const double length = of.vector.norm();
+    if (arc.is_circle()) return is_plane_ && 2 * of.bulge <= length ? length : length + std::max(of.bulge, 0.0);
+    const double angle = std::atan2(of.vector.dot(beside_), of.vector.dot(across_));
+    const double sine = std::max(arc.nearest_cosine(pi / 2), arc.nearest_cosine(-pi / 2)),
+                 cosine = std::max(arc.nearest_cosine(0), arc.nearest_cosine(pi));
+    return length * arc.nearest_cosine(angle) + of.bulge * (of.bulge > 0 ? sine * sine : 1 - cosine * cosine);
   }
 
-  /// Of the directions at an angle in the plane of both axes and across it the lowest: its support points. A lower one than the best is
-  /// followed.
-  [[nodiscard]] Witness look(const Angle& n) {
-    const Vec3<double> beside = axis_.cross(across_);
+  /// The lowest n.(x1 - x2) of an arc's directions at an angle, or less.
+  [[nodiscard]] double height(const Witness& w, const Angle& n, const Arc& arc) const {
+    return n.dot(w.first) - n[0] * centre_ - (1 - less_) * n.dot(w.second) - greatest(aside(w, n), arc);
+  }
+  /// By how much those differ, or more.
+  [[nodiscard]] double range(const Witness& w, const Angle& n, const Arc& arc) const {
+    const Aside of = aside(w, n);
+    return greatest(of, arc) + greatest(-of, arc);
+  }
+
+  /// The support points of the arc's middle; of a circle, of what is lowest in the plane of both axes and across it. A lower direction than
+  /// the best is followed.
+  [[nodiscard]] Witness look(const Angle& n, const Arc& arc) {
     double lowest = std::numeric_limits<double>::infinity();
     Witness out;
-    for (const Vec3<double>& e : {across_, Vec3<double>(-across_), beside, Vec3<double>(-beside)}) {
+    const auto see = [&](const Vec3<double>& e) {
       const Vec3<double> direction = n[0] * axis_ + n[1] * e;
       const Difference at = pair_.support(direction);
       const double overlap = at.w().dot(direction);
       if (overlap < level()) take(descent_.from(direction));
       if (overlap < lowest) lowest = overlap, out = seen(at.point1, at.point2, e);
-    }
+    };
+    see(std::cos(arc.middle) * across_ + std::sin(arc.middle) * beside_);
+    if (arc.is_circle())
+      for (const Vec3<double>& e : {Vec3<double>(-across_), beside_, Vec3<double>(-beside_)}) see(e);
     return out;
   }
 
-  [[nodiscard]] bool are_above(const Witness& w, const Angle& n1, const Angle& n2) const {
-    return height(w, n1) >= level() && height(w, n2) >= level();
-  }
-
-  /// Whether no direction from `from` on is lower, over `width`.
-  [[nodiscard]] bool exclude(double from, double width, int depth) {
+  /// Whether no direction of the cell is lower.
+  [[nodiscard]] bool exclude(const Cell& cell) {
     if (++cells_ > most_cells) return false;
-    const Angle first = at(from), middle = at(from + width / 2), last = at(from + width);
-    const Witness at_middle = look(middle);
+    const Arc& arc = cell.arc;
+    const auto are_above = [&](const Witness& w, const Angle& n1, const Angle& n2) {
+      return height(w, n1, arc) >= level() && height(w, n2, arc) >= level();
+    };
+    const Angle first = at(cell.from), middle = at(cell.from + cell.width / 2), last = at(cell.from + cell.width);
+    const Witness at_middle = look(middle, arc);
     const Witness of_best = seen(best_.point1, best_.point2, across(best_.normal));
     if (are_above(at_middle, first, last) || are_above(of_best, first, last)) return true;
     // Up to where the two are as high one excludes, and beyond it the other.
-    const Witness at_first = look(first), at_last = look(last);
-    const Angle between = crossing(at_first, at_last, first, last);
+    const Witness at_first = look(first, arc), at_last = look(last, arc);
+    const Angle between = crossing(at_first, at_last, first, last, arc);
     if (are_above(at_first, first, between) && are_above(at_last, between, last)) return true;
-    if (depth == deepest) return false;
-    return exclude(from, width / 2, depth + 1) && exclude(from + width / 2, width / 2, depth + 1);
+    if (cell.depth == deepest) return false;
+    const auto of_centre = [&](const Angle& n) { return height(at_middle, n, arc.centre()); };
+    const double by_angle = of_centre(middle) - std::min(of_centre(first), of_centre(last));
+    const auto halves = range(at_middle, middle, arc) > by_angle ? cell.parts_of_arc() : cell.parts_of_angle();
+    return exclude(halves[0]) && exclude(halves[1]);
   }
 
   /// Where both heights are the same, by the secant.
-  [[nodiscard]] Angle crossing(const Witness& w1, const Witness& w2, const Angle& n1, const Angle& n2) const {
+  [[nodiscard]] Angle crossing(const Witness& w1, const Witness& w2, const Angle& n1, const Angle& n2,
+                               const Arc& arc) const {
     constexpr int steps = 6;
     const auto excess = [&](double t) {
       const Angle n = n1 + t * (n2 - n1);
-      return height(w1, n) - height(w2, n);
+      return height(w1, n, arc) - height(w2, n, arc);
     };
     double t0 = 0, t1 = 1, e0 = excess(t0), e1 = excess(t1);
     for (int step = 0; step < steps && e0 != e1; ++step) {
@@ -154,7 +220,7 @@ class MeridianSearch {
   const PlacedCores& pair_;
   Descent descent_;
   Vec3<double> axis_, other_, shift_, tilt_;  ///< a, b, s, m
-  Vec3<double> across_;                       ///< a unit e along m, or along s where there is no m
+  Vec3<double> across_, beside_;              ///< unit e: along m, or along s where there is no m, and across that
   double centre_, less_;                      ///< z, 1 - cos
   bool is_plane_;                             ///< s is along m
   CommonNormal best_;

@@ -48,10 +48,8 @@ struct PlacedCore {
   [[nodiscard]] CubePoint<double> chart_of_point(const Vec3<double>& x) const {
     return std::get<SmoothCore>(core).chart_of_point(rotation.transpose() * (x - centre));
   }
-  /// Of a smooth core, with its derivatives by a point of the frame.
-  [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const {
-    const NormHessian<double> at = std::get<SmoothCore>(core).gauge(rotation.transpose() * (x - centre));
-    return {at.value, rotation * at.gradient, rotation * at.hessian * rotation.transpose()};
+  [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
+    return std::visit([&](const auto& of) { return of.holds(rotation.transpose() * (x - centre), beyond); }, core);
   }
 
  private:

@@ -18,9 +18,9 @@ namespace plumb::detail {
 
 class PolytopeMinimum {
  public:
-  /// `known`: a unit direction whose overlap is low already, and above 0.
+  /// `known`: a unit direction whose overlap is low already.
   PolytopeMinimum(const PlacedCores& pair, const Vec3<double>& known)
-      : pair_(pair), best_(pair.overlap(known) * (1 + margin)), has_witnesses_(pair.has_hull()) {
+      : pair_(pair), best_(a_little_above(pair.overlap(known))), has_witnesses_(pair.has_hull()) {
     if (!has_witnesses_) return;
     const Vec3<double> s = known.unitOrthogonal(), t = known.cross(s);
     for (int k = 0; k < most_witnesses; ++k) {
@@ -49,7 +49,11 @@ class PolytopeMinimum {
   static constexpr double wide = 2, narrow = 0.5;
   static constexpr std::array<double, 10> eighths{0,    0.7, 1,    0.7, 0,
                                                   -0.7, -1,  -0.7, 0,   0.7};  // about the sine of k turns
-  static constexpr double margin = 1e-9;  // a normal that is known may be that of a face, to rounding
+  /// A normal that is known may be that of a face, to rounding.
+  [[nodiscard]] static double a_little_above(double overlap) {
+    constexpr double margin = 1e-9;
+    return overlap * (overlap > 0 ? 1 + margin : 1 - margin);
+  }
 
   /// o(n).
   double consider(const Vec3<double>& n) {
