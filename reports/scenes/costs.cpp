@@ -69,7 +69,8 @@ ReportTable effect_costs(const SceneOptions& options) {
   const double with = seconds_from(dense, all, options.repeat);
   scene::each_effect(all.effects, [&](const auto& effect) {
     using Parameters = typename std::remove_cvref_t<decltype(effect)>::value_type;
-    const bool is_needed = Parameters::name == scene::Linear::name;  // others stand on it
+    // Others stand on the one, and without the other the pile flies apart.
+    const bool is_needed = Parameters::name == scene::Linear::name || Parameters::name == scene::Gravity::name;
     if (!effect || is_needed || interrupted()) return;
     Scene less = all;
     scene::each_effect(less.effects, [](auto& other) {
