@@ -116,24 +116,35 @@ Mixture nearest_point_from(const PlacedCores& pair, Mixture start) {
 
 Mixture nearest_on_face(const PlacedCores& pair, const Vec3<double>& n) {
   constexpr int rounds = 40;
-  constexpr double aside = 0x1p-44;  // what is lower by more than this is of another face
+  // What is lower by more than the first is of another face, but for points so near to each other that rounding hides it: of a sliver's face
+  // all corners are as high.
+  constexpr std::array asides{0x1p-44, 0x1p-32, 0x1p-20, 0x1p-8};
   const auto across = [&](const Vec3<double>& w) { return Vec3<double>(w - w.dot(n) * n); };
+  // Of a mixture of two what is along their line is rounding, and of a sliver's line more than what is across it.
+  const auto outward = [&](const Mixture& mixture, const Vec3<double>& w) {
+    if (mixture.atoms.size() != 2) return w;
+    const Vec3<double> line = across(mixture.atoms[1].w - mixture.atoms[0].w);
+    return Vec3<double>(w - w.dot(line) / line.squaredNorm() * line);
+  };
   Mixture out{{pair.farthest(n)}, {1}, 0};
+  const double top = out.atoms[0].w.dot(n);
   Vec3<double> w = across(out.atoms[0].w);
-  for (int k = 0; k < rounds && w.norm() > rounding; ++k) {
-    Mixture next = out;
-    next.atoms.push_back(pair.farthest(n - aside * w.normalized()));
-    Points flat = points_of(next.atoms);
-    for (Vec3<double>& point : flat) point = across(point);
-    next.weights = nearest_mixture(flat);
-    if (next.weights.empty()) break;
-    keep_used(next.atoms, next.weights);
-    const Vec3<double> nearer = across(mixed(next));
-    if (!(nearer.norm() < w.norm())) break;
-    out = std::move(next);
-    w = nearer;
-    if (out.atoms.size() == 4) break;
-  }
+  for (const double aside : asides)
+    for (int k = 0; k < rounds && w.norm() > rounding && out.atoms.size() < 4; ++k) {
+      const Atom atom = pair.farthest(n - aside * outward(out, w).normalized());
+      if (aside > asides[0] && !(top - atom.w.dot(n) <= rounding)) break;
+      Mixture next = out;
+      next.atoms.push_back(atom);
+      Points flat = points_of(next.atoms);
+      for (Vec3<double>& point : flat) point = across(point);
+      next.weights = nearest_mixture(flat);
+      if (next.weights.empty()) break;
+      keep_used(next.atoms, next.weights);
+      const Vec3<double> nearer = across(mixed(next));
+      if (!(nearer.norm() < w.norm())) break;
+      out = std::move(next);
+      w = nearer;
+    }
   return out;
 }
 
