@@ -174,10 +174,17 @@ void MeshMaker::list_joints() {
   for (std::uint32_t k = 0; k < joints_.size(); ++k) joint_of_[joints_[k].side.triangle][joints_[k].side.side] = k;
 }
 
+/// Its corners, to rounding; and its sides, for one that is as small as rounding may stand on the plane.
 bool MeshMaker::is_in_plane(const MeshFacet& facet, std::uint32_t triangle) const {
-  return std::ranges::all_of(mesh_.triangles_[triangle], [&](const Vec3<double>& corner) {
-    return std::abs(facet.normal.dot(corner - facet.point)) <= in_plane * mesh_.extent_;
-  });
+  constexpr double steepest = 0.5;  // sine
+  const Triangle& t = mesh_.triangles_[triangle];
+  const auto height = [&](const Vec3<double>& x) { return std::abs(facet.normal.dot(x)); };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3<double> side = t[(k + 1) % 3] - t[k];
+    const bool lies = height(t[k] - facet.point) <= in_plane * mesh_.extent_;
+    if (!lies || height(side) > steepest * side.norm()) return false;
+  }
+  return true;
 }
 
 /// From the greatest triangles on: their normals are known best.
