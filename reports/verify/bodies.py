@@ -1,4 +1,4 @@
-"""Frictionless impacts of any convex body, on a plane and on another body: the impulse of rigid bodies.
+"""Impacts of any convex body, on a plane and on another body: the impulse of rigid bodies, with friction that of an ODE.
 
 Bodies are placed where they touch along a normal that is drawn first: the point of each is its farthest along it, in closed form. Nothing
 of the solver's is asked. The collision is so short that no body turns by more than about 1e-5 in it."""
@@ -8,13 +8,15 @@ import random
 
 import numpy as np
 
+import ode
 from case import Case, Set
 from rigid import Rigid, impulse
 from scenes import body, floor, rotation_of, momentum, scene, velocity
 
 STIFFNESS = 1e9
 SPEED = 1.0
-SOURCE = "impulse of rigid bodies"
+FRICTION = 0.3
+SOURCE = {0: "impulse of rigid bodies", FRICTION: "the law's ODE"}
 
 
 def unit(draw, size=3):
@@ -28,9 +30,13 @@ def drawn(draw, superquadric):
     return axes, exponents, unit(draw, 4)
 
 
-def effects_of(restitution):
-    linear = {"linear": {"stiffness": STIFFNESS}}
-    return linear if restitution == 1 else {**linear, "damping": {"restitution": restitution}}
+def effects_of(restitution, friction):
+    out = {"linear": {"stiffness": STIFFNESS}}
+    if restitution < 1:
+        out["damping"] = {"restitution": restitution}
+    if friction:
+        out["friction"] = {"coefficient": friction}
+    return out
 
 
 def lasts(yields):
@@ -40,56 +46,62 @@ def lasts(yields):
     return gap, gap / SPEED + 2.2 * math.pi / rate
 
 
-def on_plane(name, draw, superquadric, restitution):
+def a_case(name, places, first, arm, normal, approach, others, restitution, friction, walls=()):
+    """The first body goes at `approach` past what it meets at `arm`, whose normal leads out of it; others: (body, arm)."""
+    yields = [first.yields(arm, normal)] + [other.yields(its, normal) for other, its in others]
+    if friction:
+        mobility = first.mobility(arm) + sum(other.mobility(its) for other, its in others)
+        exact = ode.frictional(mobility, approach, normal, restitution, friction)
+    else:
+        exact = -impulse(restitution, SPEED, *yields) * normal
+    before = np.array(places[0]["velocity"])
+
+    def read(ran):
+        push = first.mass * (velocity(ran.last) - before)
+        along = push @ normal
+        return {"impulse": -along, "impulse across": np.linalg.norm(push - along * normal - (exact - (exact @ normal) * normal)),
+                "couple of it": np.linalg.norm(momentum(ran.last) - np.cross(arm, push))}
+
+    size = np.linalg.norm(exact)
+    effects = effects_of(restitution, friction)
+    return Case(name, "", SOURCE[friction], scene(places, effects, lasts(sum(yields))[1], walls),
+                {"impulse": -exact @ normal, "impulse across": 0.0, "couple of it": 0.0}, read, scale={"impulse across": size, "couple of it": size})
+
+
+def on_plane(name, draw, superquadric, restitution, friction):
     axes, exponents, quaternion = drawn(draw, superquadric)
     one = Rigid(axes, exponents, rotation_of(quaternion))
     normal = np.array([0, 0, -1.0])
     arm = one.farthest(normal)
-    yields = one.yields(arm, normal)
-    gap, duration = lasts(yields)
-    place = body(axes, exponents, (0, 0, gap - arm[2]), (0.3, -0.2, -SPEED), quaternion=quaternion)
-    exact = impulse(restitution, SPEED, yields)
-
-    def read(ran):
-        push = one.mass * (velocity(ran.last)[2] + SPEED)
-        spun = np.linalg.norm(momentum(ran.last) + push * np.cross(arm, normal))
-        return {"impulse": push, "couple of it": spun}
-
-    return Case(name, "", SOURCE, scene([place], effects_of(restitution), duration, [floor()]), {"impulse": exact, "couple of it": 0.0}, read,
-                scale={"couple of it": exact})
+    gap, _ = lasts(one.yields(arm, normal))
+    approach = np.array([0.3, -0.2, -SPEED])
+    place = body(axes, exponents, (0, 0, gap - arm[2]), approach, quaternion=quaternion)
+    return a_case(name, [place], one, arm, normal, approach, [], restitution, friction, [floor()])
 
 
-def on_another(name, draw, superquadric, restitution):
+def on_another(name, draw, superquadric, restitution, friction):
     shapes = [drawn(draw, superquadric) for _ in range(2)]
     one, two = (Rigid(axes, exponents, rotation_of(quaternion)) for axes, exponents, quaternion in shapes)
     normal = unit(draw)
     arm1, arm2 = one.farthest(normal), two.farthest(-normal)
-    yields = one.yields(arm1, normal), two.yields(arm2, normal)
-    gap, duration = lasts(sum(yields))
+    gap, _ = lasts(one.yields(arm1, normal) + two.yields(arm2, normal))
     across = np.cross(normal, unit(draw)) / 3
     places = [body(*shapes[0][:2], (0, 0, 0), SPEED / 2 * normal, quaternion=shapes[0][2]),
               body(*shapes[1][:2], arm1 - arm2 + gap * normal - across * gap / SPEED, across - SPEED / 2 * normal, quaternion=shapes[1][2])]
-    exact = impulse(restitution, SPEED, *yields)
-
-    def read(ran):
-        push = one.mass * (SPEED / 2 - velocity(ran.last, 0) @ normal)
-        spun = np.linalg.norm(momentum(ran.last, 0) + push * np.cross(arm1, normal))
-        return {"impulse": push, "couple of it": spun}
-
-    return Case(name, "", SOURCE, scene(places, effects_of(restitution), duration), {"impulse": exact, "couple of it": 0.0}, read,
-                scale={"couple of it": exact})
+    return a_case(name, places, one, arm1, normal, SPEED * normal - across, [(two, arm2)], restitution, friction)
 
 
-def a_set(what, make, superquadric, restitution, count):
+def a_set(what, make, superquadric, restitution, friction, count):
     kind = "superquadrics" if superquadric else "ellipsoids"
     draw = random.Random(f"{what} {kind} {restitution}")
-    name = f"{kind}-{what}-{restitution}".replace(" ", "-")
-    cases = [make(f"{name}/{k}", draw, superquadric, restitution) for k in range(count)]
-    return Set(name, f"{count} {kind} on {what}, e = {restitution}, worst", SOURCE, cases)
+    rubs = f", friction {friction}" if friction else ""
+    name = f"{kind}-{what}-{restitution}{rubs}".replace(" ", "-").replace(",", "")
+    cases = [make(f"{name}/{k}", draw, superquadric, restitution, friction) for k in range(count)]
+    return Set(name, f"{count} {kind} on {what}, e = {restitution}{rubs}, worst", SOURCE[friction], cases)
 
 
 def sets(count):
     for superquadric in (False, True):
         for what, make in (("a plane", on_plane), ("another", on_another)):
-            for restitution in (1.0, 0.6):
-                yield a_set(what, make, superquadric, restitution, count)
+            for restitution, friction in ((1.0, 0), (0.6, 0), (0.6, FRICTION)):
+                yield a_set(what, make, superquadric, restitution, friction, count)

@@ -1,6 +1,8 @@
-"""What has no closed form: the law's equations, integrated in steps so short that halving them moves the result by less than 3e-5."""
+"""What has no closed form: the law's equations, integrated in steps so short that halving them moves the result by less than 3e-5 of it."""
 
 import math
+
+import numpy as np
 
 
 def oblique(factor, mass, radius, normal, across, restitution, friction, ratio=2 / 7, steps=40000):
@@ -37,3 +39,67 @@ def oblique(factor, mass, radius, normal, across, restitution, friction, ratio=2
             return state[2], state[3]
         most = friction * factor * state[0] ** 1.5
         state[4] = max(-most, min(most, state[4]))
+
+
+def frictional(mobility, approach, normal, restitution, friction, ratio=2 / 7, steps=2000):
+    """The impulse on the first of two bodies that meet and hardly turn meanwhile. mobility: 3 x 3, both bodies' in sum; approach: the velocity of the
+    first's point against the second's; normal: unit, from the first to the second.
+
+    overlap'  = velocity . normal
+    spring'   = velocity across the normal, and as long as friction overlap / ratio at most
+    velocity' = mobility force, force = -(overlap + c overlap') normal - ratio spring, c = 2 beta sqrt(mass)
+    The stiffness is 1: no impulse depends on it.
+    """
+    mass = 1 / (normal @ mobility @ normal)
+    log = math.log(restitution)
+    damping = -2 * log / math.hypot(math.pi, log) * math.sqrt(mass)
+
+    def cut(spring, overlap):
+        length, most = np.linalg.norm(spring), friction * max(overlap, 0.0) / ratio
+        return spring * (most / length) if length > most else spring
+
+    def rates(state):
+        overlap, spring, velocity = state[0], cut(state[1:4], state[0]), state[4:7]
+        closing = velocity @ normal
+        force = -(overlap + damping * closing) * normal - ratio * spring
+        return np.concatenate(([closing], velocity - closing * normal, mobility @ force, force))
+
+    state = np.concatenate((np.zeros(4), approach, np.zeros(3)))
+    step = math.pi * math.sqrt(mass) / steps
+    while True:
+        a = rates(state)
+        b = rates(state + step / 2 * a)
+        c = rates(state + step / 2 * b)
+        d = rates(state + step * c)
+        after = state + step / 6 * (a + 2 * b + 2 * c + d)
+        if after[0] <= 0:
+            part = state[0] / (state[0] - after[0])
+            return (state + part * (after - state))[7:]
+        after[1:4] = cut(after[1:4], after[0])
+        state = after
+
+
+def rocking(semi_axes, power, mass, moment, stiffness, gravity, first, duration, steps=800000):
+    """(height, angle, spin) at the end of what is at first (height, angle) and at rest on ice, and turns about its second axis.
+
+    h(angle) = ((a sin)^q + (c cos)^q)^(1/q): how far it reaches along the vertical, q the power
+    height'' = N / mass - gravity, angle'' = -N h' / moment, N = stiffness (h - height)
+    """
+    a, c = semi_axes[0], semi_axes[2]
+
+    def rates(height, angle, rise, spin):
+        along, up = abs(a * math.sin(angle)), c * math.cos(angle)
+        total = along ** power + up ** power
+        reach = total ** (1 / power)
+        slope = (along ** (power - 1) * math.copysign(a * math.cos(angle), angle) - up ** (power - 1) * c * math.sin(angle)) * reach / total
+        push = stiffness * max(reach - height, 0.0)
+        return rise, spin, push / mass - gravity, -push * slope / moment
+
+    step, state = duration / steps, (*first, 0.0, 0.0)
+    for _ in range(steps):
+        p = rates(*state)
+        q = rates(*(x + step / 2 * d for x, d in zip(state, p)))
+        r = rates(*(x + step / 2 * d for x, d in zip(state, q)))
+        s = rates(*(x + step * d for x, d in zip(state, r)))
+        state = tuple(x + step / 6 * (k + 2 * l + 2 * m + n) for x, k, l, m, n in zip(state, p, q, r, s))
+    return state[0], state[1], state[3]

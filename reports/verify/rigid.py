@@ -56,6 +56,11 @@ class Rigid:
         turned = np.cross(arm, normal)
         return 1 / self.mass + turned @ self.inverse @ turned
 
+    def mobility(self, arm):
+        """3 x 3: what an impulse at an arm changes the velocity there by."""
+        lever = np.array([[0, -arm[2], arm[1]], [arm[2], 0, -arm[0]], [-arm[1], arm[0], 0]])
+        return np.eye(3) / self.mass - lever @ self.inverse @ lever
+
 
 def impulse(restitution, approach, *yields):
     """J = (1 + e) v_n / (1/m1 + 1/m2 + (r1 x n).I1^-1 (r1 x n) + (r2 x n).I2^-1 (r2 x n))"""

@@ -11,6 +11,7 @@ import adhesion
 import bodies
 import impacts
 import resting
+import rocking
 import table
 from case import Case, Set
 from scenes import Failed, Runner
@@ -22,8 +23,6 @@ MISSING = (
     ("7: two balls, one spins", "data of the paper not at hand"),
     ("8: two unlike balls, one spins", "data of the paper not at hand"),
     ("JKR and DMT of elliptic patches", "JKR has none in closed form; DMT: a test of the force"),
-    ("impact of any body with friction", "its ODE is not solved here"),
-    ("superquadric that rocks on a plane", "not built"),
 )
 
 
@@ -68,6 +67,7 @@ def everything(quick):
     yield from impacts.cases()
     yield from adhesion.cases()
     yield from resting.cases()
+    yield from rocking.cases()
     yield from bodies.sets(2 if quick else 20)
 
 

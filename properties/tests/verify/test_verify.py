@@ -14,6 +14,7 @@ from mpmath import mpf
 import bodies
 import exact
 import impacts
+import ode
 import rigid
 import table
 import verify
@@ -56,6 +57,18 @@ class ClosedForms(unittest.TestCase):
             for other in (rigid.support(axes, exponents, bodies.unit(draw)) for _ in range(50)):
                 self.assertLessEqual(other @ direction, point @ direction + 1e-12)
 
+    def test_a_ball_that_slides_all_along_is_slowed_by_the_coefficient(self):
+        normal, approach = np.array([0, 0, -1.0]), np.array([3.0, 0, -1])
+        mobility = np.eye(3) + 2.5 * (np.eye(3) - np.outer(normal, normal))
+        impulse = ode.frictional(mobility, approach, normal, 1.0, 0.2)
+        np.testing.assert_allclose(impulse, (-0.4, 0, 2), atol=1e-6)
+
+    def test_without_friction_the_impulse_is_that_of_rigid_bodies(self):
+        body = rigid.Rigid((1, 0.8, 0.6), (2, 2), np.eye(3))
+        normal, arm = np.array([0, 0, -1.0]), np.array([0.3, 0.2, -0.5])
+        impulse = ode.frictional(body.mobility(arm), np.array([0.4, 0, -1]), normal, 0.6, 0.0)
+        np.testing.assert_allclose(impulse, (0, 0, rigid.impulse(0.6, 1, body.yields(arm, normal))), atol=1e-6)
+
 
 class Table(unittest.TestCase):
     def test_nothing_holds_without_its_number(self):
@@ -78,9 +91,9 @@ class Suite(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             runner = Runner(pathlib.Path(folder))
             groups = [impacts.two_balls("glass", impacts.GLASS), impacts.on_plane("aluminium", impacts.ALUMINIUM),
-                      bodies.a_set("another", bodies.on_another, True, 0.6, 2)]
+                      bodies.a_set("another", bodies.on_another, True, 0.6, bodies.FRICTION, 2)]
             rows = list(verify.rows(runner, groups, (1e-2, 1e-4)))
-        self.assertEqual(len(rows), 8)
+        self.assertEqual(len(rows), 9)
         for row in rows:
             self.assertTrue(row.holds, table.line(row))
         for row in rows[:6]:
