@@ -94,7 +94,7 @@ def on_another(name, draw, superquadric, restitution, friction):
 def a_set(what, make, superquadric, restitution, friction, count):
     kind = "superquadrics" if superquadric else "ellipsoids"
     draw = random.Random(f"{what} {kind} {restitution}")
-    rubs = f", friction {friction}" if friction else ""
+    rubs = f", mu {friction}" if friction else ""
     name = f"{kind}-{what}-{restitution}{rubs}".replace(" ", "-").replace(",", "")
     cases = [make(f"{name}/{k}", draw, superquadric, restitution, friction) for k in range(count)]
     return Set(name, f"{count} {kind} on {what}, e = {restitution}{rubs}, worst", SOURCE[friction], cases)

@@ -9,17 +9,21 @@
 namespace plumb::scene {
 namespace {
 
+/// At the velocities that all forces lead to in half a step, its own of now among them: as it is then, to second order.
 void drag_bodies(const Drag& drag, World& world) {
-  const double pi = std::numbers::pi;
+  const double pi = std::numbers::pi, half = world.time_step / 2;
+  State& state = world.state;
   for (const std::uint32_t i : world.bodies.movable) {
-    const double radius = world.bodies.sphere_radius[i];
-    const Vec3<double> slip = world.state.velocity->vector(i) - drag.fluid_velocity;
-    world.state.force->vector(i) -= 6 * pi * drag.viscosity * radius * slip;
+    const double factor = 6 * pi * drag.viscosity * world.bodies.sphere_radius[i];
+    const Vec3<double> slip = state.velocity->vector(i) - drag.fluid_velocity;
+    const Vec3<double> faster = world.bodies.inverse_mass[i] * (state.force->vector(i) - factor * slip);
+    state.force->vector(i) -= factor * (slip + half * faster);
   }
   for (const std::uint32_t i : world.bodies.turning) {
-    const double radius = world.bodies.sphere_radius[i];
-    const double factor = 8 * pi * drag.viscosity * radius * radius * radius;
-    world.state.torque->vector(i) -= factor * world.state.angular_velocity->vector(i);
+    const double radius = world.bodies.sphere_radius[i], factor = 8 * pi * drag.viscosity * radius * radius * radius;
+    const Vec3<double> spin = state.angular_velocity->vector(i);
+    const Vec3<double> faster = world.yield(i, state.torque->vector(i) - factor * spin);
+    state.torque->vector(i) -= factor * (spin + half * faster);
   }
 }
 
@@ -33,7 +37,7 @@ Role role(const Drag& drag, const Scene& scene) {
 }
 
 void install(const Drag& drag, World& world) {
-  world.body_passes.push_back({Drag::name, [drag, &world] { drag_bodies(drag, world); }});
+  world.closing_passes.push_back({Drag::name, [drag, &world] { drag_bodies(drag, world); }});
 }
 
 }  // namespace plumb::scene
