@@ -174,9 +174,9 @@ void MeshMaker::list_joints() {
   for (std::uint32_t k = 0; k < joints_.size(); ++k) joint_of_[joints_[k].side.triangle][joints_[k].side.side] = k;
 }
 
-/// Its corners, to rounding; and its sides, for one that is as small as rounding may stand on the plane.
+/// Its corners, to rounding; and its sides, for one that is as small as rounding may stand on the plane or be tilted against it.
 bool MeshMaker::is_in_plane(const MeshFacet& facet, std::uint32_t triangle) const {
-  constexpr double steepest = 0.5;  // sine
+  constexpr double steepest = 1e-7;  // sine
   const Triangle& t = mesh_.triangles_[triangle];
   const auto height = [&](const Vec3<double>& x) { return std::abs(facet.normal.dot(x)); };
   for (std::size_t k = 0; k < 3; ++k) {
