@@ -109,7 +109,7 @@ struct PoseDerivative {
 };
 
 /// The part that two overlapping bodies have in common, and what it exerts under a pressure: no number of it depends on the contact's
-/// point or normal, and all follow the poses without a jump. World frame. Bodies apart have volume and area 0, and the rest NaN.
+/// point or normal, and all but the axes follow the poses without a jump. World frame. Bodies apart have volume and area 0, and the rest NaN.
 struct Patch {
   double volume = std::numeric_limits<double>::quiet_NaN();  ///< V, length^3
   double area = std::numeric_limits<double>::quiet_NaN();  ///< |a|, a the area vector of body 1's surface inside body 2
@@ -120,10 +120,11 @@ struct Patch {
   Vec3<double> area_moment = not_valid<double>();
   Vec3<double> second_moments =
       not_valid<double>();  ///< principal, int (x - centre)^2 dV / V, length^2, the largest first
-  /// Columns: their axes, right-handed, the third from body 1 to body 2. Any in their plane where two moments are equal.
+  /// Columns: their axes, right-handed, the third from body 1 to body 2. Any in their plane where two moments are equal, and they turn at once
+  /// near there: points_of (patch.hpp) does not.
   Mat3<double> axes = Mat3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Estimate of the largest relative error: of V, of |a|, of the centre and the moments by the lens's own widths. Above
-  /// Want::patch_tolerance where that was not reached; infinite where there is no answer.
+  /// Want::patch_tolerance where that was not reached; infinite where there is no answer, or none known to a factor of two.
   double error = std::numeric_limits<double>::infinity();
 };
 

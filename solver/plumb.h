@@ -95,8 +95,8 @@ typedef struct plumb_context {
   double state[16];
 } plumb_context;
 
-/* The part that two overlapping bodies have in common: no number of it jumps, whatever the contact's point and normal do. Of bodies apart
- * volume and area are 0 and the rest NaN. a: the area vector of body 1's surface inside body 2. */
+/* The part that two overlapping bodies have in common: no number of it but the axes jumps, whatever the contact's point and normal do. Of bodies
+ * apart volume and area are 0 and the rest NaN; other shapes than superellipsoids have none: NaN. a: the area vector of body 1's surface inside body 2. */
 typedef struct plumb_patch {
   double volume;            /* V, length^3 */
   double area;              /* |a| */
@@ -104,9 +104,9 @@ typedef struct plumb_patch {
   double centre[3];         /* of the volume */
   double area_moment[3];    /* dV = -. dw, body 2 turned by dw about the centre; length^3 */
   double second_moments[3]; /* principal, about the centre, divided by V: length^2, the largest first */
-  double axes[3][3];        /* theirs: unit, right-handed, the third from body 1 to body 2 */
-  double points[4][3];      /* a quarter of the weight each: together the centre and the second moments of the patch */
-  double error; /* estimate of the largest relative error; above patch_tolerance where that was not reached */
+  double axes[3][3]; /* theirs: unit, right-handed, the third from body 1 to body 2; any where two moments are equal */
+  double points[4][3]; /* a quarter of the weight each: together the centre and the second moments of the patch */
+  double error;        /* estimate of the largest relative error; above patch_tolerance where that was not reached */
 } plumb_patch;
 
 /* NaN where it was not wanted; body 1's first. Matrices by rows. */

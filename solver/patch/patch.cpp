@@ -101,11 +101,12 @@ Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair
   return out;
 }
 
-/// Not the cube of a length beyond 1e102, nor below 1e-102.
-bool is_representable(const Patch& patch) {
-  return patch.volume >= std::numeric_limits<double>::min() && std::isfinite(patch.volume) &&
-         std::isfinite(patch.area) && patch.centre.allFinite() && patch.area_moment.allFinite() &&
-         patch.second_moments.allFinite();
+/// Not the cube of a length beyond 1e102, nor below 1e-102; and known to a factor of two.
+bool is_answer(const Patch& patch) {
+  constexpr double least_known = 0.5;
+  return patch.error <= least_known && patch.volume >= std::numeric_limits<double>::min() &&
+         std::isfinite(patch.volume) && std::isfinite(patch.area) && patch.centre.allFinite() &&
+         patch.area_moment.allFinite() && patch.second_moments.allFinite();
 }
 
 /// The lens of a placed pair, or of its first body and something else.
@@ -119,7 +120,7 @@ Patch patch_of_lens(const Lens& lens, const PlacedPair<double>& placed, const Pa
   const Quadrature found = moments(lens, frame, tolerance - newton.error, newton.step);
   Patch out = patch_of(found, frame, placed, pair);
   out.error = found.error + newton.error + rounding;
-  return is_representable(out) ? out : Patch{};
+  return is_answer(out) ? out : Patch{};
 }
 
 bool is_ellipsoid(const Superellipsoid<double>& shape) {
@@ -133,7 +134,7 @@ bool is_ball(const Superellipsoid<double>& shape) {
 Patch patch_of_caps(const detail::FramedMoments& lens, const PlacedPair<double>& placed, const Pair& pair) {
   Patch out = patch_of({lens.moments, 0}, lens.frame, placed, pair);
   out.error = rounding_error(placed, lens.frame);
-  return is_representable(out) ? out : Patch{};
+  return is_answer(out) ? out : Patch{};
 }
 
 /// Of balls whose surfaces cross, in closed form.
@@ -187,7 +188,8 @@ Patch patch_at_wall(const Body& body, const Vec3<double>& into_wall, const Vec3<
 }
 
 std::array<Vec3<double>, 4> points_of(const Patch& patch) {
-  const Mat3<double> offsets = patch.axes * patch.second_moments.cwiseSqrt().asDiagonal();
+  // The symmetric root of the moments: it follows them where their axes turn at once, as those of a square do.
+  const Mat3<double> offsets = patch.axes * patch.second_moments.cwiseSqrt().asDiagonal() * patch.axes.transpose();
   const auto corner = [&](double x, double y, double z) -> Vec3<double> {
     return patch.centre + offsets * Vec3<double>(x, y, z);
   };

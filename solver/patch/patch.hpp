@@ -16,7 +16,7 @@ namespace plumb {
 
 /// Four points, each with a quarter of the weight, that have a patch's centre and second moments in all directions: a force of four equal parts
 /// there has its resultant, and a field of velocities that is linear has its mean and mean square. They are the corners of a
-/// tetrahedron, across the normal those of a rectangle.
+/// tetrahedron along the world's axes, stretched by the root of the moments, so that they do not jump where the axes turn at once; an area moment is not theirs.
 [[nodiscard]] std::array<Vec3<double>, 4> points_of(const Patch& patch);
 
 }  // namespace plumb

@@ -226,6 +226,22 @@ TEST(Patch, PointsHaveItsMoments) {
   EXPECT_GT(patch.axes.col(2).dot(patch.normal), 0);
 }
 
+/// Their axes turn at once: of a square both moments are equal.
+TEST(Patch, PointsOfADieOnADieDoNotJump) {
+  const auto points_at = [](double tilt) {
+    Pair pair;
+    pair.body1.shape = pair.body2.shape = {Vec3<double>::Constant(0.5), 8, 8};
+    pair.body2.position = {0, 0, 0.99};
+    pair.body2.quaternion = {1, tilt / 2, 0, 0};
+    return points_of(patch_of(pair));
+  };
+  const auto flat = points_at(0);
+  for (const double tilt : {1e-16, -1e-16, 1e-14, 1e-12, -1e-9, 1e-7, 1e-5, -1e-5}) {
+    const auto tilted = points_at(tilt);
+    for (std::size_t k = 0; k < flat.size(); ++k) EXPECT_LT((tilted[k] - flat[k]).norm(), 2e-3) << k << " at " << tilt;
+  }
+}
+
 TEST(Patch, OfLegalExtremesIsNumbersOrNone) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const Contact<double> c = solve_for_patch(Extremes(seed).legal_pair());
