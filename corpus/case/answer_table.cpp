@@ -62,6 +62,17 @@ void add_derivatives(std::string& out, const Json& fields) {
   }
 }
 
+void add_patch(std::string& out, const Json& fields) {
+  if (!fields.contains("patch")) return;
+  const Json& patch = fields["patch"];
+  add_row(out, "patch",
+          fmt::format("volume {:.6e}, area {:.6e}, error {:.1e}", patch["volume"].get<double>(),
+                      patch["area"].get<double>(), patch["error"].get<double>()));
+  add_vector(out, "  normal", patch, "normal");
+  add_vector(out, "  centre", patch, "centre");
+  add_vector(out, "  moments", patch, "second_moments");
+}
+
 std::string effort_text(const Json& fields) {
   return fmt::format("{} iterations, {} evaluations, {}", fields["iterations"].get<int>(),
                      fields["evaluations"].get<int>(), time_text(fields["timing"]["ns"].get<double>()));
@@ -85,6 +96,7 @@ std::string one_answer(const Answer& answer) {
   add_group(out, "residues", fields, "residuals", "");
   add_curvature(out, fields);
   add_derivatives(out, fields);
+  add_patch(out, fields);
   add_row(out, "effort", effort_text(fields));
   return out;
 }
