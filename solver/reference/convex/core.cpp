@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/shape/hull.hpp"
 #include "solver/shape/overloaded.hpp"
@@ -271,15 +272,21 @@ CorePoint farthest_in(const ForeignCore& core, const Vec3<double>& u) {
 CorePoint near_in(const OctantsCore& /*core*/, const Vec3<double>& x) {
   return {x};
 }
-/// drawn_in moves along a slender cone's axis by much more than its side is away: radius and height are cut off here.
+/// drawn_in moves along a slender cone's axis by much more than its side is away, and across a flat one's: what is beyond the side goes to the
+/// nearest point of it here.
 CorePoint near_in(const DiscsCore& core, const Vec3<double>& x) {
   constexpr double less = 1 - 0x1p-50;  // of rounding
-  const double bottom = high(core.bottom), top = low(core.top), z = std::max(bottom, std::min(top, x[2]));
-  const double share = (z - bottom) / (top - bottom);
-  const double radius = less * (low(core.bottom_radius) * (1 - share) + low(core.top_radius) * share);
-  const double across = std::hypot(x[0], x[1]);
-  if (!(across > radius)) return {{x[0], x[1], z}};
-  return {{radius * (x[0] / across), radius * (x[1] / across), z}};
+  const double bottom = high(core.bottom), height = std::max(low(core.top) - bottom, 0.0);
+  const double first = low(core.bottom_radius), wider = low(core.top_radius) - first;
+  const double z = std::clamp(x[2] - bottom, 0.0, height), across = std::hypot(x[0], x[1]);
+  if (!(across > less * (first + (height > 0 ? wider * (z / height) : 0)))) return {{x[0], x[1], bottom + z}};
+  const double unit = std::max(std::abs(wider), height), w = unit > 0 ? wider / unit : 0,
+               h = unit > 0 ? height / unit : 1;
+  const double share = std::clamp(((across - first) * w + z * h) /
+                                      (std::max(unit, std::numeric_limits<double>::min()) * (w * w + h * h)),
+                                  0.0, 1.0);
+  const double radius = less * (first + share * wider);
+  return {{radius * (x[0] / across), radius * (x[1] / across), bottom + share * height}};
 }
 /// The side is cut off as a cone's is; what is near a pole is left to drawn_in.
 CorePoint near_in(const TabletCore& core, const Vec3<double>& x) {
