@@ -99,7 +99,9 @@ struct Lowest {
 template <class Search>
 [[nodiscard]] Lowest lowest_by(Search search, const Descent& descent) {
   const bool is_complete = search.run();
-  return {search.best(), is_complete && descent.is_exact(search.best()), search.cells()};
+  const CommonNormal& best = search.best();
+  // Of cores apart there is one common normal alone, and nothing else has to be excluded.
+  return {best, (is_complete || best.overlap < 0) && descent.is_exact(best), search.cells()};
 }
 
 [[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {

@@ -122,8 +122,9 @@ struct FrustumCore {
   }
   [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
     const double height = heights[1] - heights[0], wider = radii[1] - radii[0], slant = std::hypot(height, wider);
-    const double aside = (std::hypot(x[0], x[1]) - radii[0]) * height - (x[2] - heights[0]) * wider;
-    return x[2] >= heights[0] - beyond && x[2] <= heights[1] + beyond && aside <= slant * beyond;
+    const double across = std::hypot(x[0], x[1]), aside = (across - radii[0]) * height - (x[2] - heights[0]) * wider;
+    return x[2] >= heights[0] - beyond && x[2] <= heights[1] + beyond && aside <= slant * beyond &&
+           across <= std::max(radii[0], radii[1]) + beyond;
   }
 };
 

@@ -104,6 +104,8 @@ class Descent {
   /// One of the points moved so that both lie along the normal, where its core holds it to rounding: of surfaces that are all but flat, and of
   /// what a normal does not tell.
   [[nodiscard]] CommonNormal slid(const CommonNormal& best) const {
+    // By little: at a sharp edge a point may lie farther outside than it lies beyond the faces.
+    if (!(defect(best) <= 64 * exact())) return best;
     CommonNormal first = best, second = best;
     first.point1 = best.point2 + best.overlap * best.normal;
     second.point2 = best.point1 - best.overlap * best.normal;

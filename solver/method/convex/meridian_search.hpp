@@ -97,6 +97,7 @@ class MeridianSearch {
 
   [[nodiscard]] bool search() {
     bool is_complete = true;
+    last_cell_ = cells_ + most_cells;
     for (int k = 0; k < parts; ++k) is_complete = exclude({width() * k, width(), {}, 0}) && is_complete;
     return is_complete;
   }
@@ -177,7 +178,7 @@ class MeridianSearch {
 
   /// Whether no direction of the cell is lower.
   [[nodiscard]] bool exclude(const Cell& cell) {
-    if (++cells_ > most_cells) return false;
+    if (++cells_ > last_cell_) return false;
     const Arc& arc = cell.arc;
     const auto are_above = [&](const Witness& w, const Angle& n1, const Angle& n2) {
       return height(w, n1, arc) >= level() && height(w, n2, arc) >= level();
@@ -224,7 +225,7 @@ class MeridianSearch {
   double centre_, less_;                      ///< z, 1 - cos
   bool is_plane_;                             ///< s is along m
   CommonNormal best_;
-  int cells_ = 0;
+  int cells_ = 0, last_cell_ = 0;
 };
 
 }  // namespace plumb::detail

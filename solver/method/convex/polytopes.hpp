@@ -50,9 +50,9 @@ class PolytopeMinimum {
   static constexpr std::array<double, 10> eighths{0,    0.7, 1,    0.7, 0,
                                                   -0.7, -1,  -0.7, 0,   0.7};  // about the sine of k turns
   /// A normal that is known may be that of a face, to rounding.
-  [[nodiscard]] static double a_little_above(double overlap) {
+  [[nodiscard]] double a_little_above(double overlap) const {
     constexpr double margin = 1e-9;
-    return overlap * (overlap > 0 ? 1 + margin : 1 - margin);
+    return overlap + std::max(margin * std::abs(overlap), pair_.rounding());
   }
 
   /// o(n).
