@@ -176,7 +176,7 @@ void MeshMaker::list_joints() {
 
 /// Its corners, to rounding; and its sides, for one that is as small as rounding may stand on the plane or be tilted against it.
 bool MeshMaker::is_in_plane(const MeshFacet& facet, std::uint32_t triangle) const {
-  constexpr double steepest = 1e-7;  // sine
+  constexpr double steepest = 1e-5;  // sine; corners far from the origin tilt small triangles
   const Triangle& t = mesh_.triangles_[triangle];
   const auto height = [&](const Vec3<double>& x) { return std::abs(facet.normal.dot(x)); };
   for (std::size_t k = 0; k < 3; ++k) {
