@@ -88,7 +88,7 @@ Vec momentum(const Simulation& run) {
   return run.world().state.angular_momentum->vector(0);
 }
 
-// A step multiplies by 1 - x + x^2/2 - x^3/4, x = dt/tau: t dt^2 / (12 tau^3) from the exponential.
+// A step multiplies by 1 - x + x^2/2, x = dt/tau: t dt^2 / (6 tau^3) from the exponential.
 TEST(Drag, SlowsExponentially) {
   const double tau = decay_time(0.5), spin_tau = 0.3 * tau;
   Scene scene;

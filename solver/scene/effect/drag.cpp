@@ -9,7 +9,7 @@
 namespace plumb::scene {
 namespace {
 
-/// At the velocities that all forces lead to in half a step, its own of now among them: as it is then, to second order.
+/// At the velocities to which all forces but the dashpots' lead in half a step, its own of now among them: as it is then, to second order.
 void drag_bodies(const Drag& drag, World& world) {
   const double pi = std::numbers::pi, half = world.time_step / 2;
   State& state = world.state;
@@ -37,7 +37,7 @@ Role role(const Drag& drag, const Scene& scene) {
 }
 
 void install(const Drag& drag, World& world) {
-  world.closing_passes.push_back({Drag::name, [drag, &world] { drag_bodies(drag, world); }});
+  world.body_passes.push_back({Drag::name, [drag, &world] { drag_bodies(drag, world); }});
 }
 
 }  // namespace plumb::scene
