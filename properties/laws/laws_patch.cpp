@@ -8,6 +8,7 @@
 
 #include "properties/generators/draft.hpp"
 #include "solver/method/methods.hpp"
+#include "solver/patch/patch.hpp"
 #include "solver/reference/lens_bounds.hpp"
 #include "solver/scalar.hpp"
 
@@ -153,6 +154,28 @@ Finding gradient_by_steps(const PatchEvidence& e, double share) {
                   "area vector and moment against the volume's differences");
 }
 
+/// A superellipsoid's (Dirichlet's integral).
+double volume_of(const Superellipsoid<double>& shape) {
+  const double e1 = 1 / shape.n1, e2 = 1 / shape.n2;
+  return 8 * shape.semi_axes.prod() * e2 * std::beta(e2, e2 + 1) * e1 * std::beta(e1, 2 * e1 + 1);
+}
+
+/// Body 1, cut through the patch's centre, is both its parts: their volumes, and their moments about its own centre.
+Finding adds_up(const PatchEvidence& e) {
+  const Body& body = e.pair.body1;
+  const Vec3<double> across = e.patch.axes.col(2);
+  const Patch below = patch_at_wall(body, across, e.patch.centre, e.tolerance),
+              above = patch_at_wall(body, -across, e.patch.centre, e.tolerance);
+  const double slack = slack_of(below, e.tolerance) + slack_of(above, e.tolerance), volume = volume_of(body.shape);
+  const double off_volume = (below.volume - volume + above.volume) / volume;
+  const Finding of_volume = differing(FindingKind::overlap_error, std::abs(off_volume), slack, "volume of two parts");
+  if (of_volume.kind != FindingKind::none) return of_volume;
+  const Vec3<double> moment =
+      below.volume * (below.centre - body.position) + above.volume * (above.centre - body.position);
+  const double width = body.shape.semi_axes.maxCoeff() + 8 * epsilon<double>() / slack * body.position.norm();
+  return differing(FindingKind::point_error, moment.norm() / (volume * width), slack, "centre of two parts");
+}
+
 /// Where it seems not to, half the step tells: what third derivatives do falls fourfold.
 Finding has_the_gradient(const PatchEvidence& e) {
   const double share = 0.02;
@@ -204,6 +227,7 @@ constexpr std::array all_patch_laws{
     PatchLaw{"exchange", "(B, A) has the patch of (A, B), its normal and moment reversed", is_exchanged},
     PatchLaw{"motion", "a rigid motion moves it along", moves_along},
     PatchLaw{"unit", "a unit that is a power of two changes no bit", keeps_its_bits},
+    PatchLaw{"parts", "a body cut in two is both its parts", adds_up, false},
     PatchLaw{"gradient", "the volume's derivatives by the pose are minus area vector and moment", has_the_gradient,
              false},
 };
