@@ -124,7 +124,7 @@ struct Patch {
   /// near there: points_of (patch.hpp) does not.
   Mat3<double> axes = Mat3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Estimate of the largest relative error: of V, of |a|, of the centre and the moments by the lens's own widths. Above
-  /// Want::patch_tolerance where that was not reached; infinite where there is no answer, or none known to a factor of two.
+  /// Want::patch_tolerance where that was not reached; infinite where there is no answer: none was found, or its error is larger than itself.
   double error = std::numeric_limits<double>::infinity();
 };
 

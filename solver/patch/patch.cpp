@@ -101,10 +101,10 @@ Patch patch_of(const Quadrature& found, const LensFrame& frame, const PlacedPair
   return out;
 }
 
-/// Not the cube of a length beyond 1e102, nor below 1e-102; and known to a factor of two.
+/// Not the cube of a length beyond 1e102, nor below 1e-102; and no error that is larger than what is found.
 bool is_answer(const Patch& patch) {
-  constexpr double least_known = 0.5;
-  return patch.error <= least_known && patch.volume >= std::numeric_limits<double>::min() &&
+  constexpr double nothing_known = 1;
+  return patch.error <= nothing_known && patch.volume >= std::numeric_limits<double>::min() &&
          std::isfinite(patch.volume) && std::isfinite(patch.area) && patch.centre.allFinite() &&
          patch.area_moment.allFinite() && patch.second_moments.allFinite();
 }
