@@ -5,6 +5,18 @@ import math
 import numpy as np
 
 
+def stepped(rates, state, step):
+    """A step of the fourth order (Runge and Kutta) of state' = rates(state), a sequence of numbers."""
+    def moved(by, step):
+        return [x + step * dx for x, dx in zip(state, by)]
+
+    a = rates(state)
+    b = rates(moved(a, step / 2))
+    c = rates(moved(b, step / 2))
+    d = rates(moved(c, step))
+    return [x + step / 6 * (p + 2 * q + 2 * r + s) for x, p, q, r, s in zip(state, a, b, c, d)]
+
+
 def oblique(factor, mass, radius, normal, across, restitution, friction, ratio=2 / 7, steps=40000):
     """A ball that meets a plane, elastic force factor overlap^(3/2): velocity across and spin afterwards.
 
@@ -24,17 +36,10 @@ def oblique(factor, mass, radius, normal, across, restitution, friction, ratio=2
         falls = pull * closing / (2 * overlap) if closing < 0 < overlap else 0.0
         return closing, -push / mass, pull / mass, -lever * pull / inertia, -ratio * k * (v - lever * spin) + falls
 
-    def moved(state, by, step):
-        return [x + step * dx for x, dx in zip(state, by)]
-
     step = 3.2 * (mass ** 2 / (factor ** 2 * normal)) ** 0.2 / steps  # of about as many in the collision
     state = [0.0, normal, across, 0.0, 0.0]
     while True:
-        a = rates(state)
-        b = rates(moved(state, a, step / 2))
-        c = rates(moved(state, b, step / 2))
-        d = rates(moved(state, c, step))
-        state = [x + step / 6 * (p + 2 * q + 2 * r + s) for x, p, q, r, s in zip(state, a, b, c, d)]
+        state = stepped(rates, state, step)
         if state[0] <= 0:
             return state[2], state[3]
         most = friction * factor * state[0] ** 1.5
@@ -59,7 +64,7 @@ def frictional(mobility, approach, normal, restitution, friction, ratio=2 / 7, s
         return spring * (most / length) if length > most else spring
 
     def rates(state):
-        overlap, spring, velocity = state[0], cut(state[1:4], state[0]), state[4:7]
+        overlap, spring, velocity = state[0], cut(np.array(state[1:4]), state[0]), np.array(state[4:7])
         closing = velocity @ normal
         force = -(overlap + damping * closing) * normal - ratio * spring
         return np.concatenate(([closing], velocity - closing * normal, mobility @ force, force))
@@ -67,11 +72,7 @@ def frictional(mobility, approach, normal, restitution, friction, ratio=2 / 7, s
     state = np.concatenate((np.zeros(4), approach, np.zeros(3)))
     step = math.pi * math.sqrt(mass) / steps
     while True:
-        a = rates(state)
-        b = rates(state + step / 2 * a)
-        c = rates(state + step / 2 * b)
-        d = rates(state + step * c)
-        after = state + step / 6 * (a + 2 * b + 2 * c + d)
+        after = np.array(stepped(rates, state, step))
         if after[0] <= 0:
             part = state[0] / (state[0] - after[0])
             return (state + part * (after - state))[7:]
@@ -87,7 +88,8 @@ def rocking(semi_axes, power, mass, moment, stiffness, gravity, first, duration,
     """
     a, c = semi_axes[0], semi_axes[2]
 
-    def rates(height, angle, rise, spin):
+    def rates(state):
+        height, angle, rise, spin = state
         along, up = abs(a * math.sin(angle)), c * math.cos(angle)
         total = along ** power + up ** power
         reach = total ** (1 / power)
@@ -97,9 +99,5 @@ def rocking(semi_axes, power, mass, moment, stiffness, gravity, first, duration,
 
     step, state = duration / steps, (*first, 0.0, 0.0)
     for _ in range(steps):
-        p = rates(*state)
-        q = rates(*(x + step / 2 * d for x, d in zip(state, p)))
-        r = rates(*(x + step / 2 * d for x, d in zip(state, q)))
-        s = rates(*(x + step * d for x, d in zip(state, r)))
-        state = tuple(x + step / 6 * (k + 2 * l + 2 * m + n) for x, k, l, m, n in zip(state, p, q, r, s))
+        state = stepped(rates, state, step)
     return state[0], state[1], state[3]

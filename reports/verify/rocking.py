@@ -28,7 +28,10 @@ class Rocking:
         self.power = mpf(exponents[0]) / (exponents[0] - 1)
         mass, moments = rigid.mass_and_moments(semi_axes, exponents)
         self.mass, self.moment, self.slips = mass, moments[1], slips
-        self.quarter = quad(lambda a: 1 / self.rate(a), [0, mpf(FIRST)])
+
+    def quarter(self):
+        """Of a swing's time."""
+        return quad(lambda a: 1 / self.rate(a), [0, mpf(FIRST)])
 
     def height(self, angle):
         return ((self.first * sin(angle)) ** self.power + (self.third * cos(angle)) ** self.power) ** (1 / self.power)
@@ -47,29 +50,31 @@ def rocks(name, semi_axes, exponents, slips):
     """After two and a quarter swings it lies flat and turns the fastest, backwards."""
     with mp.workdps(30):
         exact = Rocking(semi_axes, exponents, slips)
-        stiffness = exact.mass * G / (PRESSED * exact.third)
-        height, duration, fastest = exact.height(mpf(FIRST)) - PRESSED * exact.third, 9 * exact.quarter, exact.rate(mpf(0))
-    effects = {"gravity": {"acceleration": [0, 0, -G]}, "linear": {"stiffness": float(stiffness)}}
-    if not slips:
-        effects["friction"] = {"coefficient": 2, "damping": 0.5}
-    tree = scene([at_first(semi_axes, exponents, height)], effects, duration, [floor()])
+        duration, fastest = 9 * exact.quarter(), exact.rate(mpf(0))
+    tree = scene_of(semi_axes, exponents, *pressed_in(exact, PRESSED), duration, {} if slips else {"friction": {"coefficient": 2, "damping": 0.5}})
     return Case(name, name.replace("-", " "), "rigid bodies, a quadrature", tree, {"angle": 0.0, "spin": -fastest},
                 lambda ran: state_of(ran, exact), scale={"angle": FIRST})
 
 
 def rocks_softly(name, semi_axes, exponents, duration=1.5):
     exact = Rocking(semi_axes, exponents, True)
-    stiffness = float(exact.mass) * G / (SOFT * float(exact.third))
-    height = float(exact.height(mpf(FIRST))) - SOFT * float(exact.third)
-    effects = {"gravity": {"acceleration": [0, 0, -G]}, "linear": {"stiffness": stiffness}}
-    tree = scene([at_first(semi_axes, exponents, height)], effects, duration, [floor()])
+    height, stiffness = pressed_in(exact, SOFT)
+    tree = scene_of(semi_axes, exponents, height, stiffness, duration)
     last = ode.rocking(semi_axes, float(exact.power), float(exact.mass), float(exact.moment), stiffness, G, (height, FIRST), duration)
     return Case(name, name.replace("-", " "), "the law's ODE", tree, dict(zip(("height", "angle", "spin"), last)),
                 lambda ran: state_of(ran, exact), scale={"angle": FIRST})
 
 
-def at_first(semi_axes, exponents, height):
-    return body(semi_axes, exponents, (0, 0, height), quaternion=(math.cos(FIRST / 2), 0, math.sin(FIRST / 2), 0))
+def pressed_in(exact, share):
+    """Height and stiffness of what its weight presses in by a share of its third semi-axis."""
+    by = share * exact.third
+    return float(exact.height(mpf(FIRST)) - by), float(exact.mass * G / by)
+
+
+def scene_of(semi_axes, exponents, height, stiffness, duration, more=None):
+    at_first = body(semi_axes, exponents, (0, 0, height), quaternion=(math.cos(FIRST / 2), 0, math.sin(FIRST / 2), 0))
+    effects = {"gravity": {"acceleration": [0, 0, -G]}, "linear": {"stiffness": stiffness}, **(more or {})}
+    return scene([at_first], effects, duration, [floor()])
 
 
 def state_of(ran, exact):
