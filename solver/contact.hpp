@@ -140,7 +140,7 @@ struct Contact {
   Vec3<S> point2 = not_valid<S>();                  ///< on body 2's surface, world frame
   Vec3<S> contact_point = not_valid<S>();           ///< where a force would act
   /// The points' chart directions in body axes (shape/chart.hpp), of `auto` only: what its warm start takes, for they stay
-  /// good whatever way the bodies move together.
+  /// good whatever way the bodies move together. Of other shapes than superellipsoids the outward normals in body axes.
   Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
   /// Those of the contact that this one was warm started from: what moves steadily is ahead of where it was.
   Vec3<S> last_chart1 = not_valid<S>(), last_chart2 = not_valid<S>();

@@ -119,9 +119,9 @@ typedef struct plumb_details {
   double
       overlap_by_turn[2]
                      [3]; /* d overlap = . dw, the body turned by the rotation vector dw about its position; length */
-  double
-      normal_by_shift[2][3]
-                     [3]; /* d normal = . dx, 1 / length; NaN, as the next, where it has none: on a ring of normals */
+  double normal_by_shift
+      [2][3]
+      [3]; /* d normal = . dx, 1 / length; NaN, as the next, where it has none: on a ring of normals, face on face */
   double normal_by_turn[2][3][3]; /* d normal = . dw */
   plumb_patch patch;
 } plumb_details;
@@ -129,7 +129,7 @@ typedef struct plumb_details {
 /* Bytes of the caller's stack that are enough for plumb_solve and both batches, whatever the pairs and the method: of a release
  * build by g++ for x86-64, which tests hold to them. */
 #define PLUMB_STACK_SOLVE (64 * 1024)
-/* The same for plumb_solve_convex. */
+/* The same for plumb_solve_convex and plumb_solve_convex_details. */
 #define PLUMB_STACK_CONVEX (96 * 1024)
 /* The same for plumb_certify. */
 #define PLUMB_STACK_CERTIFY (192 * 1024)
@@ -206,10 +206,14 @@ typedef struct plumb_convex_pair {
 PLUMB_API int plumb_describe_convex_input(const plumb_convex_pair* pair, char* text, size_t size);
 
 /* Solves a pair of any shapes by `auto`. An unknown kind, and a polyhedron without a hull, are PLUMB_INVALID_INPUT. Two
- * superellipsoids, neither of them swept, get the same bits as from plumb_solve; superellipsoids alone start from the context.
- * Of options the wants of a contact, the iteration limit and the tolerance. options and context may be NULL. */
+ * superellipsoids, neither of them swept, get the same bits as from plumb_solve. Of options the wants of a contact, the iteration limit
+ * and the tolerance. options and context may be NULL. */
 PLUMB_API int plumb_solve_convex(const plumb_convex_pair* pair, const plumb_options* options, plumb_context* context,
                                  plumb_contact* contact);
+
+/* The same with curvature and derivatives, where they are wanted and there are some; the patch is NaN. details may be NULL. */
+PLUMB_API int plumb_solve_convex_details(const plumb_convex_pair* pair, const plumb_options* options,
+                                         plumb_context* context, plumb_contact* contact, plumb_details* details);
 
 /* One body of each of n pairs: entry i of each array is of pair i. */
 typedef struct plumb_body_arrays {

@@ -10,6 +10,7 @@
 
 #include "solver/c/contexts.hpp"
 #include "solver/c/convex_door.hpp"
+#include "solver/c/details.hpp"
 #include "solver/c/door.hpp"
 #include "solver/c/options.hpp"
 #include "solver/c/texts.hpp"
@@ -81,14 +82,20 @@ int plumb_describe_convex_input(const plumb_convex_pair* pair, char* text, size_
 
 int plumb_solve_convex(const plumb_convex_pair* pair, const plumb_options* options, plumb_context* context,
                        plumb_contact* contact) {
+  return plumb_solve_convex_details(pair, options, context, contact, nullptr);
+}
+
+int plumb_solve_convex_details(const plumb_convex_pair* pair, const plumb_options* options, plumb_context* context,
+                               plumb_contact* contact, plumb_details* details) {
   const StandardArithmetic mode;
   const plumb_options chosen = options_of(options);
-  if (pair == nullptr || contact == nullptr || !are_legal(chosen)) return PLUMB_ERROR_ARGUMENT;
+  if (pair == nullptr || contact == nullptr || !are_legal(chosen) || !are_legal(details)) return PLUMB_ERROR_ARGUMENT;
   if (!is_auto(chosen)) return PLUMB_ERROR_METHOD;
   const std::optional<Contact<double>> last = last_of(context);
   const Contact<double> found = solve(*pair, want_of(chosen), last ? &*last : nullptr);
   *contact = door::c_contact(found);
   if (context != nullptr) keep(found, *context);
+  if (details != nullptr) write_details(found, *details);
   return PLUMB_OK;
 }
 

@@ -94,11 +94,17 @@ template <class S>
   return overlap < -floor ? Verdict::separated : Verdict::undecided;
 }
 
-/// Principal curvature of a placed body's surface on the ray from its centre through x, in the pair's lengths and axes.
+/// Principal curvature of a placed body's surface at a point of its chart, in the pair's lengths and axes.
+template <class S>
+[[nodiscard]] PrincipalCurvature<S> placed_curvature(const PlacedBody<S>& body, const CubePoint<S>& at) {
+  const PrincipalCurvature<S> own = principal_curvature<S>(body.shape, at);
+  return {own.radius1, own.radius2, body.to_pair_direction(own.direction1), body.to_pair_direction(own.direction2)};
+}
+
+/// The same on the ray from its centre through x.
 template <class S>
 [[nodiscard]] PrincipalCurvature<S> placed_curvature(const PlacedBody<S>& body, const Vec3<S>& x) {
-  const PrincipalCurvature<S> own = principal_curvature<S>(body.shape, body.to_body(x));
-  return {own.radius1, own.radius2, body.to_pair_direction(own.direction1), body.to_pair_direction(own.direction2)};
+  return placed_curvature<S>(body, chart_of_point<S>(body.shape, body.to_body(x)));
 }
 
 /// The same in world lengths.

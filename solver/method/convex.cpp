@@ -4,10 +4,12 @@
 
 #include "solver/method/automatic.hpp"
 #include "solver/method/common.hpp"
+#include "solver/method/convex/core_curvature.hpp"
 #include "solver/method/convex/direction_search.hpp"
 #include "solver/method/convex/meridian_search.hpp"
 #include "solver/method/convex/polytopes.hpp"
 #include "solver/method/convex/shared_face.hpp"
+#include "solver/method/derivatives.hpp"
 #include "solver/standard_arithmetic.hpp"
 
 namespace plumb {
@@ -129,9 +131,8 @@ template <class Search>
   return {found, descent.is_exact(found), 0};
 }
 
-[[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair) {
-  const Vec3<double>& c = pair.body2.centre;
-  const Vec3<double> line = c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
+/// `line`: where to begin.
+[[nodiscard]] Lowest lowest_of_cores(const PlacedCores& pair, const Vec3<double>& line) {
   if (pair.are_polytopes() && pair.overlap(line) > 0)  // sooner than the nearest points are found
     if (const auto overlapping = lowest_of_polytopes(pair, line)) return *overlapping;
   const Nearest nearest = NearestPoint(pair, Vec3<double>::Zero(), line).find();
@@ -170,10 +171,20 @@ template <class Search>
   return {{-outward, depth, lowest, on_plane}, true, 0};
 }
 
-[[nodiscard]] Lowest lowest_of(const ConvexPair& bodies, const PlacedCores& pair) {
+/// From the normal of the contact before, or along the line of centres.
+[[nodiscard]] Vec3<double> where_to_begin(const PlacedCores& pair, const Contact<double>* last) {
+  if (last != nullptr) {
+    const Vec3<double> n = pair.body1.rotation * last->chart1 - pair.body2.rotation * last->chart2;
+    if (n.squaredNorm() > 1 && n.squaredNorm() < 5) return n.normalized();
+  }
+  const Vec3<double>& c = pair.body2.centre;
+  return c.isZero(0) ? Vec3<double>::UnitZ().eval() : c.stableNormalized().eval();
+}
+
+[[nodiscard]] Lowest lowest_of(const ConvexPair& bodies, const PlacedCores& pair, const Vec3<double>& line) {
   if (std::holds_alternative<HalfSpace>(bodies.body1.shape)) return lowest_on_plane(pair, true);
   if (std::holds_alternative<HalfSpace>(bodies.body2.shape)) return lowest_on_plane(pair, false);
-  return lowest_of_cores(pair);
+  return lowest_of_cores(pair, line);
 }
 
 /// A contact of the bodies, in the world.
@@ -203,25 +214,28 @@ void write(const WorldContact& found, Verdict verdict, const Want& want, Contact
   return out;
 }
 
+/// Swept by a sphere, which turns no normal.
+[[nodiscard]] PrincipalCurvature<double> rounded(PrincipalCurvature<double> of, double radius) {
+  of.radius1 += radius;
+  of.radius2 += radius;
+  return of;
+}
+
 /// Two superellipsoids swept by spheres: `auto` knows the cores' contact, and the bodies' has the same normal.
 [[nodiscard]] Contact<double> solve_swept(const ConvexPair& bodies, const Pair& cores, const Want& want,
                                           const Contact<double>* last) {
   const double r1 = bodies.body1.swept_radius, r2 = bodies.body2.swept_radius;
   if (r1 + r2 == 0) return automatic<double>(cores, want, last);
-  Want all;
-  all.iteration_limit = want.iteration_limit;
-  all.tolerance = want.tolerance;
+  Want all = want;
+  all.overlap = all.normal = all.points = true;
   const Contact<double> core = automatic<double>(cores, all, last);
-  Contact<double> out;
-  out.method = core.method;
-  out.status = core.status;
-  out.iterations = core.iterations;
-  out.evaluations = core.evaluations;
-  out.chart1 = core.chart1, out.chart2 = core.chart2, out.last_chart1 = core.last_chart1,
-  out.last_chart2 = core.last_chart2;
+  Contact<double> out = core;
+  out.overlap = std::numeric_limits<double>::quiet_NaN();
+  out.normal = out.point1 = out.point2 = out.contact_point = not_valid<double>();
   const double overlap = core.overlap + r1 + r2;
   write({overlap, core.normal, core.point1 + r1 * core.normal, core.point2 - r2 * core.normal},
         verdict_of<double>(overlap, size_of(bodies)), want, out);
+  if (want.curvature) out.curvature = {rounded(core.curvature[0], r1), rounded(core.curvature[1], r2)};
   finish<double>(out, want);
   return out;
 }
@@ -246,7 +260,8 @@ void write(const WorldContact& found, Verdict verdict, const Want& want, Contact
 }
 
 /// Once more, every point being held to the plane of the answer's own.
-void run_again(const ConvexPair& bodies, const PlacedCores& pair, const Lowest& found, Watches& watches) {
+void run_again(const ConvexPair& bodies, const PlacedCores& pair, const Vec3<double>& line, const Lowest& found,
+               Watches& watches) {
   const Vec3<double>& n = found.contact.normal;
   for (const auto& [body, shape, watch, sign] : {std::tuple(&pair.body1, &bodies.body1.shape, watches.data(), 1.0),
                                                  {&pair.body2, &bodies.body2.shape, &watches[1], -1.0}}) {
@@ -258,15 +273,16 @@ void run_again(const ConvexPair& bodies, const PlacedCores& pair, const Lowest& 
     watch->see(*foreign, u, x);
     watch->hold_to(u, x);
   }
-  if (are_equal(lowest_of(bodies, pair).contact, found.contact)) return;
+  if (are_equal(lowest_of(bodies, pair, line).contact, found.contact)) return;
   if (pair.body1.is_foreign()) watches[0].blame(ForeignFault::not_the_same);
   if (pair.body2.is_foreign()) watches[1].blame(ForeignFault::not_the_same);
 }
 
 /// The lowest common normal, and what is wrong with foreign shapes.
-[[nodiscard]] Lowest watched_lowest_of(const ConvexPair& bodies, const PlacedCores& pair, Watches& watches) {
-  const Lowest found = lowest_of(bodies, pair);
-  if (watches[0].has_forgotten() || watches[1].has_forgotten()) run_again(bodies, pair, found, watches);
+[[nodiscard]] Lowest watched_lowest_of(const ConvexPair& bodies, const PlacedCores& pair, const Vec3<double>& line,
+                                       Watches& watches) {
+  const Lowest found = lowest_of(bodies, pair, line);
+  if (watches[0].has_forgotten() || watches[1].has_forgotten()) run_again(bodies, pair, line, found, watches);
   return found;
 }
 
@@ -277,12 +293,48 @@ void run_again(const ConvexPair& bodies, const PlacedCores& pair, const Lowest& 
   return found.is_proved ? Status::converged : Status::stalled;
 }
 
+/// Where a normal turns so many times as fast as a body, rounding says how: of edges that are parallel but for rounding.
+[[nodiscard]] bool is_rounding(const PoseDerivative<double>& by) {
+  constexpr double fastest = 0x1p40;
+  return !(by.normal_by_turn.cwiseAbs().maxCoeff() < fastest);
+}
+
+/// Derivatives by the poses are the cores': a radius moves the overlap and turns nothing.
+[[nodiscard]] std::array<PoseDerivative<double>, 2> derivatives_of(const PlacedContact<double>& cores, double unit) {
+  auto out = pose_derivatives<double>(cores);
+  if (is_rounding(out[0]) || is_rounding(out[1]))
+    for (PoseDerivative<double>& by : out) by.normal_by_shift.fill(NAN), by.normal_by_turn.fill(NAN);
+  return in_units(out, unit);
+}
+
+/// Curvature and derivatives.
+void set_second_order(const ConvexPair& bodies, const PlacedCores& pair, const CommonNormal& at, const Want& want,
+                      const ConvexFrame& frame, Contact<double>& out) {
+  const auto curvature = [&](const ConvexBody& body, const PlacedCore& core, const Vec3<double>& outward,
+                             const Vec3<double>& x) {
+    return std::holds_alternative<HalfSpace>(body.shape) ? CurvatureOf(outward, x, 0).flat()
+                                                         : placed_curvature(core, outward, x, pair.rounding());
+  };
+  const PlacedContact<double> cores{at.overlap,
+                                    at.normal,
+                                    {at.point1 - pair.body1.centre, at.point2 - pair.body2.centre},
+                                    {curvature(bodies.body1, pair.body1, at.normal, at.point1),
+                                     curvature(bodies.body2, pair.body2, -at.normal, at.point2)}};
+  const std::array radii{pair.radius1, pair.radius2};
+  for (std::size_t i = 0; want.curvature && i < 2; ++i) {
+    out.curvature[i] = rounded(cores.curvature[i], radii[i]);
+    for (double* radius : {&out.curvature[i].radius1, &out.curvature[i].radius2}) *radius = frame.to_world(*radius);
+  }
+  if (want.derivatives) out.derivatives = derivatives_of(cores, frame.to_world(1.0));
+}
+
 /// Of a legal pair, whatever its status.
-[[nodiscard]] Contact<double> solve_by_cores(const ConvexPair& bodies, const Want& want, Watches& watches) {
+[[nodiscard]] Contact<double> solve_by_cores(const ConvexPair& bodies, const Want& want, const Contact<double>* last,
+                                             Watches& watches) {
   constexpr double undecided = 64;  // epsilon of the size: what a common normal is exact to
   const ConvexFrame frame(bodies);
   const PlacedCores pair = placed(bodies, frame, watches);
-  const Lowest found = watched_lowest_of(bodies, pair, watches);
+  const Lowest found = watched_lowest_of(bodies, pair, where_to_begin(pair, last), watches);
   const CommonNormal& at = found.contact;
   Contact<double> out;
   out.method = "auto";
@@ -292,7 +344,11 @@ void run_again(const ConvexPair& bodies, const PlacedCores& pair, const Lowest& 
   write({frame.to_world(overlap), at.normal, frame.to_world(Vec3<double>(at.point1 + pair.radius1 * at.normal)),
          frame.to_world(Vec3<double>(at.point2 - pair.radius2 * at.normal))},
         verdict_of<double>(overlap, pair.size, undecided), want, out);
-  finish<double>(out, want);
+  out.chart1 = pair.body1.rotation.transpose() * at.normal;
+  out.chart2 = -(pair.body2.rotation.transpose() * at.normal);
+  if (out.status == Status::converged && (want.curvature || want.derivatives))
+    set_second_order(bodies, pair, at, want, frame, out);
+  finish<double>(out, {.overlap = want.overlap, .normal = want.normal, .points = want.points});
   return out;
 }
 
@@ -314,11 +370,11 @@ Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Con
   const StandardArithmetic mode;
   if (!find_input_error(pair).reason.empty()) return detail::without_answer(Status::invalid_input, {});
   Want known = want;
-  known.curvature = known.derivatives = known.patch = false;
+  known.patch = false;
   detail::Watches watches;
   const auto cores = detail::superellipsoids_of(pair);
   const Contact<double> out =
-      cores ? detail::solve_swept(pair, *cores, known, last) : detail::solve_by_cores(pair, known, watches);
+      cores ? detail::solve_swept(pair, *cores, known, last) : detail::solve_by_cores(pair, known, last, watches);
   return out.status == Status::converged ? out : detail::without_answer(out.status, out);
 }
 
@@ -326,7 +382,7 @@ InputError find_foreign_error(const ConvexPair& pair) {
   const StandardArithmetic mode;
   if (!detail::has_foreign(pair) || !find_input_error(pair).reason.empty()) return {};
   detail::Watches watches;
-  (void)detail::solve_by_cores(pair, {}, watches);
+  (void)detail::solve_by_cores(pair, {}, nullptr, watches);
   for (int body = 0; body < 2; ++body)
     if (const auto fault = watches[static_cast<std::size_t>(body)].fault(); fault != detail::ForeignFault::none)
       return {"shape.foreign.support", detail::in_words(fault), body};

@@ -18,9 +18,10 @@ namespace plumb {
 
 /// Solves a pair. Overlap, normal, points and verdict as those of `auto`: converged, the overlap is the lowest of all directions to 256
 /// epsilon of the pair's size, or of the distance where that is more, and the points are those of the normal to 1024. Of flat faces that lie
-/// on one another the points are some of what they share, of polytopes its middle. Curvature, derivatives and patch are not found: NaN. `evaluations`: cells of
-/// directions that a search looked at. Never throws and never allocates; an illegal pair gives Status::invalid_input. Pairs of
-/// superellipsoids are `auto`'s; they alone start from `last`, the contact a step before, which may be null.
+/// on one another the points are some of what they share, of polytopes its middle. Curvature and derivatives are those of what is farthest
+/// along the normal: of a face flat, of an edge 0 across it, of a corner 0; where the contact is about to leave it they hold to one side. There
+/// is no patch. `evaluations`: cells of directions that a search looked at. Never throws and never allocates; an illegal pair gives
+/// Status::invalid_input. Pairs of superellipsoids are `auto`'s. `last`, the contact a step before, may be null; the search starts from its normal.
 [[nodiscard]] Contact<double> solve_convex(const ConvexPair& pair, const Want& want, const Contact<double>* last);
 
 /// What solve_convex saw of a foreign shape (shape/shapes.hpp) that no convex body gives: then the status is Status::not_finite or

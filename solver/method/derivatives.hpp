@@ -103,4 +103,19 @@ template <class S>
   return out;
 }
 
+/// In lengths of which the pair's is `unit`. A matrix that is not finite is NaN.
+template <class S>
+[[nodiscard]] inline std::array<PoseDerivative<S>, 2> in_units(std::array<PoseDerivative<S>, 2> of, const S& unit) {
+  const auto none_unless_finite = [](Mat3<S>& m) {
+    if (!m.allFinite()) m.setConstant(std::numeric_limits<S>::quiet_NaN());
+  };
+  for (PoseDerivative<S>& of_body : of) {
+    of_body.overlap_by_turn *= unit;
+    of_body.normal_by_shift /= unit;
+    none_unless_finite(of_body.normal_by_shift);
+    none_unless_finite(of_body.normal_by_turn);
+  }
+  return of;
+}
+
 }  // namespace plumb

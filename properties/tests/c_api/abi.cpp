@@ -85,7 +85,9 @@ static_assert(is<decltype(plumb_hull_create), plumb_hull*(const double*, size_t,
               is<decltype(plumb_hull_destroy), void(plumb_hull*)> &&
               is<decltype(plumb_describe_convex_input), int(const plumb_convex_pair*, char*, size_t)> &&
               is<decltype(plumb_solve_convex),
-                 int(const plumb_convex_pair*, const plumb_options*, plumb_context*, plumb_contact*)>);
+                 int(const plumb_convex_pair*, const plumb_options*, plumb_context*, plumb_contact*)> &&
+              is<decltype(plumb_solve_convex_details),
+                 int(const plumb_convex_pair*, const plumb_options*, plumb_context*, plumb_contact*, plumb_details*)>);
 static_assert(is<decltype(plumb_solver_version), int(void)> &&
               is<decltype(plumb_solver_solve), int(const plumb_pair*, plumb_contact*)> &&
               is<decltype(plumb_solver_abilities), void(plumb_abilities*)> &&
@@ -120,11 +122,11 @@ std::set<std::string> shown_by(const std::string& library) {
 
 TEST(CAbi, TheLibrariesShowTheFunctionsOfTheHeaderAndNothingElse) {
   EXPECT_EQ(shown_by(PLUMB_C_LIBRARY),
-            (std::set<std::string>{"plumb_describe_convex_input", "plumb_describe_input", "plumb_error_text",
-                                   "plumb_hull_create", "plumb_hull_destroy", "plumb_method_name", "plumb_solve",
-                                   "plumb_solve_batch", "plumb_solve_batch_warm", "plumb_solve_convex",
-                                   "plumb_solver_solve", "plumb_solver_solve_warm", "plumb_solver_version",
-                                   "plumb_status_name", "plumb_verdict_name", "plumb_version"}));
+            (std::set<std::string>{
+                "plumb_describe_convex_input", "plumb_describe_input", "plumb_error_text", "plumb_hull_create",
+                "plumb_hull_destroy", "plumb_method_name", "plumb_solve", "plumb_solve_batch", "plumb_solve_batch_warm",
+                "plumb_solve_convex", "plumb_solve_convex_details", "plumb_solver_solve", "plumb_solver_solve_warm",
+                "plumb_solver_version", "plumb_status_name", "plumb_verdict_name", "plumb_version"}));
   EXPECT_EQ(shown_by(PLUMB_CERTIFY_LIBRARY), (std::set<std::string>{"plumb_certify", "plumb_certify_convex"}));
 }
 

@@ -92,6 +92,34 @@ TEST(CConvex, OptionsSayWhatIsWanted) {
   EXPECT_TRUE(std::isnan(contact.normal[0]) && std::isnan(contact.points[0][0]));
 }
 
+TEST(CConvex, DetailsAreThoseOfSolveConvex) {
+  plumb_options options = PLUMB_OPTIONS;
+  options.want = PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES;
+  int compared = 0;
+  for_c_pairs(4, [&](const BothPairs& both) {
+    plumb_contact contact{};
+    plumb_details details{};
+    details.size = sizeof details;
+    ASSERT_EQ(plumb_solve_convex_details(&both.c_pair, &options, nullptr, &contact, &details), PLUMB_OK);
+    const Contact<double> expected = solve_convex(
+        both.pair, {.overlap = false, .normal = false, .points = false, .curvature = true, .derivatives = true},
+        nullptr);
+    if (!expected.derivatives) return;
+    ++compared;
+    for (std::size_t body = 0; body < 2; ++body) {
+      EXPECT_EQ(details.radii[body][0], expected.curvature[body].radius1);
+      EXPECT_EQ(details.radii[body][1], expected.curvature[body].radius2);
+      EXPECT_EQ(Vec3<double>::Map(details.overlap_by_turn[body]), (*expected.derivatives)[body].overlap_by_turn);
+    }
+  });
+  EXPECT_GT(compared, 300);
+  plumb_contact contact{};
+  plumb_details details{};
+  details.size = 1;
+  const plumb_convex_pair pair = boxes();
+  EXPECT_EQ(plumb_solve_convex_details(&pair, &options, nullptr, &contact, &details), PLUMB_ERROR_ARGUMENT);
+}
+
 TEST(CConvex, WhatCannotBeIsAnError) {
   const plumb_convex_pair pair = boxes();
   plumb_contact contact{};

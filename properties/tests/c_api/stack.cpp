@@ -97,7 +97,11 @@ void solve_as_batch(const Pairs& pairs) {
 void solve_convex_in_c(const std::vector<BothPairs>& pairs) {
   for (const BothPairs& both : pairs) {
     plumb_contact contact{};
-    EXPECT_EQ(plumb_solve_convex(&both.c_pair, nullptr, nullptr, &contact), PLUMB_OK);
+    plumb_options options = PLUMB_OPTIONS;
+    options.want = PLUMB_WANT_CONTACT | PLUMB_WANT_CURVATURE | PLUMB_WANT_DERIVATIVES;
+    plumb_details details{};
+    details.size = sizeof details;
+    EXPECT_EQ(plumb_solve_convex_details(&both.c_pair, &options, nullptr, &contact, &details), PLUMB_OK);
   }
 }
 

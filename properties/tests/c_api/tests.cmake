@@ -11,7 +11,7 @@ endif()
 
 # With the library's sources in the program, so that clang's sanitizers, which are the program's, see them.
 add_executable(extreme_calls ${folder}/extreme_calls/extreme_calls.cpp ${PROJECT_SOURCE_DIR}/solver/c/plumb.cpp
-                             ${PROJECT_SOURCE_DIR}/solver/c/convex.cpp)
+                             ${PROJECT_SOURCE_DIR}/solver/c/convex.cpp ${PROJECT_SOURCE_DIR}/solver/c/details.cpp)
 target_compile_definitions(extreme_calls PRIVATE PLUMB_LIBRARY_VERSION="${PROJECT_VERSION}")
 target_link_libraries(extreme_calls PRIVATE plumb_batch plumb_flags)
 add_test(NAME c_api/extreme_calls COMMAND extreme_calls)

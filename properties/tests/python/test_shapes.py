@@ -83,13 +83,22 @@ class Pairs(unittest.TestCase):
         np.testing.assert_array_equal(contact.normal, (0, 0, -1))
         self.assertEqual(plumb.solve(plumb.ConvexBody(plumb.Box((1, 1, 1)), (0, 0, 2), swept_radius=0.5), wall).overlap, -0.5)
 
-    def test_what_shapes_have_not_is_not_a_number(self):
+    def test_curvature_and_derivatives_are_those_of_the_face_and_the_corner(self):
         brick = plumb.ConvexBody(plumb.Box((1, 1, 1)), ORIGIN)
-        contact = plumb.solve(brick, brick.moved((0, 0, 1.5)), want="overlap,curvature,derivatives,patch")
-        self.assertEqual(contact.overlap, 0.5)
-        self.assertTrue(np.all(np.isnan(contact.normal)) and np.all(np.isnan(contact.curvature_radii)))
-        self.assertIsNone(contact.derivatives)
+        corner = plumb.ConvexBody(plumb.Box((1, 1, 1)), (0, 0, 2.5), (0.9, 0.2, 0.3, 0.1))
+        contact = plumb.solve(brick, corner, want="overlap,curvature,derivatives,patch")
+        self.assertTrue(np.all(np.isnan(contact.normal)))
+        np.testing.assert_array_equal(contact.curvature_radii, ((np.inf, np.inf), (0, 0)))
+        face, other = contact.derivatives
+        np.testing.assert_array_equal(other.overlap_by_shift, (0, 0, -1))
+        np.testing.assert_allclose(face.normal_by_turn, ((0, 1, 0), (-1, 0, 0), (0, 0, 0)), atol=1e-15)
         self.assertIsNone(contact.patch)
+
+    def test_faces_on_one_another_turn_no_normal(self):
+        brick = plumb.ConvexBody(plumb.Box((1, 1, 1)), ORIGIN)
+        contact = plumb.solve(brick, brick.moved((0, 0, 1.5)), want="overlap,derivatives")
+        self.assertEqual(contact.overlap, 0.5)
+        self.assertTrue(np.all(np.isnan(contact.derivatives[0].normal_by_turn)))
 
 
 class Values(unittest.TestCase):

@@ -31,23 +31,16 @@ template <class S>
 void set_second_order(Contact<S>& out, const Found<S>& found, const Want& want, const Pair& pair) {
   const PlacedPair<S> placed = place<S>(pair);
   const Vec3<S> x1 = found.point1.eigen(), x2 = found.point2.eigen();
+  // Of the charts, not of the points: at a sharp edge these do not tell the normal.
+  const auto curvature = [](const PlacedBody<S>& body, const Vector3<S>& chart) {
+    return placed_curvature<S>(body, CubePoint<S>::of(chart.eigen()));
+  };
   const PlacedContact<S> at{found.overlap,
                             found.normal.eigen(),
                             {x1, x2 - placed.body2.centre},
-                            {placed_curvature<S>(placed.body1, x1), placed_curvature<S>(placed.body2, x2)}};
+                            {curvature(placed.body1, found.chart1), curvature(placed.body2, found.chart2)}};
   if (want.curvature) out.curvature = {to_world<S>(placed, at.curvature[0]), to_world<S>(placed, at.curvature[1])};
-  if (!want.derivatives) return;
-  out.derivatives = pose_derivatives<S>(at);
-  const S unit = placed.to_world_length(S(1));
-  const auto none_unless_finite = [](Mat3<S>& m) {
-    if (!m.allFinite()) m.setConstant(std::numeric_limits<S>::quiet_NaN());
-  };
-  for (PoseDerivative<S>& of_body : *out.derivatives) {
-    of_body.overlap_by_turn *= unit;
-    of_body.normal_by_shift /= unit;
-    none_unless_finite(of_body.normal_by_shift);
-    none_unless_finite(of_body.normal_by_turn);
-  }
+  if (want.derivatives) out.derivatives = in_units<S>(pose_derivatives<S>(at), placed.to_world_length(S(1)));
 }
 
 /// In doubles, whatever the scalar. Bodies apart have an empty patch, those that may touch none.

@@ -135,6 +135,14 @@ struct TabletCore {
   double cap_radius;
 
   [[nodiscard]] bool is_of_revolution() const { return true; }
+  /// Between the caps.
+  [[nodiscard]] FrustumCore straight() const {
+    return {{-tablet.half_length, tablet.half_length}, {tablet.radius, tablet.radius}};
+  }
+  /// Of a direction with these parts across the axis and along it.
+  [[nodiscard]] bool is_on_cap(double across, double up) const {
+    return across * (cap_radius - tablet.cap_height) <= up * tablet.radius;
+  }
   [[nodiscard]] CorePoint support(const Vec3<double>& u) const {
     const int end = u[2] > 0 ? 1 : 0;
     return {support(end, u).point, end};
@@ -142,7 +150,7 @@ struct TabletCore {
   [[nodiscard]] PieceSupport support(int piece, const Vec3<double>& u) const {
     const auto& [l, r, e] = tablet;
     const double side = piece == 1 ? 1 : -1, up = side * u[2], across = std::hypot(u[0], u[1]);
-    if (!(across * (cap_radius - e) <= up * r)) return FrustumCore{{-l, l}, {r, r}}.support(piece, u);
+    if (!is_on_cap(across, up)) return straight().support(piece, u);
     // 1 - cos of the angle from the axis is across^2 / (1 + up): the centre of a flat cap is far away.
     const Vec3<double> n = u.normalized();
     const double below = cap_radius * across * across / (u.squaredNorm() + u.norm() * up);

@@ -22,7 +22,7 @@ class Descent {
     for (int step = 0; step < most_steps; ++step) {
       const CommonNormal next = after(best, std::ldexp(pair_.size, step < 2 ? -6 : -10));
       const bool is_lower = next.overlap < best.overlap - pair_.rounding();
-      if (is_lower || (next.overlap <= best.overlap + pair_.rounding() && defect(next) <= defect(best))) best = next;
+      if (is_lower || (is_as_low(next, best) && (is_exact(next) || defect(next) <= defect(best)))) best = next;
       if (!is_lower) break;
     }
     return settled(best);
@@ -71,7 +71,7 @@ class Descent {
   /// False: a step from there leads to nothing better.
   [[nodiscard]] bool draws_near(CommonNormal& best, double height) const {
     const CommonNormal next = after(best, height);
-    if (next.overlap > best.overlap + pair_.rounding() || !(defect(next) < defect(best))) return false;
+    if (!is_as_low(next, best) || !(defect(next) < defect(best))) return false;
     best = next;
     return true;
   }
@@ -120,8 +120,7 @@ class Descent {
     };
     CommonNormal best = along(nearest.normal);
     const auto consider = [&](const CommonNormal& other) {
-      if (other.overlap < best.overlap - pair_.rounding() ||
-          (other.overlap <= best.overlap + pair_.rounding() && defect(other) < defect(best)))
+      if (other.overlap < best.overlap - pair_.rounding() || (is_as_low(other, best) && defect(other) < defect(best)))
         best = other;
     };
     if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));
@@ -132,6 +131,8 @@ class Descent {
       for (const Described first : {by_support, from_normal, from_point})
         for (const Described second : {by_support, from_normal, from_point})
           if (const auto solved = newton.solve(first, second, step)) {
+            // Sooner than another as exact: a defect is of second order in the normal, and Newton's is of first.
+            if (is_exact(*solved) && is_as_low(*solved, best)) return *solved;
             consider(*solved);
             if (is_exact(best)) return best;
           }
@@ -140,6 +141,10 @@ class Descent {
     return best;
   }
 
+  /// But for rounding.
+  [[nodiscard]] bool is_as_low(const CommonNormal& a, const CommonNormal& b) const {
+    return a.overlap <= b.overlap + pair_.rounding();
+  }
   /// The greatest defect of points that are those of the normal, to rounding.
   [[nodiscard]] double exact() const { return 16 * pair_.rounding(); }
   /// By how much the points are not those of the normal, a length: off the planes that touch the cores, or off the line along it.

@@ -155,8 +155,11 @@ class Caller {
     const plumb_options options = any_options();
     plumb_context context{};
     plumb_contact contact{};
+    plumb_details details{};
+    details.size = draw_.below(sizeof details + 1);
     const int error =
-        plumb_solve_convex(&pair, draw_.one_in(2) ? nullptr : &options, draw_.one_in(2) ? nullptr : &context, &contact);
+        plumb_solve_convex_details(&pair, draw_.one_in(2) ? nullptr : &options, draw_.one_in(2) ? nullptr : &context,
+                                   &contact, draw_.one_in(2) ? nullptr : &details);
     return error == PLUMB_OK ? fault_of(contact) : std::string();
   }
 
