@@ -171,9 +171,9 @@ template <class Search>
   return {{-outward, depth, lowest, on_plane}, true, 0};
 }
 
-/// From the normal of the contact before, or along the line of centres.
+/// From the normal of the contact before, or along the line of centres: polytopes are solved no sooner from a normal.
 [[nodiscard]] Vec3<double> where_to_begin(const PlacedCores& pair, const Contact<double>* last) {
-  if (last != nullptr) {
+  if (last != nullptr && !pair.are_polytopes()) {
     const Vec3<double> n = pair.body1.rotation * last->chart1 - pair.body2.rotation * last->chart2;
     if (n.squaredNorm() > 1 && n.squaredNorm() < 5) return n.normalized();
   }
