@@ -6,6 +6,7 @@
 #include "solver/method/common.hpp"
 #include "solver/method/convex/core_curvature.hpp"
 #include "solver/method/convex/direction_search.hpp"
+#include "solver/method/convex/flat_ends.hpp"
 #include "solver/method/convex/meridian_search.hpp"
 #include "solver/method/convex/polytopes.hpp"
 #include "solver/method/convex/shared_face.hpp"
@@ -99,23 +100,24 @@ struct Lowest {
 }
 
 template <class Search>
-[[nodiscard]] Lowest lowest_by(Search search, const Descent& descent) {
+[[nodiscard]] Lowest lowest_by(Search search, const PlacedCores& pair, const Descent& descent) {
   const bool is_complete = search.run();
-  const CommonNormal& best = search.best();
+  const CommonNormal best = settled_on_an_end(pair, descent, search.best());
   // Of cores apart there is one common normal alone, and nothing else has to be excluded.
   return {best, (is_complete || best.overlap < 0) && descent.is_exact(best), search.cells()};
 }
 
 [[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {
+  using Turned = MeridianSearch::Turned;
   const Descent descent(pair);
-  const auto axis = MeridianSearch::axis_of(pair);
-  CommonNormal first = descent.from(line);
-  if (axis) {
-    const Lowest found = lowest_by(MeridianSearch(pair, *axis, first), descent);
-    if (found.is_proved) return found;
-    first = found.contact;
-  }
-  return lowest_by(DirectionSearch(pair, first), descent);
+  Lowest found{descent.from(line), false, 0};
+  const auto search_about = [&](const std::optional<MeridianSearch::Axis>& axis) {
+    if (axis && !found.is_proved) found = lowest_by(MeridianSearch(pair, *axis, found.contact), pair, descent);
+  };
+  search_about(MeridianSearch::common_axis(pair));
+  if (!found.is_proved) found = lowest_by(DirectionSearch(pair, found.contact), pair, descent);
+  for (const Turned turned : {Turned::first, Turned::second}) search_about(MeridianSearch::axis_of(pair, turned));
+  return found;
 }
 
 /// Of cores apart there is one common normal; of faces that are parallel the middle of what they share is taken.
@@ -124,7 +126,7 @@ template <class Search>
   CommonNormal found = descent.sharpened(nearest);
   // Of what is apart by little more than rounding more is seen from farther away, and otherwise from elsewhere.
   for (const Vec3<double>& n : {found.normal, line})
-    if (!descent.is_exact(found)) found = descent.from(n);
+    if (!descent.is_exact(found)) found = settled_on_an_end(pair, descent, descent.from(n));
   if (pair.are_polytopes())
     if (const auto shared = SharedFace(pair, found.normal).contact(); shared && descent.is_exact(*shared))
       return {*shared, true, 0};
@@ -145,32 +147,6 @@ template <class Search>
   return found.is_proved ? found : nearest_features(pair, found.contact.normal).value_or(found);
 }
 
-/// The middle of the face of a core that is farthest along u: of its support points a little to all sides of u, those that are as far to
-/// rounding.
-[[nodiscard]] Vec3<double> middle_of_face(const PlacedCore& core, const Vec3<double>& u, double size) {
-  constexpr double aside = 0x1p-40, rounding = 16 * std::numeric_limits<double>::epsilon();
-  constexpr int sides = 8;
-  const Vec3<double> s = u.unitOrthogonal(), t = u.cross(s), at = core.support(u).point;
-  Vec3<double> sum = Vec3<double>::Zero();
-  int count = 0;
-  for (int k = 0; k < sides; ++k) {
-    const double angle = 2 * static_cast<double>(EIGEN_PI) * k / sides;
-    const Vec3<double> x = core.support(u + aside * (std::cos(angle) * s + std::sin(angle) * t)).point;
-    if ((at - x).dot(u) <= rounding * size) sum += x, ++count;
-  }
-  return count > 0 ? Vec3<double>(sum / count) : at;
-}
-
-/// Of a half-space, one of the two, and a core: its own normal is the only one.
-[[nodiscard]] Lowest lowest_on_plane(const PlacedCores& pair, bool is_first) {
-  const PlacedCore &plane = is_first ? pair.body1 : pair.body2, &other = is_first ? pair.body2 : pair.body1;
-  const Vec3<double> outward = plane.rotation.col(2), lowest = middle_of_face(other, -outward, pair.size);
-  const double depth = (plane.centre - lowest).dot(outward);
-  const Vec3<double> on_plane = lowest + depth * outward;
-  if (is_first) return {{outward, depth, on_plane, lowest}, true, 0};
-  return {{-outward, depth, lowest, on_plane}, true, 0};
-}
-
 /// From the normal of the contact before, or along the line of centres: polytopes are solved no sooner from a normal.
 [[nodiscard]] Vec3<double> where_to_begin(const PlacedCores& pair, const Contact<double>* last) {
   if (last != nullptr && !pair.are_polytopes()) {
@@ -182,8 +158,11 @@ template <class Search>
 }
 
 [[nodiscard]] Lowest lowest_of(const ConvexPair& bodies, const PlacedCores& pair, const Vec3<double>& line) {
-  if (std::holds_alternative<HalfSpace>(bodies.body1.shape)) return lowest_on_plane(pair, true);
-  if (std::holds_alternative<HalfSpace>(bodies.body2.shape)) return lowest_on_plane(pair, false);
+  const auto on_plane = [&](bool is_first, const PlacedCore& plane) {
+    return Lowest{contact_on_plane(pair, is_first, plane.centre, plane.rotation.col(2)), true, 0};
+  };
+  if (std::holds_alternative<HalfSpace>(bodies.body1.shape)) return on_plane(true, pair.body1);
+  if (std::holds_alternative<HalfSpace>(bodies.body2.shape)) return on_plane(false, pair.body2);
   return lowest_of_cores(pair, line);
 }
 

@@ -21,9 +21,9 @@ class Descent {
     CommonNormal best = seen(n);
     for (int step = 0; step < most_steps; ++step) {
       const CommonNormal next = after(best, std::ldexp(pair_.size, step < 2 ? -6 : -10));
-      const bool is_lower = next.overlap < best.overlap - pair_.rounding();
-      if (is_lower || (is_as_low(next, best) && (is_exact(next) || defect(next) <= defect(best)))) best = next;
-      if (!is_lower) break;
+      const bool is_nearer = is_lower(next, best);
+      if (is_nearer || (is_as_low(next, best) && (is_exact(next) || defect(next) <= defect(best)))) best = next;
+      if (!is_nearer) break;
     }
     return settled(best);
   }
@@ -44,6 +44,11 @@ class Descent {
 
   /// Of cores apart: the nearest points, sharpened.
   [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return settled(best_of(nearest)); }
+
+  /// Lower by more than rounding, or as low where the other's points are not exact and its own are less so.
+  [[nodiscard]] bool is_better(const CommonNormal& a, const CommonNormal& b) const {
+    return is_lower(a, b) || (is_as_low(a, b) && !is_exact(b) && defect(a) < defect(b));
+  }
 
   /// Whether the points are those of the normal, to rounding.
   [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= exact(); }
@@ -120,8 +125,7 @@ class Descent {
     };
     CommonNormal best = along(nearest.normal);
     const auto consider = [&](const CommonNormal& other) {
-      if (other.overlap < best.overlap - pair_.rounding() || (is_as_low(other, best) && defect(other) < defect(best)))
-        best = other;
+      if (is_lower(other, best) || (is_as_low(other, best) && defect(other) < defect(best))) best = other;
     };
     if (const auto n = mixture.facet_normal(nearest.normal)) consider(along(*n));
     if (pair_.are_polytopes() && mixture.count == 3) return best;  // what Newton would find
@@ -141,6 +145,10 @@ class Descent {
     return best;
   }
 
+  /// By more than rounding.
+  [[nodiscard]] bool is_lower(const CommonNormal& a, const CommonNormal& b) const {
+    return a.overlap < b.overlap - pair_.rounding();
+  }
   /// But for rounding.
   [[nodiscard]] bool is_as_low(const CommonNormal& a, const CommonNormal& b) const {
     return a.overlap <= b.overlap + pair_.rounding();

@@ -125,7 +125,7 @@ class DirectionSearch {
   }
 
   void take(const CommonNormal& found) {
-    if (found.overlap < best_.overlap) best_ = found;
+    if (descent_.is_better(found, best_)) best_ = found;
   }
 
   const PlacedCores& pair_;

@@ -1,13 +1,15 @@
 // The lowest common normal of overlapping cores of revolution whose axes are common, or nearly so: o depends on the angle from the axis
 // alone, or nearly so, and a whole circle of directions may be as low. So half a meridian is searched, as direction_search.hpp searches the
-// sphere.
+// sphere. Where one core alone is of revolution a part of a circle may be as low: where the other has its end on the axis.
 //
-// a is body 1's axis, b body 2's, turned to a's side; body 2's centre is z a + s, s across. n = n_a a + n_e e, e any unit vector across. A point
+// Both: a is body 1's axis, b body 2's, turned to a's side; body 2's centre is z a + s, s across. n = n_a a + n_e e, e any unit vector across. A point
 // of body 1 is x_a a + x_e e, for every e, and one of body 2 is z a + s + Q (y_a a + y_e e), Q the least rotation from a to b. With
 // m = b - cos a, sin = |m|, k the unit vector across a and m, the height n.(x1 - x2) is
 //     n_a (x_a - z) + n_e x_e - cos (n_a y_a + n_e y_e) - [c.e + B (k.e)^2],   c = n_e s + (y_a n_e - y_e n_a) m,   B = (1 - cos) n_e y_e
 // For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where s is along m and 2 B <= |c|: there |c| cos + B sin^2 is
-// greatest at the angle 0. Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between
+// greatest at the angle 0. One alone, about a through the origin, the point x2 of the other being the same for every e:
+//     n_a (x_a - x2.a) + n_e x_e - c.e,   c = n_e (x2 - (x2.a) a)
+// Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between
 // them have. Where the lowest e differs from point to point no two points show for all e what a mixture of them shows for each: then arcs of e
 // are searched, and over an arc the bracket's two terms are each at most their greatest in it.
 #pragma once
@@ -18,20 +20,32 @@ namespace plumb::detail {
 
 class MeridianSearch {
  public:
+  enum class Turned : std::uint8_t { both, first, second };
+  struct Axis {
+    Vec3<double> direction;
+    Turned of;
+  };
   /// The first core's axis; nullopt: there is none that is common to both, or nearly so.
-  [[nodiscard]] static std::optional<Vec3<double>> axis_of(const PlacedCores& pair) {
+  [[nodiscard]] static std::optional<Axis> common_axis(const PlacedCores& pair) {
     constexpr double nearly = 0x1p-8;
     const bool is_first = has_axis(pair.body1), is_second = has_axis(pair.body2);
     if (!(is_first || is_point(pair.body1)) || !(is_second || is_point(pair.body2))) return std::nullopt;
     const Vec3<double> axis = (is_first ? pair.body1 : pair.body2).rotation.col(2), other = pair.body2.rotation.col(2);
     const bool is_parallel = !is_first || !is_second || axis.cross(other).norm() <= nearly;
     const bool is_on_axis = axis.cross(pair.body2.centre).norm() <= nearly * pair.size;
-    return (is_first || is_second) && is_parallel && is_on_axis ? std::optional(axis) : std::nullopt;
+    if (!(is_first || is_second) || !is_parallel || !is_on_axis) return std::nullopt;
+    return Axis{axis, Turned::both};
+  }
+  /// A core's own axis.
+  [[nodiscard]] static std::optional<Axis> axis_of(const PlacedCores& pair, Turned which) {
+    const PlacedCore& body = which == Turned::first ? pair.body1 : pair.body2;
+    return has_axis(body) ? std::optional(Axis{body.rotation.col(2), which}) : std::nullopt;
   }
 
-  MeridianSearch(const PlacedCores& pair, const Vec3<double>& axis, const CommonNormal& first)
-      : pair_(pair), descent_(pair), axis_(axis), other_(axis), best_(first) {
-    if (has_axis(pair.body2)) other_ = pair.body2.rotation.col(2);
+  MeridianSearch(const PlacedCores& pair, const Axis& about, const CommonNormal& first)
+      : pair_(pair), descent_(pair), turned_(about.of), axis_(about.direction), other_(about.direction), best_(first) {
+    const Vec3<double>& axis = axis_;
+    if (turned_ == Turned::both && has_axis(pair.body2)) other_ = pair.body2.rotation.col(2);
     if (other_.dot(axis) < 0) other_ = -other_;
     centre_ = pair.body2.centre.dot(axis);
     shift_ = pair.body2.centre - centre_ * axis;
@@ -63,9 +77,11 @@ class MeridianSearch {
 
   /// n_a and n_e >= 0, of length 1 or less.
   using Angle = Vec2<double>;
-  /// A point of each core, for every e: (x_a, x_e) and (y_a, y_e).
+  /// A point of each core, for every e: the height is n.plane - [(n_a along + n_e across).e + n_e bulge (k.e)^2].
   struct Witness {
-    Vec2<double> first, second;
+    Vec2<double> plane;
+    Vec3<double> along, across;
+    double bulge;
   };
 
   /// Unit e, by their angle from `across_`: all of them, or an arc.
@@ -115,11 +131,24 @@ class MeridianSearch {
   [[nodiscard]] static Angle at(double angle) { return {std::cos(angle), std::sin(angle)}; }
   [[nodiscard]] double level() const { return best_.overlap - tolerance * pair_.size; }
 
-  /// Points of the bodies, seen in the plane of an axis and e: what is seen of a point belongs to its body as well.
+  /// Of points of the bodies. Those of both are seen in the plane of an axis and e, where the second lies in it but for little.
   [[nodiscard]] Witness seen(const Vec3<double>& point1, const Vec3<double>& point2, const Vec3<double>& e) const {
-    const Vec3<double> y = point2 - pair_.body2.centre, both = axis_ + other_;
-    const Vec3<double> turned = e - other_.dot(e) / (2 - less_) * both;  // Q e
-    return {{point1.dot(axis_), point1.dot(e)}, {y.dot(other_), y.dot(turned)}};
+    const Vec3<double>&c = pair_.body2.centre, y = point2 - c;
+    if (turned_ == Turned::second) return about_one(c - point2, c - point1, e);
+    const Vec3<double> turned = e - other_.dot(e) / (2 - less_) * (axis_ + other_);  // Q e
+    const double y_a = y.dot(other_), y_e = y.dot(turned), nearly = 0.99;
+    const bool is_in_plane = std::abs(y_e) >= nearly * (y - y_a * other_).norm();
+    if (turned_ == Turned::first || !is_in_plane) return about_one(point1, point2, e);
+    const double cosine = 1 - less_;
+    return {{point1.dot(axis_) - centre_ - cosine * y_a, point1.dot(e) - cosine * y_e},
+            -y_e * tilt_,
+            shift_ + y_a * tilt_,
+            less_ * y_e};
+  }
+  /// `ring`: what is seen of a point belongs to its body as well; `fixed`: the other body's, from the same origin.
+  [[nodiscard]] Witness about_one(const Vec3<double>& ring, const Vec3<double>& fixed, const Vec3<double>& e) const {
+    const double height = fixed.dot(axis_);
+    return {{ring.dot(axis_) - height, ring.dot(e)}, Vec3<double>::Zero(), fixed - height * axis_, 0};
   }
   /// e of a direction; any, where it is the axis.
   [[nodiscard]] Vec3<double> across(const Vec3<double>& n) const {
@@ -134,9 +163,8 @@ class MeridianSearch {
 
     [[nodiscard]] Aside operator-() const { return {-vector, -bulge}; }
   };
-  [[nodiscard]] Aside aside(const Witness& w, const Angle& n) const {
-    const double turned = w.second[0] * n[1] - w.second[1] * n[0];
-    return {n[1] * shift_ + turned * tilt_, less_ * n[1] * w.second[1]};
+  [[nodiscard]] static Aside aside(const Witness& w, const Angle& n) {
+    return {n[0] * w.along + n[1] * w.across, n[1] * w.bulge};
   }
   /// The greatest bracket of an arc, or more.
   [[nodiscard]] double greatest(const Aside& of, const Arc& arc) const {
@@ -150,7 +178,7 @@ class MeridianSearch {
 
   /// The lowest n.(x1 - x2) of an arc's directions at an angle, or less.
   [[nodiscard]] double height(const Witness& w, const Angle& n, const Arc& arc) const {
-    return n.dot(w.first) - n[0] * centre_ - (1 - less_) * n.dot(w.second) - greatest(aside(w, n), arc);
+    return n.dot(w.plane) - greatest(aside(w, n), arc);
   }
   /// By how much those differ, or more.
   [[nodiscard]] double range(const Witness& w, const Angle& n, const Arc& arc) const {
@@ -167,12 +195,13 @@ class MeridianSearch {
       const Vec3<double> direction = n[0] * axis_ + n[1] * e;
       const Difference at = pair_.support(direction);
       const double overlap = at.w().dot(direction);
-      if (overlap < level()) take(descent_.from(direction));
+      if (overlap < best_.overlap - pair_.rounding()) take(descent_.from(direction));
       if (overlap < lowest) lowest = overlap, out = seen(at.point1, at.point2, e);
     };
     see(std::cos(arc.middle) * across_ + std::sin(arc.middle) * beside_);
     if (arc.is_circle())
       for (const Vec3<double>& e : {Vec3<double>(-across_), beside_, Vec3<double>(-beside_)}) see(e);
+    seen_[static_cast<std::size_t>(looks_++) % seen_.size()] = out;
     return out;
   }
 
@@ -180,8 +209,10 @@ class MeridianSearch {
   [[nodiscard]] bool exclude(const Cell& cell) {
     if (++cells_ > last_cell_) return false;
     const Arc& arc = cell.arc;
+    // What cannot be divided may be as much lower as once more the tolerance.
+    const double slack = cell.depth == deepest ? tolerance * pair_.size : 0;
     const auto are_above = [&](const Witness& w, const Angle& n1, const Angle& n2) {
-      return height(w, n1, arc) >= level() && height(w, n2, arc) >= level();
+      return height(w, n1, arc) >= level() - slack && height(w, n2, arc) >= level() - slack;
     };
     const Angle first = at(cell.from), middle = at(cell.from + cell.width / 2), last = at(cell.from + cell.width);
     const Witness at_middle = look(middle, arc);
@@ -189,6 +220,8 @@ class MeridianSearch {
     if (are_above(at_middle, first, last) || are_above(of_best, first, last)) return true;
     // Up to where the two are as high one excludes, and beyond it the other.
     const Witness at_first = look(first, arc), at_last = look(last, arc);
+    for (const Witness& other : seen_)
+      if (are_above(mixture(at_middle, other, first, last, arc), first, last)) return true;
     const Angle between = crossing(at_first, at_last, first, last, arc);
     if (are_above(at_first, first, between) && are_above(at_last, between, last)) return true;
     if (cell.depth == deepest) return false;
@@ -196,6 +229,15 @@ class MeridianSearch {
     const double by_angle = of_centre(middle) - std::min(of_centre(first), of_centre(last));
     const auto halves = range(at_middle, middle, arc) > by_angle ? cell.parts_of_arc() : cell.parts_of_angle();
     return exclude(halves[0]) && exclude(halves[1]);
+  }
+
+  /// Of two, of which each falls off to another side: as high at both angles, but for what the bracket adds.
+  [[nodiscard]] Witness mixture(const Witness& w1, const Witness& w2, const Angle& n1, const Angle& n2,
+                                const Arc& arc) const {
+    const double falls = height(w1, n1, arc) - height(w1, n2, arc), rises = height(w2, n2, arc) - height(w2, n1, arc);
+    const double share = falls * rises > 0 ? rises / (falls + rises) : 0.5, rest = 1 - share;
+    return {share * w1.plane + rest * w2.plane, share * w1.along + rest * w2.along,
+            share * w1.across + rest * w2.across, share * w1.bulge + rest * w2.bulge};
   }
 
   /// Where both heights are the same, by the secant.
@@ -215,17 +257,20 @@ class MeridianSearch {
   }
 
   void take(const CommonNormal& found) {
-    if (found.overlap < best_.overlap) best_ = found;
+    if (descent_.is_better(found, best_)) best_ = found;
   }
 
   const PlacedCores& pair_;
   Descent descent_;
+  Turned turned_;
   Vec3<double> axis_, other_, shift_, tilt_;  ///< a, b, s, m
   Vec3<double> across_, beside_;              ///< unit e: along m, or along s where there is no m, and across that
   double centre_, less_;                      ///< z, 1 - cos
   bool is_plane_;                             ///< s is along m
   CommonNormal best_;
   int cells_ = 0, last_cell_ = 0;
+  std::array<Witness, 8> seen_{};  ///< the last
+  int looks_ = 0;
 };
 
 }  // namespace plumb::detail
