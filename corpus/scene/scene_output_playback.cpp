@@ -1,6 +1,8 @@
 // playback.jsonl, format plumb/playback-1: what the page shows. Nine digits are enough for eyes.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -9,9 +11,58 @@
 #include "corpus/scene/scene_output.hpp"
 #include "corpus/scene/scene_view.hpp"
 #include "solver/scene/bulk/bulk.hpp"
+#include "solver/scene/wall/mesh.hpp"
+#include "solver/shape/overloaded.hpp"
 
 namespace plumb::scene {
 namespace {
+
+/// Of a mesh that is drawn: more of them make a slow page of some megabytes.
+constexpr std::size_t most_drawn = 20'000;
+
+/// Which ends are more than a rim: a solid has both.
+template <class Round>
+Json closed_ends(const Round& wall) {
+  Json out = Json::array();
+  for (const End end : wall.ends) out.push_back(wall.side == Side::outside || end == End::closed);
+  return out;
+}
+
+/// Nine numbers a triangle; null of a mesh that is not drawn.
+Json drawn_mesh_json(const Mesh& mesh) {
+  if (mesh.triangles().size() > most_drawn) return nullptr;
+  Json numbers = Json::array();
+  for (const Triangle& triangle : mesh.triangles())
+    for (const Vec3<double>& corner : triangle)
+      for (const double x : corner) numbers.push_back(x);
+  return {{"triangles", std::move(numbers)}};
+}
+
+/// What is needed to draw it; null where that is nothing.
+Json drawn_shape_json(const WallShape& shape) {
+  return std::visit(
+      plumb::detail::Overloaded{
+          [](const PlaneWall&) -> Json { return nullptr; },
+          [](const MeshWall& wall) { return drawn_mesh_json(*wall.mesh); },
+          [](const CylinderWall& wall) -> Json {
+            return {{"radius", wall.radius}, {"half_length", wall.half_length}, {"closed", closed_ends(wall)}};
+          },
+          [](const ConeWall& wall) -> Json {
+            return {{"radii", wall.radii}, {"height", wall.height}, {"closed", closed_ends(wall)}};
+          },
+          [](const BoxWall& wall) -> Json { return {{"half_extents", vector_json(wall.half_extents)}}; }},
+      shape);
+}
+
+Json drawn_wall_json(const Wall& wall) {
+  Json out;
+  out["normal"] = vector_json(wall.normal);
+  if (wall.is_plane()) return out;
+  const char* name = name_of(wall.shape);
+  out["shape"] = name;
+  if (Json drawn = drawn_shape_json(wall.shape); !drawn.is_null()) out[name] = std::move(drawn);
+  return out;
+}
 
 Json head_json(const Scene& scene, const Plan& plan) {
   Json bodies = Json::array(), walls = Json::array(), effects = Json::array();
@@ -20,10 +71,7 @@ Json head_json(const Scene& scene, const Plan& plan) {
     bodies.push_back(
         {{"semi_axes", vector_json(shape.semi_axes)}, {"exponents", {shape.n1, shape.n2}}, {"fixed", b.is_fixed}});
   }
-  for (const Wall& wall : scene.walls) {
-    walls.push_back({{"normal", vector_json(wall.normal)}});
-    if (!wall.is_plane()) walls.back()["shape"] = name_of(wall.shape);
-  }
+  for (const Wall& wall : scene.walls) walls.push_back(drawn_wall_json(wall));
   for (const PlannedEffect& planned : plan.effects)
     effects.push_back({{"name", planned.effect->name}, {"on", planned.is_on}, {"why", planned.why}});
   return {{"format", "plumb/playback-1"},
@@ -65,6 +113,19 @@ void add_entries(std::string& text, const char* name, const Column& column, std:
   text += "]";
 }
 
+/// Those of planes, which have none, as if they did not turn.
+void add_wall_orientations(std::string& text, const World& world) {
+  constexpr std::array<double, 4> unturned{1, 0, 0, 0};
+  text += ",\"wall_orientation\":[";
+  Numbers numbers(text);
+  for (std::size_t wall = 0; wall < world.bodies.walls; ++wall)
+    if (std::holds_alternative<PlaneWall>(world.bodies.wall_shape[wall]))
+      numbers << unturned;
+    else
+      numbers << world.state.orientation->entry(world.bodies.count + wall);
+  text += "]";
+}
+
 void add_contacts(std::string& text, const Simulation& run) {
   text += ",\"contacts\":[";
   const char* separator = "";
@@ -101,7 +162,8 @@ void add_bulk(std::string& text, const Simulation& run, const std::optional<Regi
 class Playback : public SceneOutput {
  public:
   Playback(const Scene& scene, const Plan& plan, const std::filesystem::path& folder, std::uint64_t length)
-      : SceneOutput(folder, "playback.jsonl", length), outputs_(scene.run.outputs) {
+      : SceneOutput(folder, "playback.jsonl", length), outputs_(scene.run.outputs),
+        walls_turn_(!std::ranges::all_of(scene.walls, &Wall::is_plane)) {
     if (length == 0) file().add(write_json(head_json(scene, plan)) + "\n");
   }
 
@@ -112,6 +174,7 @@ class Playback : public SceneOutput {
     add_entries(text, "position", *world.state.position, 0, world.bodies.count);
     add_entries(text, "orientation", *world.state.orientation, 0, world.bodies.count);
     add_entries(text, "wall", *world.state.position, world.bodies.count, world.bodies.all());
+    if (walls_turn_) add_wall_orientations(text, world);
     if (const Column* temperature = world.columns.find("temperature"))
       add_entries(text, "temperature", *temperature, 0, world.bodies.count);
     add_contacts(text, run);
@@ -129,6 +192,7 @@ class Playback : public SceneOutput {
 
  private:
   Outputs outputs_;
+  bool walls_turn_;  ///< one of them, at least, is no plane
 };
 
 }  // namespace

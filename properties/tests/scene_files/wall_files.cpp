@@ -9,6 +9,7 @@
 
 #include "corpus/case/case.hpp"
 #include "corpus/scene/mesh_file.hpp"
+#include "properties/tests/corpus/programs.hpp"
 #include "properties/tests/scene_files/scene_sample.hpp"
 #include "solver/scene/named/named_scenes.hpp"
 
@@ -166,6 +167,68 @@ TEST(MeshFiles, ASceneFindsThemInItsFolder) {
 TEST(MeshFiles, TheBladeIsTheMixers) {
   const auto blade = read_mesh_file(PLUMB_SOURCE_DIR "/corpus/scenes/blade.stl");
   EXPECT_EQ(blade, named::blade());
+}
+
+class PlaybackOfWalls : public Commands {
+ protected:
+  /// The lines of the sample's playback, with its walls as they are given.
+  [[nodiscard]] std::vector<Json> lines(const std::string& scene) const {
+    (void)file("s.json", scene);
+    EXPECT_LE(plumb("scene s.json --out out 2>/dev/null").code, 1);
+    return lines_of(read("out/playback.jsonl"));
+  }
+};
+
+TEST_F(PlaybackOfWalls, TheHeadHasWhatIsDrawn) {
+  const auto all = lines(sample_with_walls());
+  ASSERT_GE(all.size(), 3U);
+  const Json& walls = all.front()["walls"];
+  ASSERT_EQ(walls.size(), 7U);
+  EXPECT_EQ(walls[0], Json::parse(R"({"normal": [0, 0, 1]})"));
+  EXPECT_EQ(walls[1]["shape"], "mesh");
+  EXPECT_EQ(walls[1]["mesh"]["triangles"].size(), 9U);
+  EXPECT_EQ(walls[2]["cylinder"], Json::parse(R"({"radius": 9, "half_length": 8, "closed": [true, false]})"));
+  EXPECT_EQ(walls[3]["cone"], Json::parse(R"({"radii": [8, 9], "height": 20, "closed": [false, false]})"));
+  EXPECT_EQ(walls[4]["cone"], Json::parse(R"({"radii": [1, 0], "height": 2, "closed": [true, true]})"));
+  EXPECT_EQ(walls[5]["box"], Json::parse(R"({"half_extents": [9, 9, 9]})"));
+}
+
+TEST_F(PlaybackOfWalls, FramesHaveOrientationsWhereAWallIsNoPlane) {
+  std::string turning = sample_with_walls();
+  const std::string effects = R"("effects": {)";
+  turning.insert(turning.find(effects) + effects.size(),
+                 R"("moving_walls": {"motions": [{"wall": 2, "angular_velocity": [0, 0, 2]}]}, )");
+  const auto all = lines(turning);
+  for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+    const Json& q = all[k]["wall_orientation"];
+    ASSERT_EQ(q.size(), 28U);
+    EXPECT_EQ(q[0], 1.0) << "of a plane";
+    EXPECT_NEAR(q[4].get<double>(), 2 / std::sqrt(5), 1e-8);
+    EXPECT_NEAR(q[8].get<double>(), std::cos(all[k]["time"].get<double>()), 1e-8);
+    EXPECT_NEAR(q[11].get<double>(), std::sin(all[k]["time"].get<double>()), 1e-8);
+  }
+}
+
+TEST_F(PlaybackOfWalls, OfPlanesAloneItHasNone) {
+  for (const Json& line : lines(sample_scene())) EXPECT_FALSE(line.contains("wall_orientation"));
+}
+
+// A square of 101 x 100 x 2 triangles: more than are drawn.
+TEST_F(PlaybackOfWalls, ALargeMeshIsNotDrawn) {
+  std::ofstream mesh(path_ / "m.obj");
+  for (int j = 0; j <= 100; ++j)
+    for (int i = 0; i <= 101; ++i) mesh << "v " << i << " " << j << " -20\n";
+  for (int j = 0; j < 100; ++j)
+    for (int i = 0; i < 101; ++i) {
+      const int at = 102 * j + i + 1;
+      mesh << "f " << at << " " << at + 1 << " " << at + 102 << "\nf " << at + 1 << " " << at + 103 << " " << at + 102
+           << "\n";
+    }
+  mesh.close();
+  const auto all =
+      lines(sample_scene_with(R"("normal": [0, 0, 1]}])", R"("normal": [0, 0, 1]}, {"mesh": {"file": "m.obj"}}])"));
+  EXPECT_EQ(all.front()["walls"][1], Json::parse(R"({"normal": [0, 0, 1], "shape": "mesh"})"));
+  EXPECT_EQ(all.at(1)["wall_orientation"].size(), 8U);
 }
 
 }  // namespace
