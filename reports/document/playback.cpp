@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "corpus/case/case.hpp"
@@ -41,6 +42,69 @@ std::vector<double> many_numbers(const Field& field, std::size_t size) {
 
 void require_map(const Field& field) {
   if (!field.value().is_object()) field.fail("must be an object");
+}
+
+/// In units of the playback's size; what is beyond is too far to be seen, as of Packed.
+double in_units(double length, double size) {
+  constexpr double largest = 1e30;
+  return std::clamp(length / size, -largest, largest);
+}
+
+Json round_wall(const Field& wall, std::array<double, 2> radii, std::array<double, 2> heights, double size) {
+  const Field closed = wall.member("closed");
+  Json ends = Json::array();
+  for (std::size_t k = 0; k < 2; ++k) {
+    radii[k] = in_units(radii[k], size);
+    heights[k] = in_units(heights[k], size);
+    ends.push_back(yes_or_no(closed.element(k, 2, "values")));
+  }
+  return {{"radii", radii}, {"heights", heights}, {"closed", ends}};
+}
+
+Json cylinder_wall(const Field& wall, double size) {
+  const double radius = above_zero(wall.member("radius")), half = above_zero(wall.member("half_length"));
+  return round_wall(wall, {radius, radius}, {-half, half}, size);
+}
+
+Json cone_wall(const Field& wall, double size) {
+  const Field radii = wall.member("radii");
+  const auto [least, most] = std::ranges::minmax(radii.numbers<2>());
+  if (least < 0 || most == 0) radii.fail("must not be below 0, nor both 0");
+  return round_wall(wall, radii.numbers<2>(), {0, above_zero(wall.member("height"))}, size);
+}
+
+Json box_wall(const Field& wall, double size) {
+  const Field given = wall.member("half_extents");
+  Json out = Json::array();
+  for (std::size_t i = 0; i < 3; ++i) out.push_back(in_units(above_zero(given.element(i, 3, "numbers")), size));
+  return {{"half_extents", out}};
+}
+
+Json mesh_wall(const Field& wall, double size) {
+  const Field given = wall.member("triangles");
+  const std::vector<Field> numbers = given.elements();
+  if (numbers.empty() || numbers.size() % 9 != 0) given.fail("must hold nine numbers a triangle");
+  Packed packed;
+  for (const Field& x : numbers) packed.add_float(x.number() / size);
+  return {{"triangles", packed.text()}};
+}
+
+struct ShapeOfWall {
+  std::string_view name;
+  Json (*read)(const Field& wall, double size);
+};
+constexpr std::array<ShapeOfWall, 4> shapes_of_walls{
+    {{"mesh", mesh_wall}, {"cylinder", cylinder_wall}, {"cone", cone_wall}, {"box", box_wall}}};
+
+/// null of a plane, and of what stands there without the numbers to draw it.
+Json wall_shape(const Field& wall, double size) {
+  const auto shape = wall.find("shape");
+  if (!shape) return nullptr;
+  const std::string name = shape->text();
+  const auto row = std::ranges::find(shapes_of_walls, name, &ShapeOfWall::name);
+  if (row == shapes_of_walls.end()) shape->fail("must be one of mesh, cylinder, cone, box");
+  const auto numbers = wall.find(name);
+  return numbers ? row->read(*numbers, size) : Json();
 }
 
 Json effects_json(const Field& effects) {
@@ -90,6 +154,7 @@ class PlaybackReader {
     out_["positions"] = positions_.text();
     out_["orientations"] = orientations_.text();
     out_["wall_points"] = wall_points_.text();
+    out_["wall_orientations"] = wall_orientations_.text();
     out_["contacts"]["largest_force"] = largest;
     out_["contacts"]["boxes"] = boxes_.text();
     out_["contacts"]["pairs"] = pairs_.text();
@@ -113,17 +178,25 @@ class PlaybackReader {
     out_["accuracy"] = head.member("accuracy").number();
     out_["effects"] = effects_json(head.member("effects"));
     take_bodies(head.member("bodies"));
-    out_["walls"] = Json::array();
-    for (const Field& wall : head.member("walls").elements()) {
-      const std::array<double, 3> normal = direction(wall.member("normal"), wall.member("normal").numbers<3>());
-      out_["walls"].push_back(wall.has("shape") ? std::array<double, 3>{} : normal);  // no plane: not drawn
-    }
-    walls_ = out_["walls"].size();
+    take_walls(head.member("walls").elements());
     out_["times"] = Json::array();
     out_["contacts"] = {{"counts", Json::array()}, {"deepest", Json::array()}};
     out_["energy"] = Json::object();
     out_["bulk"] = Json::object();
     out_["end"] = nullptr;
+  }
+
+  void take_walls(const std::vector<Field>& walls) {
+    out_["walls"] = Json::array();
+    out_["wall_shapes"] = Json::array();
+    for (const Field& wall : walls) {
+      const std::array<double, 3> normal = direction(wall.member("normal"), wall.member("normal").numbers<3>());
+      const Json shape = wall_shape(wall, size_);
+      out_["walls"].push_back(wall.has("shape") ? std::array<double, 3>{} : normal);
+      out_["wall_shapes"].push_back(shape);
+      walls_turn_ = walls_turn_ || !shape.is_null();
+    }
+    walls_ = walls.size();
   }
 
   /// Bodies of one shape share it.
@@ -159,8 +232,9 @@ class PlaybackReader {
     const Field time = line.member("time");
     if (frames_ > 0 && time.number() < out_["times"].back().get<double>()) time.fail("is before the frame before it");
     take_positions(line.member("position"));
-    take_orientations(line.member("orientation"));
+    pack_orientations(orientations_, line.member("orientation"), bodies_);
     if (walls_ > 0) pack_points(wall_points_, many_numbers(line.member("wall"), 3 * walls_));
+    if (walls_turn_) pack_orientations(wall_orientations_, line.member("wall_orientation"), walls_);
     take_contacts(line.member("contacts").elements());
     take_series("energy", line.member("energy"));
     if (line.has("bulk")) take_series("bulk", line.member("bulk"));
@@ -183,12 +257,12 @@ class PlaybackReader {
     for (std::size_t i = 0; i < x.size(); ++i) out.add_float(from_origin(x[i], i % 3));
   }
 
-  void take_orientations(const Field& field) {
-    const std::vector<double> q = many_numbers(field, 4 * bodies_);
+  static void pack_orientations(Packed& out, const Field& field, std::size_t count) {
+    const std::vector<double> q = many_numbers(field, 4 * count);
     for (std::size_t i = 0; i < q.size(); i += 4) {
       const double norm = std::hypot(std::hypot(q[i], q[i + 1]), std::hypot(q[i + 2], q[i + 3]));
       if (!(norm > 0)) field.element(i, q.size(), "numbers").fail("begins a quaternion of length 0");
-      for (std::size_t part = i; part < i + 4; ++part) orientations_.add_part(q[part] / norm);
+      for (std::size_t part = i; part < i + 4; ++part) out.add_part(q[part] / norm);
     }
   }
 
@@ -273,8 +347,8 @@ class PlaybackReader {
   std::size_t bodies_ = 0, walls_ = 0, frames_ = 0;
   std::array<double, 3> origin_{};
   double size_ = 0;
-  bool ended_ = false;
-  Packed positions_, orientations_, wall_points_, boxes_, pairs_, points_, normals_;
+  bool ended_ = false, walls_turn_ = false;
+  Packed positions_, orientations_, wall_points_, wall_orientations_, boxes_, pairs_, points_, normals_;
   std::vector<double> forces_;
 };
 

@@ -60,17 +60,24 @@ TEST_F(BrokenReports, Precision) {
 }
 
 TEST_F(BrokenReports, Playbacks) {
-  const Json head{{"format", "plumb/playback-1"},
-                  {"scene", "s"},
-                  {"time_step", 0.1},
-                  {"accuracy", 0.01},
-                  {"effects", {{{"name", "gravity"}, {"on", true}, {"why", "asked"}}}},
-                  {"bodies", {{{"semi_axes", {1, 1, 2}}, {"exponents", {2, 2}}, {"fixed", false}}}},
-                  {"walls", {{{"normal", {0, 0, 1}}}}}};
+  const Json head{
+      {"format", "plumb/playback-1"},
+      {"scene", "s"},
+      {"time_step", 0.1},
+      {"accuracy", 0.01},
+      {"effects", {{{"name", "gravity"}, {"on", true}, {"why", "asked"}}}},
+      {"bodies", {{{"semi_axes", {1, 1, 2}}, {"exponents", {2, 2}}, {"fixed", false}}}},
+      {"walls",
+       {{{"normal", {0, 0, 1}}},
+        {{"normal", {0, 0, 1}},
+         {"shape", "cone"},
+         {"cone", {{"radii", {1, 2}}, {"height", 1}, {"closed", {true, false}}}}},
+        {{"normal", {0, 0, 1}}, {"shape", "mesh"}, {"mesh", {{"triangles", {0, 0, 0, 1, 0, 0, 0, 1, 0}}}}}}}};
   const Json frame{{"time", 0},
                    {"position", {0, 0, 1}},
                    {"orientation", {1, 0, 0, 0}},
-                   {"wall", {0, 0, 0}},
+                   {"wall", {0, 0, 0, 0, 0, 0, 0, 0, 0}},
+                   {"wall_orientation", {1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1}},
                    {"contacts", {{0, 1, 0, 0, 0, 0, 0, 1, 0.5, 2}}},
                    {"energy", {{"kinetic", 1}}}};
   const Json end{{"end",

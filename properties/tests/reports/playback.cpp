@@ -1,5 +1,6 @@
 // plumb report: what plumb scene left, alone and beside campaigns.
 
+#include "properties/tests/corpus/json_schema.hpp"
 #include "properties/tests/corpus/programs.hpp"
 
 namespace plumb::reports {
@@ -36,6 +37,33 @@ Json end() {
             {"solves", 100},
             {"failed", 1},
             {"shares", {{"solver", 0.9}}}}}};
+}
+
+/// The scene's wall, and one of each kind that is no plane.
+Json head_with_shapes() {
+  Json out = head();
+  const auto add = [&](const char* shape, const Json& numbers) {
+    Json wall;
+    wall["normal"] = {0.0, 0.0, 1.0};
+    wall["shape"] = shape;
+    if (!numbers.is_null()) wall[shape] = numbers;
+    out["walls"].push_back(wall);
+  };
+  add("cylinder", {{"radius", 2.0}, {"half_length", 8.0}, {"closed", {true, false}}});
+  add("cone", {{"radii", {0.0, 4.0}}, {"height", 2.0}, {"closed", {false, false}}});
+  add("box", {{"half_extents", {4.0, 2.0, 1.0}}});
+  add("mesh", {{"triangles", {0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, -2.0, 0.0}}});
+  add("mesh", nullptr);
+  return out;
+}
+
+Json frame_with_shapes() {
+  Json out = frame(0, 8);
+  out["wall"] = std::vector<double>(18, 0.0);
+  Json& q = out["wall_orientation"] = Json::array();
+  for (int wall = 0; wall < 6; ++wall)
+    for (const double part : {0.0, 0.0, 0.0, 2.0}) q.push_back(part);
+  return out;
 }
 
 std::string lines(const std::vector<Json>& all) {
@@ -88,6 +116,62 @@ TEST_F(PlaybackReport, HoldsTheSceneAndPacksItsFrames) {
   EXPECT_EQ(contacts["forces"], "AED/fwBA/38=");
   EXPECT_EQ(scene["end"]["steps"].get<double>(), 3e9);
   EXPECT_EQ(scene["end"]["hash"], "0123456789abcdef");
+}
+
+TEST_F(PlaybackReport, HasTheShapesOfWallsAndHowTheyTurn) {
+  const Json scene = report_of({head_with_shapes(), frame_with_shapes()})["playbacks"][0];
+  EXPECT_EQ(scene["walls"][0], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(scene["walls"][1], Json({0.0, 0.0, 0.0}));
+  const Json& shapes = scene["wall_shapes"];
+  ASSERT_EQ(shapes.size(), 6U);
+  EXPECT_TRUE(shapes[0].is_null());
+  EXPECT_EQ(shapes[1], Json::parse(R"({"radii": [0.5, 0.5], "heights": [-2.0, 2.0], "closed": [true, false]})"));
+  EXPECT_EQ(shapes[2], Json::parse(R"({"radii": [0.0, 1.0], "heights": [0.0, 0.5], "closed": [false, false]})"));
+  EXPECT_EQ(shapes[3], Json::parse(R"({"half_extents": [1.0, 0.5, 0.25]})"));
+  // 0, 0, 0, 1, 0, 0, 0, -1/2, 0 as floats.
+  EXPECT_EQ(shapes[4]["triangles"], "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAL8AAAAA");
+  EXPECT_TRUE(shapes[5].is_null());
+  // 0, 0, 0, 32767, six times.
+  EXPECT_EQ(scene["wall_orientations"], "AAAAAAAA/38AAAAAAAD/fwAAAAAAAP9/AAAAAAAA/38AAAAAAAD/fwAAAAAAAP9/");
+}
+
+TEST_F(PlaybackReport, IsWhatTheSchemaSays) {
+  std::ifstream text(PLUMB_SOURCE_DIR "/reports/document/report-1.schema.json");
+  const JsonSchema schema(Json::parse(text));
+  Json report = report_of({head_with_shapes(), frame_with_shapes(), end()});
+  EXPECT_TRUE(schema.allows(report));
+  report["playbacks"][0]["wall_shapes"][1]["half_extents"] = {1.0, 1.0, 1.0};
+  EXPECT_FALSE(schema.allows(report)) << "a wall of two shapes";
+}
+
+TEST_F(PlaybackReport, AFileOfBeforeHasNoShapesOfWalls) {
+  Json old = head();
+  old["walls"].push_back({{"normal", {0.0, 0.0, 1.0}}, {"shape", "cylinder"}});
+  Json first = frame(0, 8);
+  first["wall"] = {0.0, 0.0, -4.0, 0.0, 0.0, 0.0};
+  const Json scene = report_of({old, first})["playbacks"][0];
+  EXPECT_EQ(scene["wall_shapes"], Json({nullptr, nullptr}));
+  EXPECT_EQ(scene["walls"][1], Json({0.0, 0.0, 0.0}));
+  EXPECT_EQ(scene["wall_orientations"], "");
+}
+
+TEST_F(PlaybackReport, AWallThatCannotBeDrawnIsNamed) {
+  const auto refuses_wall = [&](std::size_t wall, const char* shape, const Json& numbers, const std::string& reason) {
+    Json bad = head_with_shapes();
+    bad["walls"][wall][shape] = numbers;
+    refuses({bad, frame_with_shapes()}, "1: walls[" + std::to_string(wall) + "]." + reason);
+  };
+  refuses_wall(1, "shape", "torus", "shape: must be one of mesh, cylinder, cone, box");
+  refuses_wall(1, "cylinder", {{"radius", 1.0}}, "cylinder.half_length: missing");
+  refuses_wall(1, "cylinder", {{"radius", 0.0}, {"half_length", 1.0}}, "cylinder.radius: must be above 0");
+  refuses_wall(1, "cylinder", {{"radius", 1.0}, {"half_length", 1.0}, {"closed", {true, 0}}},
+               "cylinder.closed[1]: must be true or false");
+  refuses_wall(2, "cone", {{"radii", {0.0, 0.0}}}, "cone.radii: must not be below 0, nor both 0");
+  refuses_wall(3, "box", {{"half_extents", {1.0, 1.0}}}, "box.half_extents: must be an array of 3 numbers, not 2");
+  refuses_wall(4, "mesh", {{"triangles", {1.0, 1.0}}}, "mesh.triangles: must hold nine numbers a triangle");
+  Json less = frame_with_shapes();
+  less.erase("wall_orientation");
+  refuses({head_with_shapes(), less}, "2: wall_orientation: missing");
 }
 
 TEST_F(PlaybackReport, AnEnergyThatAFrameDoesNotHaveIsNull) {

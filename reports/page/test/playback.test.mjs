@@ -3,7 +3,13 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { bring } from "./support/browser.mjs";
 import { makeReport } from "./support/fixture.mjs";
-import { makePlayback, makeSceneReport, playbackLines, playbackOf } from "./support/fixture-playback.mjs";
+import {
+  makePlayback,
+  makeSceneReport,
+  playbackLines,
+  playbackOf,
+  withShapedWalls,
+} from "./support/fixture-playback.mjs";
 import { load } from "./support/modules.mjs";
 import { withPage } from "./support/tab.mjs";
 
@@ -72,6 +78,95 @@ test("a body that flies off does not make the others small", async () => {
   const playback = playbackOf(lines);
   const { half } = extentOf(playback, new Frames(playback));
   assert.ok(Math.max(...half) * playback.size < 100, `${half}`);
+});
+
+const shapedScene = (options) => playbackOf(withShapedWalls(playbackLines(options)));
+
+test("a wall with a shape turns the shorter way, and planes alone have no orientations", async () => {
+  const { Frames } = await load("playback/frames.ts");
+  const scene = shapedScene({ bodies: 5, frames: 3 });
+  const q = new Float32Array(4 * scene.walls.length);
+  new Frames(scene).wallOrientations({ frame: 0, part: 0.5 }, q);
+  const last = [...q.slice(-4)];
+  [Math.cos(0.25), 0, 0, Math.sin(0.25)].forEach((part, i) => assert.ok(Math.abs(last[i] - part) < 1e-4, `${last}`));
+  q.fill(7);
+  new Frames(makePlayback({ bodies: 5, frames: 3 })).wallOrientations({ frame: 0, part: 0 }, q);
+  assert.ok(q.every((part) => part === 7));
+});
+
+test("the view holds walls with a shape, but none beside which bodies are small", async () => {
+  const { Frames } = await load("playback/frames.ts");
+  const { extentOf } = await load("playback/extent.ts");
+  const endsOf = (playback) => {
+    const { centre, half } = extentOf(playback, new Frames(playback));
+    const end = (sign) => centre.map((x, i) => playback.origin[i] + playback.size * (x + sign * half[i]));
+    return [end(-1), end(1)];
+  };
+  const scene = shapedScene({ bodies: 5, frames: 3 });
+  const [low, high] = endsOf(scene);
+  const near = (x, y) => assert.ok(Math.abs(x - y) < 1e-3, `${x}, not ${y}`);
+  near(low[2], -1);
+  near(low[0], -2);
+  // The box's corner after 0.4 rad.
+  near(high[0], 4 + 0.5 * Math.cos(0.4) + Math.sin(0.4));
+  scene.wall_shapes = scene.wall_shapes.map((shape) => shape && { half_extents: [100, 100, 100] });
+  assert.ok(Math.max(...endsOf(scene)[1]) < 20);
+});
+
+test("round walls are closed where they say, and all surfaces reach as far as their numbers", async () => {
+  const { linesOf, surfaceOf } = await load("view3d/wall_surface.ts");
+  const { size, wall_shapes } = shapedScene({ bodies: 5, frames: 3 });
+  const boxes = wall_shapes.slice(-4).map((shape) => {
+    const surface = surfaceOf(shape);
+    assert.ok(linesOf(shape, surface).getAttribute("position").count >= 8);
+    surface.computeBoundingBox();
+    const { min, max } = surface.boundingBox;
+    return [min, max].map((end) => end.toArray().map((x) => Math.round(1e3 * size * x) / 1e3 + 0));
+  });
+  assert.deepEqual(boxes, [
+    [
+      [-2, -2, -1.5],
+      [2, 2, 1.5],
+    ],
+    [
+      [-2, -2, 0],
+      [2, 2, 1],
+    ],
+    [
+      [-0.5, -1, -0.25],
+      [0.5, 1, 0.25],
+    ],
+    [
+      [-1, 0, 0],
+      [1, 0, 1],
+    ],
+  ]);
+  const rows = (closed) => surfaceOf({ radii: [1, 2], heights: [0, 3], closed }).getAttribute("position").count / 97;
+  assert.deepEqual([rows([false, false]), rows([true, false]), rows([true, true])], [2, 3, 4]);
+});
+
+test("walls of every shape are drawn, turn, and leave the bodies in sight", () =>
+  withPage(makeSceneReport(shapedScene({ bodies: 8, frames: 5 })), {}, async (page, noticed) => {
+    await bring(page, "#playback canvas");
+    const first = await pixels(page);
+    await page.click('#playback button[title="Last frame"]');
+    await changed(page, first);
+    await page.click("#playback .player-choices input");
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  }));
+
+test("a wall whose file holds no numbers of it is not drawn, and the page says so", () => {
+  const lines = withShapedWalls(playbackLines({ bodies: 5, frames: 3 }));
+  const walls = lines[0].walls.map(({ normal, shape }) => (shape ? { normal, shape } : { normal }));
+  const old = playbackOf([{ ...lines[0], walls }, ...lines.slice(1)]);
+  assert.equal(old.wall_orientations, "");
+  return withPage(makeSceneReport(old, makePlayback({ bodies: 5, frames: 3 })), {}, async (page, noticed) => {
+    await bring(page, "#playback canvas");
+    const captions = await page.$$eval("#playback .view-caption", (all) => all.map((line) => line.textContent));
+    assert.match(captions[0], /Not drawn: 4 of 8 walls/);
+    assert.doesNotMatch(captions[1], /Not drawn/);
+    assert.deepEqual(noticed, { console: [], requests: [] });
+  });
 });
 
 test("it plays to the end and stops there", () =>

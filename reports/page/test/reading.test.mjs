@@ -76,7 +76,18 @@ for (const width of [400, 1400])
 
 const HOSTILE = '</script><script>window.hurt=1</script><img src=x onerror="window.hurt=2"><!--<script>';
 
-const PACKED = ["positions", "orientations", "wall_points", "boxes", "pairs", "points", "normals", "forces"];
+const PACKED = [
+  "positions",
+  "orientations",
+  "wall_points",
+  "wall_orientations",
+  "triangles",
+  "boxes",
+  "pairs",
+  "points",
+  "normals",
+  "forces",
+];
 
 /** Every text and every name of an energy, a share or an angle of the document, but its format and what is looked up by name. */
 function poisoned(value, key = "") {

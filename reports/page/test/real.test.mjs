@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { bring, SCREEN } from "./support/browser.mjs";
 import { femLines, femOf } from "./support/fixture-fem.mjs";
-import { playbackLines, playbackOf } from "./support/fixture-playback.mjs";
+import { playbackLines, playbackOf, withShapedWalls } from "./support/fixture-playback.mjs";
 import { studyLines, studyOf } from "./support/fixture-study.mjs";
 import { withFolder } from "./support/pages.mjs";
 import { withUrl } from "./support/tab.mjs";
@@ -78,7 +78,7 @@ test("a report of plumb's own is shown whole, without a complaint or a request",
 
 test("a scene's lines are packed as the made-up data are, and shown", { skip }, () =>
   withFolder(async (folder) => {
-    const lines = playbackLines({ bodies: 30, frames: 11 });
+    const lines = withShapedWalls(playbackLines({ bodies: 30, frames: 11 }));
     mkdirSync(join(folder, "pile"));
     writeFileSync(join(folder, "pile", "playback.jsonl"), lines.map((line) => `${JSON.stringify(line)}\n`).join(""));
     run(folder, "plumb", "report", "pile", "-o", "page.html");

@@ -1,6 +1,7 @@
 /** A scene's view, its player and its figure, held together; unpacked when it comes into view. */
 import type { Playback } from "../data";
 import { button, h } from "../dom";
+import { count } from "../numbers";
 import { theme } from "../theme";
 import { load3d, loaded3d, NO_WEBGL } from "../view3d/cards";
 import type { Look, PlaybackView } from "../view3d/playback_view";
@@ -11,10 +12,19 @@ import { energyFigure } from "./energy";
 import { Frames } from "./frames";
 import { Player } from "./player";
 import { MOST_PATCHES, usesPatch } from "./patches";
+import { undrawnWalls } from "./wall_shapes";
 
 const CAPTION =
   "Between frames positions are interpolated linearly, orientations by slerp; contacts are those of the frame last passed.";
 const PATCHES = ` A contact's patch is drawn up to the rim, where both surfaces cross, and its point is the patch's centre; frames of more than ${MOST_PATCHES} contacts show no patches.`;
+
+/** What the file holds no numbers of. */
+function undrawn(playback: Playback): string {
+  const many = undrawnWalls(playback);
+  if (many === 0) return "";
+  const all = count(playback.walls.length);
+  return ` Not drawn: ${count(many)} of ${all} walls. The file has no numbers of them, as of a mesh of more than 20\u202f000 triangles.`;
+}
 
 export class PlaybackBlock {
   readonly element: HTMLElement;
@@ -45,7 +55,7 @@ export class PlaybackBlock {
     this.figures = figures.map(({ element }) => element);
     const reset = button("Reset view", () => this.view?.reset(), { class: "quiet" });
     const bar = h("div", { class: "view-bar" }, this.key, reset);
-    const caption = h("p", { class: "view-caption" }, CAPTION, usesPatch(playback) ? PATCHES : "");
+    const caption = h("p", { class: "view-caption" }, CAPTION, usesPatch(playback) ? PATCHES : "", undrawn(playback));
     this.element = h("div", { class: "view3d" }, this.canvas, player.element, bar, caption);
     this.canvas.addEventListener("keydown", (event) => this.keyed(event, player));
     this.clock.time.watch((time) => {

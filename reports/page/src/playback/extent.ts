@@ -2,6 +2,7 @@
 import type { Playback, Vec } from "../data";
 import { middle, scale, subtract } from "../view3d/vector";
 import { type Frames, quantile } from "./frames";
+import { shapeBoxes } from "./wall_shapes";
 
 export interface Extent {
   centre: Vec;
@@ -14,6 +15,8 @@ export interface Extent {
 const SAMPLES = 20000;
 /** Bodies this much larger than the median are ground rather than grain. */
 const GROUND = 4;
+/** Walls that make the bodies' box this much larger are cut off by the view. */
+const LARGE = 4;
 
 const largestAxis = ({ shapes, bodies, size }: Playback, body: number): number =>
   Math.max(...(shapes[bodies[body] as number]?.semi_axes ?? [0])) / size;
@@ -32,6 +35,20 @@ function meetWalls(playback: Playback, frames: Frames, low: Vec, high: Vec): voi
       low[axis] = Math.min(low[axis] as number, place);
       high[axis] = Math.max(high[axis] as number, place);
     });
+  }
+}
+
+/** A wall with a shape is seen as a whole, but for one beside which the bodies would be small. */
+function meetShapes(playback: Playback, frames: Frames, low: Vec, high: Vec): void {
+  const most = LARGE * Math.max(...subtract(high, low));
+  for (const [least, greatest] of shapeBoxes(playback, frames)) {
+    const [from, to] = [
+      low.map((x, i) => Math.min(x, least[i] as number)),
+      high.map((x, i) => Math.max(x, greatest[i] as number)),
+    ];
+    if (Math.max(...subtract(to as Vec, from as Vec)) > most) continue;
+    Object.assign(low, from);
+    Object.assign(high, to);
   }
 }
 
@@ -56,6 +73,7 @@ export function extentOf(playback: Playback, frames: Frames): Extent {
   const pad = Math.max(...grains.map((grain) => sizes[grain] as number));
   const low = ends.map(([least]) => least - pad) as Vec;
   const high = ends.map(([, most]) => most + pad) as Vec;
+  meetShapes(playback, frames, low, high);
   meetWalls(playback, frames, low, high);
   return { centre: middle(low, high), half: scale(subtract(high, low), 0.5), body };
 }

@@ -57,6 +57,12 @@ function mix(x: Float32Array, from: number, to: number, part: number, out: Float
     out[i] = (1 - part) * (x[from * out.length + i] as number) + part * (x[to * out.length + i] as number);
 }
 
+/** As mix, of quaternions. */
+function turn(q: Int16Array, from: number, to: number, part: number, out: Float32Array): void {
+  const wide = out.length;
+  for (let i = 0; i < wide; i += 4) slerp(q, from * wide + i, to * wide + i, part, out, i);
+}
+
 export class Frames {
   readonly bodies: number;
   readonly count: number;
@@ -64,6 +70,7 @@ export class Frames {
   private readonly x: Float32Array;
   private readonly q: Int16Array;
   private readonly walls: Float32Array;
+  private readonly wallTurns: Int16Array;
   private readonly boxes: Float32Array;
   private readonly pairs: Uint16Array | Uint32Array;
   private readonly points: Uint16Array;
@@ -80,6 +87,7 @@ export class Frames {
     this.x = floats(playback.positions);
     this.q = parts(playback.orientations);
     this.walls = floats(playback.wall_points);
+    this.wallTurns = parts(playback.wall_orientations);
     this.boxes = floats(contacts.boxes);
     for (const many of contacts.counts) this.begins.push((this.begins.at(-1) as number) + many);
     this.pairs = indices(contacts.pairs, 2 * (this.begins.at(-1) as number));
@@ -114,13 +122,16 @@ export class Frames {
   }
 
   orientations({ frame, part }: Moment, out: Float32Array): void {
-    const wide = 4 * this.bodies;
-    const next = Math.min(frame + 1, this.count - 1);
-    for (let i = 0; i < wide; i += 4) slerp(this.q, frame * wide + i, next * wide + i, part, out, i);
+    turn(this.q, frame, Math.min(frame + 1, this.count - 1), part, out);
   }
 
   wallPoints({ frame, part }: Moment, out: Float32Array): void {
     if (out.length > 0) mix(this.walls, frame, Math.min(frame + 1, this.count - 1), part, out);
+  }
+
+  /** Of planes alone there are none. */
+  wallOrientations({ frame, part }: Moment, out: Float32Array): void {
+    if (this.wallTurns.length > 0) turn(this.wallTurns, frame, Math.min(frame + 1, this.count - 1), part, out);
   }
 
   /** Positions of all frames, three numbers a body. */

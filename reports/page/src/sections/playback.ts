@@ -7,7 +7,7 @@ import { definitions, table } from "../table";
 
 const QUESTION = "What happens in a scene, which effects run in it, and where does its energy go?";
 const HOW =
-  "Speeds are the difference of the frames around. Arrows go from the body of lower number along the normal, as long as the force, up to what 98 in 100 contacts stay below. Walls are cut to the scene's extent; z is up. Drag or arrow keys turn, plus and minus zoom, 0 resets; space plays, comma and full stop step. A click on a figure goes to its time.";
+  "Speeds are the difference of the frames around. Arrows go from the body of lower number along the normal, as long as the force, up to what 98 in 100 contacts stay below. Planes are cut to the scene's extent; z is up. Drag or arrow keys turn, plus and minus zoom, 0 resets; space plays, comma and full stop step. A click on a figure goes to its time.";
 
 const blocks: PlaybackBlock[] = [];
 

@@ -58,7 +58,7 @@ class Stage {
   constructor(playback: Playback, frames: Frames, extent: Extent, force: number) {
     const { muted } = ink();
     this.bodies = new Bodies(playback);
-    this.walls = new Walls(playback.walls, extent, muted);
+    this.walls = new Walls(playback, extent, muted);
     this.contacts = new Contacts(frames, extent.body, force, COLOURS[theme.value].link);
     this.patches = usesPatch(playback) ? new Patches(playback, frames, COLOURS[theme.value].patch) : null;
     if (this.patches) this.contacts.group.add(this.patches.group);
@@ -106,6 +106,7 @@ export class PlaybackView {
   private readonly x: Float32Array;
   private readonly q: Float32Array;
   private readonly wallPoints: Float32Array;
+  private readonly wallTurns: Float32Array;
   private readonly values: Float32Array;
   private stage: Stage;
   private coloured = "";
@@ -122,6 +123,7 @@ export class PlaybackView {
     this.x = new Float32Array(3 * frames.bodies);
     this.q = new Float32Array(4 * frames.bodies);
     this.wallPoints = new Float32Array(3 * playback.walls.length);
+    this.wallTurns = new Float32Array(4 * playback.walls.length);
     this.values = new Float32Array(frames.bodies);
     this.stage = this.newStage();
     this.orbit = new Orbit(canvas, [1.9, 1.5, 3.7], () => this.paint());
@@ -143,8 +145,9 @@ export class PlaybackView {
     this.frames.positions(moment, this.x);
     this.frames.orientations(moment, this.q);
     this.frames.wallPoints(moment, this.wallPoints);
+    this.frames.wallOrientations(moment, this.wallTurns);
     this.stage.bodies.move(this.x, this.q);
-    this.stage.walls.move(this.wallPoints);
+    this.stage.walls.move(this.wallPoints, this.wallTurns);
     this.colour(moment.frame, look.colouring);
     this.stage.bodies.fade(look.contacts);
     this.stage.contacts.group.visible = look.contacts;

@@ -163,6 +163,43 @@ function packedContacts(frames, fromOrigin) {
   };
 }
 
+/** Of each kind one that is no plane, at its place, and with how fast it turns about z: as plumb scene writes it, and as the document has it. */
+export const SHAPED_WALLS = [
+  ["cylinder", { radius: 2, half_length: 1.5, closed: [true, false] }, [0, 0, 1.5], 0.5],
+  ["cone", { radii: [0.3, 2], height: 1, closed: [false, false] }, [0, 0, -1], 0],
+  ["box", { half_extents: [0.5, 1, 0.25] }, [4, 0, 0.5], 0.2],
+  ["mesh", { triangles: [-1, 0, 0, 1, 0, 0, 1, 0, 1, -1, 0, 0, 1, 0, 1, -1, 0, 1] }, [0, 0, 0.2], 1],
+];
+
+/** The lines with those walls after the planes. */
+export function withShapedWalls([head, ...others]) {
+  const walls = [
+    ...head.walls,
+    ...SHAPED_WALLS.map(([shape, numbers]) => ({ normal: [0, 0, 1], shape, [shape]: numbers })),
+  ];
+  const turned = ({ time }) => [
+    ...head.walls.flatMap(() => [1, 0, 0, 0]),
+    ...SHAPED_WALLS.flatMap(([, , , rate]) => [Math.cos((rate * time) / 2), 0, 0, Math.sin((rate * time) / 2)]),
+  ];
+  const moved = (line) => ({
+    ...line,
+    wall: [...line.wall, ...SHAPED_WALLS.flatMap(([, , position]) => position)],
+    wall_orientation: turned(line),
+  });
+  return [{ ...head, walls }, ...others.map((line) => (line.end ? line : moved(line)))];
+}
+
+function wallShape(wall, size) {
+  const numbers = wall[wall.shape];
+  if (!numbers) return null;
+  const { radius, half_length, radii, height, closed, half_extents, triangles } = numbers;
+  const scaled = (lengths) => lengths.map((x) => x / size);
+  if (triangles) return { triangles: packed(Float32Array, scaled(triangles)) };
+  if (half_extents) return { half_extents: scaled(half_extents) };
+  if (radii) return { radii: scaled(radii), heights: scaled([0, height]), closed };
+  return { radii: scaled([radius, radius]), heights: scaled([-half_length, half_length]), closed };
+}
+
 /** What stands in the document. */
 export function playbackOf([head, ...others], name = "pile") {
   const frames = others.filter((line) => !line.end);
@@ -178,6 +215,7 @@ export function playbackOf([head, ...others], name = "pile") {
     const names = [...new Set(frames.flatMap((frame) => Object.keys(frame[what] ?? {})))];
     return Object.fromEntries(names.map((name) => [name, frames.map((frame) => frame[what]?.[name] ?? null)]));
   };
+  const wallShapes = head.walls.map((wall) => wallShape(wall, size));
   return {
     name,
     folder: `runs/${name}`,
@@ -188,7 +226,8 @@ export function playbackOf([head, ...others], name = "pile") {
     shapes: shapes.map((key) => JSON.parse(key)),
     bodies: keys.map((key) => shapes.indexOf(key)),
     fixed: bodies.flatMap(({ fixed }, index) => (fixed ? [index] : [])),
-    walls: head.walls.map(({ normal }) => normal),
+    walls: head.walls.map(({ normal, shape }) => (shape ? [0, 0, 0] : normal)),
+    wall_shapes: wallShapes,
     origin,
     size,
     times: frames.map(({ time }) => time),
@@ -201,6 +240,9 @@ export function playbackOf([head, ...others], name = "pile") {
       Float32Array,
       frames.flatMap(({ wall }) => fromOrigin(wall)),
     ),
+    wall_orientations: wallShapes.some((shape) => shape)
+      ? parts(frames.flatMap(({ wall_orientation }) => wall_orientation))
+      : "",
     contacts: packedContacts(frames, fromOrigin),
     energy: seriesOf("energy"),
     bulk: seriesOf("bulk"),
