@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "properties/generators/draft.hpp"
+#include "properties/tests/convex/pairs.hpp"
 #include "properties/tests/reference/drawn_bodies.hpp"
 #include "solver/method/convex.hpp"
 
@@ -93,16 +94,6 @@ TEST(ConvexDerivatives, AreTheLimitsOfDifferences) {
         looked_at += seen.looked_at;
       }
   EXPECT_GT(looked_at, pairs * columns * 9 / 10);
-}
-
-ConvexPair at(const Shape& first, const Shape& second, const Vec3<double>& position,
-              const std::array<double, 4>& quaternion = {1, 0, 0, 0}) {
-  ConvexPair out;
-  out.body1.shape = first;
-  out.body2.shape = second;
-  out.body2.position = position;
-  out.body2.quaternion = quaternion;
-  return out;
 }
 
 std::array<double, 2> radii_of(const ConvexPair& pair, std::size_t body) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "properties/tests/allocations.hpp"
+#include "properties/tests/convex/pairs.hpp"
 #include "properties/tests/reference/drawn_bodies.hpp"
 #include "solver/method/convex.hpp"
 #include "solver/method/methods.hpp"
@@ -48,16 +49,6 @@ void for_drawn_pairs(int each, std::uint64_t seed, const F& use) {
       }
 }
 
-ConvexPair at(const Shape& first, const Shape& second, const Vec3<double>& position,
-              const std::array<double, 4>& quaternion = {1, 0, 0, 0}) {
-  ConvexPair out;
-  out.body1.shape = first;
-  out.body2.shape = second;
-  out.body2.position = position;
-  out.body2.quaternion = quaternion;
-  return out;
-}
-
 TEST(Convex, EveryAnswerIsRight) {
   int stalled = 0, asked = 0;
   for_drawn_pairs(6, 1, [&](const ConvexPair& pair) {
@@ -82,18 +73,18 @@ TEST(Convex, ExchangedBodiesHaveTheSameContact) {
 
 /// What is wrong of a normal is seen to first order in a shift alone: two of three in a row, and the middle of the others.
 TEST(Convex, NormalsAreAsExactAsTheirPoints) {
-  constexpr double step = 1e-6, bend = 1e-4, enough = 1e-10;
+  constexpr double shift = 1e-6, bend = 1e-4, bound = 1e-10;
   int asked = 0, off = 0;
   for_drawn_pairs(3, 6, [&](const ConvexPair& pair) {
-    const auto normal = [&](double shift) {
+    const auto normal = [&](double by) {
       ConvexPair moved = pair;
-      moved.body2.position[0] += shift;
+      moved.body2.position[0] += by;
       return solve_convex(moved, {}, nullptr).normal;
     };
-    const Vec3<double> before = normal(-step), after = normal(step);
+    const Vec3<double> before = normal(-shift), after = normal(shift);
     if (!((after - before).norm() < bend)) return;  // from one face to the next
     ++asked;
-    off += (before - 2 * normal(0) + after).norm() < enough ? 0 : 1;
+    off += (before - 2 * normal(0) + after).norm() < bound ? 0 : 1;
   });
   EXPECT_GT(asked, 250);
   EXPECT_LE(off * 100, asked);
