@@ -6,7 +6,7 @@
 #include "solver/method/common.hpp"
 #include "solver/method/convex/core_curvature.hpp"
 #include "solver/method/convex/direction_search.hpp"
-#include "solver/method/convex/flat_ends.hpp"
+#include "solver/method/convex/flat_faces.hpp"
 #include "solver/method/convex/meridian_search.hpp"
 #include "solver/method/convex/polytopes.hpp"
 #include "solver/method/convex/shared_face.hpp"
@@ -102,7 +102,7 @@ struct Lowest {
 template <class Search>
 [[nodiscard]] Lowest lowest_by(Search search, const PlacedCores& pair, const Descent& descent) {
   const bool is_complete = search.run();
-  const CommonNormal best = settled_on_an_end(pair, descent, search.best());
+  const CommonNormal best = settled_on_a_face(pair, descent, search.best());
   // Of cores apart there is one common normal alone, and nothing else has to be excluded.
   return {best, (is_complete || best.overlap < 0) && descent.is_exact(best), search.cells()};
 }
@@ -126,7 +126,7 @@ template <class Search>
   CommonNormal found = descent.sharpened(nearest);
   // Of what is apart by little more than rounding more is seen from farther away, and otherwise from elsewhere.
   for (const Vec3<double>& n : {found.normal, line})
-    if (!descent.is_exact(found)) found = settled_on_an_end(pair, descent, descent.from(n));
+    if (!descent.is_exact(found)) found = settled_on_a_face(pair, descent, descent.from(n));
   if (pair.are_polytopes())
     if (const auto shared = SharedFace(pair, found.normal).contact(); shared && descent.is_exact(*shared))
       return {*shared, true, 0};
@@ -141,7 +141,9 @@ template <class Search>
   if (!nearest.is_inside) {
     const Lowest apart = nearest_points(pair, nearest, line);
     const double overlap = apart.contact.overlap;
-    if (overlap < 0 && (apart.is_proved || !pair.all_but_touch(overlap))) return apart;
+    if (overlap < 0 && apart.is_proved) return apart;
+    if (overlap < 0 && !pair.all_but_touch(overlap))
+      return nearest_features(pair, apart.contact.normal).value_or(apart);
   }
   const Lowest found = lowest_by_search(pair, line);
   return found.is_proved ? found : nearest_features(pair, found.contact.normal).value_or(found);

@@ -1,7 +1,8 @@
-// Contacts on a plane: of a half-space, and of the flat end of a frustum, whose points are no mixture of a few support points.
+// Contacts on a plane: of a half-space, of the flat end of a frustum, whose points are no mixture of a few support points, and of a face.
 #pragma once
 
 #include "solver/method/convex/descent.hpp"
+#include "solver/method/convex/edges.hpp"
 
 namespace plumb::detail {
 
@@ -31,19 +32,34 @@ namespace plumb::detail {
   return {-outward, depth, lowest, on_plane};
 }
 
-/// A contact on an end that is as low as the best, or the best itself: where that is exact, or there is none.
-[[nodiscard]] inline CommonNormal settled_on_an_end(const PlacedCores& pair, const Descent& descent,
+/// The outward normal, the frame's axes, of the flat face of a core that lies across u the most; nullopt: it has none.
+[[nodiscard]] inline std::optional<Vec3<double>> face_across(const PlacedCore& body, const Vec3<double>& u) {
+  const Vec3<double> own = body.rotation.transpose() * u;
+  std::optional<Vec3<double>> out;
+  const auto consider = [&](const Vec3<double>& n) {
+    if (!out || n.dot(own) > out->dot(own)) out = n;
+  };
+  if (const auto* frustum = std::get_if<FrustumCore>(&body.core))
+    for (std::size_t end = 0; end < 2; ++end)
+      if (frustum->radii[end] > 0) consider(Vec3<double>::UnitZ() * (end == 1 ? 1 : -1));
+  (void)with_edges(body.core, [&](const auto& polytope) {
+    for (int face = 0; face < polytope.faces(); ++face) consider(polytope.face_normal(face));
+  });
+  if (out) out = body.rotation * *out;
+  return out;
+}
+
+/// A contact on a face that is as low as the best, or the best itself: where that is exact, or there is none.
+[[nodiscard]] inline CommonNormal settled_on_a_face(const PlacedCores& pair, const Descent& descent,
                                                     const CommonNormal& best) {
   for (const bool is_first : {true, false}) {
+    if (descent.is_exact(best)) break;
     const PlacedCore& body = is_first ? pair.body1 : pair.body2;
-    const auto* frustum = std::get_if<FrustumCore>(&body.core);
-    if (frustum == nullptr || descent.is_exact(best)) continue;
-    for (std::size_t end = 0; end < 2; ++end) {
-      const Vec3<double> axis = body.rotation.col(2), outward = end == 1 ? axis : Vec3<double>(-axis);
-      const CommonNormal found = contact_on_plane(pair, is_first, body.centre + frustum->heights[end] * axis, outward);
-      const bool is_held = body.holds(is_first ? found.point1 : found.point2, pair.rounding());
-      if (is_held && descent.is_better(found, best) && descent.is_exact(found)) return found;
-    }
+    const auto outward = face_across(body, is_first ? best.normal : Vec3<double>(-best.normal));
+    if (!outward) continue;
+    const CommonNormal found = contact_on_plane(pair, is_first, body.support(*outward).point, *outward);
+    const bool is_held = body.holds(is_first ? found.point1 : found.point2, pair.rounding());
+    if (is_held && descent.is_better(found, best) && descent.is_exact(found)) return found;
   }
   return best;
 }
