@@ -6,7 +6,7 @@
 // of body 1 is x_a a + x_e e, for every e, and one of body 2 is z a + s + Q (y_a a + y_e e), Q the least rotation from a to b. With
 // m = b - cos a, sin = |m|, k the unit vector across a and m, the height n.(x1 - x2) is
 //     n_a (x_a - z) + n_e x_e - cos (n_a y_a + n_e y_e) - [c.e + B (k.e)^2],   c = n_e s + (y_a n_e - y_e n_a) m,   B = (1 - cos) n_e y_e
-// For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where s is along m and 2 B <= |c|: there |c| cos + B sin^2 is
+// For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where c is along m and 2 B <= |c|: there |c| cos + B sin^2 is
 // greatest at the angle 0. One alone, about a through the origin, the point x2 of the other being the same for every e:
 //     n_a (x_a - x2.a) + n_e x_e - c.e,   c = n_e (x2 - (x2.a) a)
 // Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between
@@ -55,7 +55,6 @@ class MeridianSearch {
     across_ =
         across_.norm() > 0 ? (across_ - across_.dot(axis) * axis).normalized().eval() : axis.unitOrthogonal().eval();
     beside_ = axis.cross(across_);
-    is_plane_ = std::abs(axis.cross(across_).dot(shift_)) <= rounding * shift_.norm();
   }
 
   /// Whether all directions are excluded but those as low as the best, to rounding.
@@ -70,7 +69,7 @@ class MeridianSearch {
 
  private:
   static constexpr double pi = static_cast<double>(EIGEN_PI);
-  static constexpr int parts = 4, deepest = 60, most_cells = 20'000;
+  static constexpr int parts = 4, deepest = 60, most_cells = 20'000, kept = 8;
   /// Of the size. What an axis that is common but for rounding does to o, and what is left for the search.
   static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon(),
                           tolerance = 128 * std::numeric_limits<double>::epsilon();
@@ -169,7 +168,10 @@ class MeridianSearch {
   /// The greatest bracket of an arc, or more.
   [[nodiscard]] double greatest(const Aside& of, const Arc& arc) const {
     const double length = of.vector.norm();
-    if (arc.is_circle()) return is_plane_ && 2 * of.bulge <= length ? length : length + std::max(of.bulge, 0.0);
+    if (arc.is_circle()) {
+      const bool is_along_tilt = std::abs(of.vector.dot(beside_)) <= rounding * length;
+      return is_along_tilt && 2 * of.bulge <= length ? length : length + std::max(of.bulge, 0.0);
+    }
     const double angle = std::atan2(of.vector.dot(beside_), of.vector.dot(across_));
     const double sine = std::max(arc.nearest_cosine(pi / 2), arc.nearest_cosine(-pi / 2)),
                  cosine = std::max(arc.nearest_cosine(0), arc.nearest_cosine(pi));
@@ -201,7 +203,7 @@ class MeridianSearch {
     see(std::cos(arc.middle) * across_ + std::sin(arc.middle) * beside_);
     if (arc.is_circle())
       for (const Vec3<double>& e : {Vec3<double>(-across_), beside_, Vec3<double>(-beside_)}) see(e);
-    seen_[static_cast<std::size_t>(looks_++) % seen_.size()] = out;
+    seen_[static_cast<std::size_t>(looks_++ % kept)] = out;
     return out;
   }
 
@@ -220,8 +222,8 @@ class MeridianSearch {
     if (are_above(at_middle, first, last) || are_above(of_best, first, last)) return true;
     // Up to where the two are as high one excludes, and beyond it the other.
     const Witness at_first = look(first, arc), at_last = look(last, arc);
-    for (const Witness& other : seen_)
-      if (are_above(mixture(at_middle, other, first, last, arc), first, last)) return true;
+    for (int k = 0; k < std::min(looks_, kept); ++k)
+      if (are_above(mixture(at_middle, seen_[static_cast<std::size_t>(k)], first, last, arc), first, last)) return true;
     const Angle between = crossing(at_first, at_last, first, last, arc);
     if (are_above(at_first, first, between) && are_above(at_last, between, last)) return true;
     if (cell.depth == deepest) return false;
@@ -266,10 +268,9 @@ class MeridianSearch {
   Vec3<double> axis_, other_, shift_, tilt_;  ///< a, b, s, m
   Vec3<double> across_, beside_;              ///< unit e: along m, or along s where there is no m, and across that
   double centre_, less_;                      ///< z, 1 - cos
-  bool is_plane_;                             ///< s is along m
   CommonNormal best_;
   int cells_ = 0, last_cell_ = 0;
-  std::array<Witness, 8> seen_{};  ///< the last
+  std::array<Witness, kept> seen_;  ///< the last; number k has the place k modulo their number
   int looks_ = 0;
 };
 
