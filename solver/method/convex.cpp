@@ -102,9 +102,17 @@ struct Lowest {
 template <class Search>
 [[nodiscard]] Lowest lowest_by(Search search, const PlacedCores& pair, const Descent& descent) {
   const bool is_complete = search.run();
-  const CommonNormal best = settled_on_a_face(pair, descent, search.best());
+  const BestNormal& found = search.best();
+  const CommonNormal best = settled_on_a_face(pair, descent, found.normal(), found.lowest() + pair.rounding());
   // Of cores apart there is one common normal alone, and nothing else has to be excluded.
-  return {best, (is_complete || best.overlap < 0) && descent.is_exact(best), search.cells()};
+  const bool is_lowest = best.overlap < 0 || (is_complete && found.is_low(best));
+  return {best, is_lowest && descent.is_exact(best), search.cells()};
+}
+
+/// With the cells of the search before.
+[[nodiscard]] Lowest after(const Lowest& before, Lowest next) {
+  next.cells += before.cells;
+  return next;
 }
 
 [[nodiscard]] Lowest lowest_by_search(const PlacedCores& pair, const Vec3<double>& line) {
@@ -112,10 +120,11 @@ template <class Search>
   const Descent descent(pair);
   Lowest found{descent.from(line), false, 0};
   const auto search_about = [&](const std::optional<MeridianSearch::Axis>& axis) {
-    if (axis && !found.is_proved) found = lowest_by(MeridianSearch(pair, *axis, found.contact), pair, descent);
+    if (axis && !found.is_proved)
+      found = after(found, lowest_by(MeridianSearch(pair, *axis, found.contact), pair, descent));
   };
   search_about(MeridianSearch::common_axis(pair));
-  if (!found.is_proved) found = lowest_by(DirectionSearch(pair, found.contact), pair, descent);
+  if (!found.is_proved) found = after(found, lowest_by(DirectionSearch(pair, found.contact), pair, descent));
   for (const Turned turned : {Turned::first, Turned::second}) search_about(MeridianSearch::axis_of(pair, turned));
   return found;
 }
@@ -126,7 +135,10 @@ template <class Search>
   CommonNormal found = descent.sharpened(nearest);
   // Of what is apart by little more than rounding more is seen from farther away, and otherwise from elsewhere.
   for (const Vec3<double>& n : {found.normal, line})
-    if (!descent.is_exact(found)) found = settled_on_a_face(pair, descent, descent.from(n));
+    if (!descent.is_exact(found)) {
+      const CommonNormal next = descent.from(n);
+      found = settled_on_a_face(pair, descent, next, next.overlap + pair.rounding());
+    }
   if (pair.are_polytopes())
     if (const auto shared = SharedFace(pair, found.normal).contact(); shared && descent.is_exact(*shared))
       return {*shared, true, 0};
@@ -149,9 +161,10 @@ template <class Search>
   return found.is_proved ? found : nearest_features(pair, found.contact.normal).value_or(found);
 }
 
-/// From the normal of the contact before, or along the line of centres: polytopes are solved no sooner from a normal.
+/// From the normal of the contact before, or along the line of centres: polytopes are solved no sooner from a normal, and what is wrong
+/// with a foreign shape is to be seen again.
 [[nodiscard]] Vec3<double> where_to_begin(const PlacedCores& pair, const Contact<double>* last) {
-  if (last != nullptr && !pair.are_polytopes()) {
+  if (last != nullptr && !pair.are_polytopes() && !pair.body1.is_foreign() && !pair.body2.is_foreign()) {
     const Vec3<double> n = pair.body1.rotation * last->chart1 - pair.body2.rotation * last->chart2;
     if (n.squaredNorm() > 1 && n.squaredNorm() < 5) return n.normalized();
   }
@@ -282,9 +295,10 @@ void run_again(const ConvexPair& bodies, const PlacedCores& pair, const Vec3<dou
 
 /// Derivatives by the poses are the cores': a radius moves the overlap and turns nothing.
 [[nodiscard]] std::array<PoseDerivative<double>, 2> derivatives_of(const PlacedContact<double>& cores, double unit) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   auto out = pose_derivatives<double>(cores);
   if (is_rounding(out[0]) || is_rounding(out[1]))
-    for (PoseDerivative<double>& by : out) by.normal_by_shift.fill(NAN), by.normal_by_turn.fill(NAN);
+    for (PoseDerivative<double>& by : out) by.normal_by_shift.fill(none), by.normal_by_turn.fill(none);
   return in_units(out, unit);
 }
 
@@ -294,7 +308,7 @@ void set_second_order(const ConvexPair& bodies, const PlacedCores& pair, const C
   const auto curvature = [&](const ConvexBody& body, const PlacedCore& core, const Vec3<double>& outward,
                              const Vec3<double>& x) {
     return std::holds_alternative<HalfSpace>(body.shape) ? CurvatureOf(outward, x, 0).flat()
-                                                         : placed_curvature(core, outward, x, pair.rounding());
+                                                         : placed_curvature(core, outward, x, Descent::exact(pair));
   };
   const PlacedContact<double> cores{at.overlap,
                                     at.normal,

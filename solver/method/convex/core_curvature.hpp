@@ -9,8 +9,8 @@
 
 namespace plumb::detail {
 
-/// Principal curvature in the core's axes: of a unit u along which x is farthest, for `rounding` lengths that are the same. NaN where it is
-/// not known: a foreign core's, where x is not its own point.
+/// Principal curvature in the core's axes: of a unit u along which x is farthest, to `rounding`. NaN where it is not known: a foreign core's
+/// without a Hessian, or where x is not its own point.
 class CurvatureOf {
  public:
   CurvatureOf(const Vec3<double>& u, const Vec3<double>& x, double rounding) : u_(u), x_(x), rounding_(rounding) {}
@@ -32,12 +32,14 @@ class CurvatureOf {
   }
   [[nodiscard]] PrincipalCurvature<double> operator()(const FrustumCore& core) const {
     const auto end = static_cast<std::size_t>(core.support(u_).piece);
-    const double aside = std::hypot(u_[0], u_[1]);
-    if (core.radii[end] > rounding_ && 2 * core.radii[end] * aside <= rounding_) return flat();
+    const double aside = std::hypot(u_[0], u_[1]), from_axis = std::hypot(x_[0], x_[1]);
+    const bool is_on_end = std::abs(x_[2] - core.heights[end]) <= rounding_,
+               is_within = from_axis < core.radii[end] - rounding_;
+    if ((is_on_end && is_within) || (core.radii[end] > 0 && 2 * core.radii[end] * aside <= rounding_)) return flat();
     if (!(aside > 0)) return ball(0);  // an apex
     const Vec3<double> around(-u_[1] / aside, u_[0] / aside, 0);
-    const double radius = std::hypot(x_[0], x_[1]) / aside;
-    return is_on_side(core) ? with_radii(radius, infinite, around) : with_radii(0, radius, around.cross(u_));
+    return is_on_side(core) ? with_radii(from_axis / aside, infinite, around)
+                            : with_radii(0, core.radii[end] / aside, around.cross(u_));
   }
   [[nodiscard]] PrincipalCurvature<double> operator()(const TabletCore& core) const {
     const FrustumCore straight = core.straight();
@@ -53,6 +55,7 @@ class CurvatureOf {
     return principal_curvature<double>(core.octant(at.w), at);
   }
   [[nodiscard]] PrincipalCurvature<double> operator()(const ForeignCore& core) const {
+    if (core.shape->hessian == nullptr) return {};
     const PieceSupport at = core.support(0, u_);
     const Tangent<double> basis = tangent_basis<double>(u_);
     const Mat2<double> m = basis.transpose() * at.hessian * basis;

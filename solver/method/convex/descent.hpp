@@ -45,13 +45,16 @@ class Descent {
   /// Of cores apart: the nearest points, sharpened.
   [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return settled(best_of(nearest)); }
 
-  /// Lower by more than rounding, or as low where the other's points are not exact and its own are less so.
-  [[nodiscard]] bool is_better(const CommonNormal& a, const CommonNormal& b) const {
-    return is_lower(a, b) || (is_as_low(a, b) && !is_exact(b) && defect(a) < defect(b));
+  /// Whether b is not exact, and a less far from it.
+  [[nodiscard]] bool is_more_exact(const CommonNormal& a, const CommonNormal& b) const {
+    return !is_exact(b) && defect(a) < defect(b);
   }
 
   /// Whether the points are those of the normal, to rounding.
   [[nodiscard]] bool is_exact(const CommonNormal& of) const { return defect(of) <= exact(); }
+
+  /// The greatest defect of points that are those of the normal, to rounding.
+  [[nodiscard]] static double exact(const PlacedCores& pair) { return 16 * pair.rounding(); }
 
  private:
   [[nodiscard]] CommonNormal seen(const Vec3<double>& n) const {
@@ -153,8 +156,7 @@ class Descent {
   [[nodiscard]] bool is_as_low(const CommonNormal& a, const CommonNormal& b) const {
     return a.overlap <= b.overlap + pair_.rounding();
   }
-  /// The greatest defect of points that are those of the normal, to rounding.
-  [[nodiscard]] double exact() const { return 16 * pair_.rounding(); }
+  [[nodiscard]] double exact() const { return exact(pair_); }
   /// By how much the points are not those of the normal, a length: off the planes that touch the cores, or off the line along it.
   [[nodiscard]] double defect(const CommonNormal& of) const {
     const Difference farthest = pair_.support(of.normal);

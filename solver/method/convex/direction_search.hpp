@@ -6,7 +6,7 @@
 #pragma once
 
 #include "solver/method/auto/cover/mixture_bound.hpp"
-#include "solver/method/convex/descent.hpp"
+#include "solver/method/convex/best_normal.hpp"
 
 namespace plumb::detail {
 
@@ -14,9 +14,10 @@ class DirectionSearch {
  public:
   static constexpr int most_cells = 120'000;
 
-  DirectionSearch(const PlacedCores& pair, const CommonNormal& first) : pair_(pair), descent_(pair), best_(first) {}
+  DirectionSearch(const PlacedCores& pair, const CommonNormal& first)
+      : pair_(pair), descent_(pair), best_(pair, descent_, first) {}
 
-  /// Whether all directions are excluded but those as low as the best, to rounding.
+  /// Whether all directions are excluded but those as low as the lowest that was seen, to rounding.
   [[nodiscard]] bool run() {
     bool is_complete = true;
     for (int face = 0; face < 6; ++face) {
@@ -30,7 +31,7 @@ class DirectionSearch {
     return is_complete;
   }
 
-  [[nodiscard]] const CommonNormal& best() const { return best_; }
+  [[nodiscard]] const BestNormal& best() const { return best_; }
   [[nodiscard]] int cells() const { return cells_; }
 
  private:
@@ -38,7 +39,7 @@ class DirectionSearch {
   static constexpr std::size_t kept = 6;
   static constexpr int first_mixture = 3;            // depth: of wider cells no mixture says more than one w
   static constexpr int few_cuts = 3, most_cuts = 8;  // w that are seen in a cell, in one that can't be divided
-  static constexpr double tolerance = 256 * std::numeric_limits<double>::epsilon();
+  static constexpr double tolerance = 192 * std::numeric_limits<double>::epsilon();
 
   struct Square {
     int axis;
@@ -69,9 +70,12 @@ class DirectionSearch {
   }
 
   /// Cores that are not apart: it is below 0 by the tolerance at most, by which the chords then cost no more than that once more.
-  [[nodiscard]] double level() const { return best_.overlap - tolerance * pair_.size; }
+  [[nodiscard]] double level() const { return best_.lowest() - tolerance * pair_.size; }
   /// The point of M that the best common normal leads to: a mixture of support points, whatever the normal is worth.
-  [[nodiscard]] Vector3<double> best_point() const { return Vector3<double>::of(best_.point1 - best_.point2); }
+  [[nodiscard]] Vector3<double> best_point() const {
+    const CommonNormal& best = best_.normal();
+    return Vector3<double>::of(best.point1 - best.point2);
+  }
 
   [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<double>& w) const {
     return std::all_of(corners.begin(), corners.end(), [&](const Vector3<double>& n) { return dot(w, n) >= level(); });
@@ -121,16 +125,12 @@ class DirectionSearch {
   void see(const Vec3<double>& n) {
     const Vec3<double> w = pair_.support(n).w();
     seen_[static_cast<std::size_t>(seen_count_++) % kept] = Vector3<double>::of(w);
-    if (w.dot(n) < level()) take(descent_.from(n));
-  }
-
-  void take(const CommonNormal& found) {
-    if (descent_.is_better(found, best_)) best_ = found;
+    if (w.dot(n) < level()) best_.take(descent_.from(n));
   }
 
   const PlacedCores& pair_;
   Descent descent_;
-  CommonNormal best_;
+  BestNormal best_;
   std::array<Vector3<double>, kept> seen_;  ///< the last; number k has the place k modulo their number
   int seen_count_ = 0;
   static constexpr std::size_t most_waiting = 4UL * (deepest + 2);

@@ -49,9 +49,9 @@ namespace plumb::detail {
   return out;
 }
 
-/// A contact on a face that is as low as the best, or the best itself: where that is exact, or there is none.
+/// A contact on a face that is no higher than `level`, or the best itself: where that is exact, or there is none.
 [[nodiscard]] inline CommonNormal settled_on_a_face(const PlacedCores& pair, const Descent& descent,
-                                                    const CommonNormal& best) {
+                                                    const CommonNormal& best, double level) {
   for (const bool is_first : {true, false}) {
     if (descent.is_exact(best)) break;
     const PlacedCore& body = is_first ? pair.body1 : pair.body2;
@@ -59,7 +59,7 @@ namespace plumb::detail {
     if (!outward) continue;
     const CommonNormal found = contact_on_plane(pair, is_first, body.support(*outward).point, *outward);
     const bool is_held = body.holds(is_first ? found.point1 : found.point2, pair.rounding());
-    if (is_held && descent.is_better(found, best) && descent.is_exact(found)) return found;
+    if (is_held && found.overlap <= level && descent.is_exact(found)) return found;
   }
   return best;
 }

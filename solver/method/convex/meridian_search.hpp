@@ -2,8 +2,8 @@
 // alone, or nearly so, and a whole circle of directions may be as low. So half a meridian is searched, as direction_search.hpp searches the
 // sphere. Where one core alone is of revolution a part of a circle may be as low: where the other has its end on the axis.
 //
-// Both: a is body 1's axis, b body 2's, turned to a's side; body 2's centre is z a + s, s across. n = n_a a + n_e e, e any unit vector across. A point
-// of body 1 is x_a a + x_e e, for every e, and one of body 2 is z a + s + Q (y_a a + y_e e), Q the least rotation from a to b. With
+// Both: a is body 1's axis, b body 2's, turned to a's side; body 2's centre is z a + s, s across. n = n_a a + n_e e, e any unit vector
+// across. A point of body 1 is x_a a + x_e e, for every e, and one of body 2 is z a + s + Q (y_a a + y_e e), Q the least rotation from a to b. With
 // m = b - cos a, sin = |m|, k the unit vector across a and m, the height n.(x1 - x2) is
 //     n_a (x_a - z) + n_e x_e - cos (n_a y_a + n_e y_e) - [c.e + B (k.e)^2],   c = n_e s + (y_a n_e - y_e n_a) m,   B = (1 - cos) n_e y_e
 // For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where c is along m and 2 B <= |c|: there |c| cos + B sin^2 is
@@ -14,7 +14,10 @@
 // are searched, and over an arc the bracket's two terms are each at most their greatest in it.
 #pragma once
 
-#include "solver/method/convex/descent.hpp"
+#include <cstdint>
+
+#include "solver/method/convex/best_normal.hpp"
+#include "solver/shape/curvature.hpp"
 
 namespace plumb::detail {
 
@@ -43,7 +46,8 @@ class MeridianSearch {
   }
 
   MeridianSearch(const PlacedCores& pair, const Axis& about, const CommonNormal& first)
-      : pair_(pair), descent_(pair), turned_(about.of), axis_(about.direction), other_(about.direction), best_(first) {
+      : pair_(pair), descent_(pair), turned_(about.of), axis_(about.direction), other_(about.direction),
+        best_(pair, descent_, first) {
     const Vec3<double>& axis = axis_;
     if (turned_ == Turned::both && has_axis(pair.body2)) other_ = pair.body2.rotation.col(2);
     if (other_.dot(axis) < 0) other_ = -other_;
@@ -51,20 +55,19 @@ class MeridianSearch {
     shift_ = pair.body2.centre - centre_ * axis;
     tilt_ = other_ - other_.dot(axis) * axis;
     less_ = (other_ - axis).squaredNorm() / 2;
-    across_ = tilt_.norm() > rounding ? tilt_ : shift_;
-    across_ =
-        across_.norm() > 0 ? (across_ - across_.dot(axis) * axis).normalized().eval() : axis.unitOrthogonal().eval();
+    const Vec3<double>& aside = tilt_.norm() > rounding ? tilt_ : shift_;
+    across_ = aside.norm() > rounding * pair.size ? made_across(made_across(aside)) : axis.unitOrthogonal().eval();
     beside_ = axis.cross(across_);
   }
 
-  /// Whether all directions are excluded but those as low as the best, to rounding.
+  /// Whether all directions are excluded but those as low as the lowest that was seen, to rounding.
   [[nodiscard]] bool run() {
-    const double before = best_.overlap;
+    const double before = best_.lowest();
     if (search()) return true;
     // What was looked at before the lowest was known is looked at again.
-    return best_.overlap < before - tolerance * pair_.size && search();
+    return best_.lowest() < before - tolerance * pair_.size && search();
   }
-  [[nodiscard]] const CommonNormal& best() const { return best_; }
+  [[nodiscard]] const BestNormal& best() const { return best_; }
   [[nodiscard]] int cells() const { return cells_; }
 
  private:
@@ -118,6 +121,10 @@ class MeridianSearch {
   }
 
   [[nodiscard]] static double width() { return pi / parts; }
+  /// Unit; across the axis but for the rounding of v over its length.
+  [[nodiscard]] Vec3<double> made_across(const Vec3<double>& v) const {
+    return (v - v.dot(axis_) * axis_).normalized();
+  }
   [[nodiscard]] static bool is_point(const PlacedCore& body) {
     const auto* segment = std::get_if<SegmentCore>(&body.core);
     return segment != nullptr && segment->half_length == 0;
@@ -128,7 +135,7 @@ class MeridianSearch {
   }
 
   [[nodiscard]] static Angle at(double angle) { return {std::cos(angle), std::sin(angle)}; }
-  [[nodiscard]] double level() const { return best_.overlap - tolerance * pair_.size; }
+  [[nodiscard]] double level() const { return best_.lowest() - tolerance * pair_.size; }
 
   /// Of points of the bodies. Those of both are seen in the plane of an axis and e, where the second lies in it but for little.
   [[nodiscard]] Witness seen(const Vec3<double>& point1, const Vec3<double>& point2, const Vec3<double>& e) const {
@@ -197,7 +204,7 @@ class MeridianSearch {
       const Vec3<double> direction = n[0] * axis_ + n[1] * e;
       const Difference at = pair_.support(direction);
       const double overlap = at.w().dot(direction);
-      if (overlap < best_.overlap - pair_.rounding()) take(descent_.from(direction));
+      if (overlap < best_.lowest() - pair_.rounding()) best_.take(descent_.from(direction));
       if (overlap < lowest) lowest = overlap, out = seen(at.point1, at.point2, e);
     };
     see(std::cos(arc.middle) * across_ + std::sin(arc.middle) * beside_);
@@ -211,14 +218,15 @@ class MeridianSearch {
   [[nodiscard]] bool exclude(const Cell& cell) {
     if (++cells_ > last_cell_) return false;
     const Arc& arc = cell.arc;
-    // What cannot be divided may be as much lower as once more the tolerance.
-    const double slack = cell.depth == deepest ? tolerance * pair_.size : 0;
+    // What cannot be divided may be lower by half as much again.
+    const double slack = cell.depth == deepest ? tolerance * pair_.size / 2 : 0;
     const auto are_above = [&](const Witness& w, const Angle& n1, const Angle& n2) {
       return height(w, n1, arc) >= level() - slack && height(w, n2, arc) >= level() - slack;
     };
     const Angle first = at(cell.from), middle = at(cell.from + cell.width / 2), last = at(cell.from + cell.width);
     const Witness at_middle = look(middle, arc);
-    const Witness of_best = seen(best_.point1, best_.point2, across(best_.normal));
+    const CommonNormal& best = best_.normal();
+    const Witness of_best = seen(best.point1, best.point2, across(best.normal));
     if (are_above(at_middle, first, last) || are_above(of_best, first, last)) return true;
     // Up to where the two are as high one excludes, and beyond it the other.
     const Witness at_first = look(first, arc), at_last = look(last, arc);
@@ -258,17 +266,13 @@ class MeridianSearch {
     return n1 + t1 * (n2 - n1);
   }
 
-  void take(const CommonNormal& found) {
-    if (descent_.is_better(found, best_)) best_ = found;
-  }
-
   const PlacedCores& pair_;
   Descent descent_;
   Turned turned_;
   Vec3<double> axis_, other_, shift_, tilt_;  ///< a, b, s, m
   Vec3<double> across_, beside_;              ///< unit e: along m, or along s where there is no m, and across that
   double centre_, less_;                      ///< z, 1 - cos
-  CommonNormal best_;
+  BestNormal best_;
   int cells_ = 0, last_cell_ = 0;
   std::array<Witness, kept> seen_;  ///< the last; number k has the place k modulo their number
   int looks_ = 0;

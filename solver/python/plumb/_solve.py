@@ -56,7 +56,7 @@ def solve(
     body1, body2     lengths in one unit, world frame; a Body, or a ConvexBody of any shape
     method           a name of ``methods()``; ``auto`` alone where a ConvexBody is one of the pair
     want             of overlap, normal, points, curvature, derivatives, patch, or all of them as "overlap,normal"; none: the
-                     verdict alone. Curvature, derivatives and patch are of ``auto`` and two Body only.
+                     verdict alone. Curvature and derivatives are of ``auto`` only, the patch of ``auto`` and two Body.
     motion           (3,) velocity of body 2 relative to body 1, any unit; ``first_touch`` goes back along it
     last             an earlier answer for bodies of these shapes nearby: where the search starts (a warm start)
     iteration_limit  of each local solve
