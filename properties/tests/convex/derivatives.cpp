@@ -120,6 +120,23 @@ TEST(ConvexDerivatives, RadiiAreThoseOfTheFeature) {
   EXPECT_EQ(radii_of(swept, 0), (Radii{0.25, 0.25}));
 }
 
+/// A rim within the end of another cylinder, however the two lie: normals are exact to rounding alone.
+TEST(ConvexDerivatives, AFlatEndIsFlatWhereItIsTouchedFromWithin) {
+  Stream stream("flat ends", 1, 0);
+  int seen = 0;
+  for (int i = 0; i < 1000; ++i) {
+    ConvexPair pair = at(Cylinder{1, 1}, Cylinder{0.25, 0.25}, {0, 0, 0}, random_rotation(stream));
+    pair.body1.quaternion = random_rotation(stream);
+    const Mat3<double> turned = rotation<double>(pair.body1.quaternion);
+    pair.body2.position = turned * Vec3<double>(stream.uniform(-0.3, 0.3), stream.uniform(-0.3, 0.3), 1.3);
+    const Contact<double> contact = solve_with_all(pair);
+    if (contact.status != Status::converged || (contact.normal - turned.col(2)).norm() > 1e-9) continue;
+    ++seen;
+    EXPECT_EQ(contact.curvature[0].radius1, infinite) << i;
+  }
+  EXPECT_GT(seen, 900);
+}
+
 /// Turned about by any angle, two faces on one another have no normal that would follow.
 TEST(ConvexDerivatives, OfFacesOnOneAnotherThereIsNone) {
   const Contact<double> contact = solve_with_all(at(Box{{1, 1, 1}}, Box{{1, 1, 1}}, {0.25, 0.125, 1.75}));
