@@ -123,9 +123,14 @@ template <class Search>
     if (axis && !found.is_proved)
       found = after(found, lowest_by(MeridianSearch(pair, *axis, found.contact), pair, descent));
   };
+  const auto search_all = [&](int cells) {
+    if (!found.is_proved) found = after(found, lowest_by(DirectionSearch(pair, found.contact, cells), pair, descent));
+  };
+  constexpr int few = 12'000, many = 120'000;  // of 240 000 pairs that lie anyhow none took more than the few
   search_about(MeridianSearch::common_axis(pair));
-  if (!found.is_proved) found = after(found, lowest_by(DirectionSearch(pair, found.contact), pair, descent));
+  search_all(few);
   for (const Turned turned : {Turned::first, Turned::second}) search_about(MeridianSearch::axis_of(pair, turned));
+  search_all(many);
   return found;
 }
 

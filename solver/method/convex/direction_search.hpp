@@ -12,10 +12,8 @@ namespace plumb::detail {
 
 class DirectionSearch {
  public:
-  static constexpr int most_cells = 120'000;
-
-  DirectionSearch(const PlacedCores& pair, const CommonNormal& first)
-      : pair_(pair), descent_(pair), best_(pair, descent_, first) {}
+  DirectionSearch(const PlacedCores& pair, const CommonNormal& first, int most_cells)
+      : pair_(pair), descent_(pair), best_(pair, descent_, first), most_cells_(most_cells) {}
 
   /// Whether all directions are excluded but those as low as the lowest that was seen, to rounding.
   [[nodiscard]] bool run() {
@@ -23,7 +21,7 @@ class DirectionSearch {
     for (int face = 0; face < 6; ++face) {
       push({face / 2, face % 2 == 0 ? -1.0 : 1.0, 0, 0, 1, 0}, best_point());
       while (waiting_count_ > 0) {
-        if (++cells_ > most_cells) return false;
+        if (++cells_ > most_cells_) return false;
         const Waiting next = waiting_[static_cast<std::size_t>(--waiting_count_)];
         is_complete = look_at(next) && is_complete;
       }
@@ -131,6 +129,7 @@ class DirectionSearch {
   const PlacedCores& pair_;
   Descent descent_;
   BestNormal best_;
+  int most_cells_;
   std::array<Vector3<double>, kept> seen_;  ///< the last; number k has the place k modulo their number
   int seen_count_ = 0;
   static constexpr std::size_t most_waiting = 4UL * (deepest + 2);
