@@ -6,6 +6,7 @@
 
 #include "corpus/case/case.hpp"
 #include "corpus/case/shape_class.hpp"
+#include "corpus/certificate/certificate.hpp"
 #include "corpus/command/interrupt.hpp"
 #include "corpus/file/text_input.hpp"
 #include "corpus/solvers/host/shell_words.hpp"
@@ -14,6 +15,7 @@
 #include "properties/laws/judged_answer.hpp"
 #include "reports/document/document.hpp"
 #include "solver/diagnosis.hpp"
+#include "solver/reference/convex_bounds.hpp"
 
 namespace plumb::reports {
 namespace {
@@ -26,25 +28,31 @@ Json two_or_null(const Vec3<double>& a, const Vec3<double>& b) {
   return a.allFinite() && b.allFinite() ? Json{vector_or_null(a), vector_or_null(b)} : Json();
 }
 
+/// Of surfaces that have one everywhere.
+Json normals_json(const Pair& pair, const Vec3<double>& point1, const Vec3<double>& point2) {
+  if (!point1.allFinite() || !point2.allFinite()) return nullptr;
+  const ContactNormals normals = normals_at(pair, point1, point2);
+  return two_or_null(normals.normal1, normals.normal2);
+}
+
 /// The fields that an answer and the reference share.
-Json contact_json(const Pair& pair, Verdict verdict, double overlap, const Vec3<double>& normal,
-                  const Vec3<double>& point1, const Vec3<double>& point2) {
-  const auto normals = point1.allFinite() && point2.allFinite()
-                           ? normals_at(pair, point1, point2)
-                           : ContactNormals{not_valid<double>(), not_valid<double>()};
+Json contact_json(Verdict verdict, double overlap, const Vec3<double>& normal, const Vec3<double>& point1,
+                  const Vec3<double>& point2) {
   return {{"verdict", name(verdict)},
           {"overlap", number_json(overlap)},
           {"normal", vector_or_null(normal)},
           {"points", two_or_null(point1, point2)},
-          {"normals", two_or_null(normals.normal1, normals.normal2)},
+          {"normals", nullptr},
           {"iterations", nullptr},
           {"angle_error_deg", nullptr}};
 }
 
 Json reference_json(const Pair& pair, const Reference& reference) {
   const Solution& found = reference.common_normal;
-  Json out = contact_json(pair, reference.verdict, static_cast<double>(found.overlap), found.normal.cast<double>(),
-                          found.point1.cast<double>(), found.point2.cast<double>());
+  const Vec3<double> point1 = found.point1.cast<double>(), point2 = found.point2.cast<double>();
+  Json out =
+      contact_json(reference.verdict, static_cast<double>(found.overlap), found.normal.cast<double>(), point1, point2);
+  out["normals"] = normals_json(pair, point1, point2);
   out["status"] = found.solved ? "solved" : "not solved: " + found.reason;
   return out;
 }
@@ -60,11 +68,28 @@ double angle_to(const Reference& reference, const Vec3<double>& normal) {
   return least;
 }
 
-Json answer_json(const Pair& pair, const Contact<double>& c, const Reference& reference) {
-  Json out = contact_json(pair, c.verdict, c.overlap, c.normal, c.point1, c.point2);
+Json answer_json(const Contact<double>& c) {
+  Json out = contact_json(c.verdict, c.overlap, c.normal, c.point1, c.point2);
   out["status"] = name(c.status);
   out["iterations"] = c.iterations;
+  return out;
+}
+
+Json answer_json(const Pair& pair, const Contact<double>& c, const Reference& reference) {
+  Json out = answer_json(c);
+  out["normals"] = normals_json(pair, c.point1, c.point2);
   out["angle_error_deg"] = number_json(angle_to(reference, c.normal));
+  return out;
+}
+
+/// What is known of the right answer to a pair of any shapes: bounds of the overlap, and no normal.
+Json reference_json(const reference::ConvexBounds& bounds) {
+  const Verdict verdict = bounds.lower > 0   ? Verdict::overlapping
+                          : bounds.upper < 0 ? Verdict::separated
+                                             : Verdict::undecided;
+  const Vec3<double> none = not_valid<double>();
+  Json out = contact_json(verdict, bounds.lower / 2 + bounds.upper / 2, none, none, none);
+  out["status"] = fmt::format("bounds of the overlap alone: {:.17g} .. {:.17g}", bounds.lower, bounds.upper);
   return out;
 }
 
@@ -84,32 +109,71 @@ class Solvers {
 };
 
 /// The finest level of accuracy at which the answer breaks no law; null where it breaks one at each.
-Json right_from(const Pair& pair, const Solver& solver) {
-  Judge judge(pair);
-  const std::size_t level = solve_and_judge(judge, pair, solver).judgement.right_from;
+Json right_from(const Judgement& judgement) {
+  const std::size_t level = judgement.right_from;
   return level < right_at_no_level ? Json(accuracy_levels[level].name) : Json();
+}
+
+constexpr const char* no_answer = "a finding of the reference itself: there is no answer of a method";
+
+/// The method that a finding is about; nothing where it is about the reference.
+std::optional<std::string> method_of(const Case& kept) {
+  const auto& method = kept.expect.method;
+  return method == "reference" ? std::nullopt : method;
+}
+
+void solve_again(Json& failure, const Pair& pair, const std::optional<std::string>& method, Solvers& solvers) {
+  const Reference reference = find_reference(pair, Effort::bounds);
+  failure["reference"] = reference_json(pair, reference);
+  if (!method) {
+    failure["reason"] = no_answer;
+    return;
+  }
+  const Solver& solver = solvers.find(*method);
+  failure["answer"] = answer_json(pair, solver.solve(pair, {}, nullptr), reference);
+  Judge judge(pair);
+  failure["right_from"] = right_from(solve_and_judge(judge, pair, solver).judgement);
+}
+
+/// The answer's own normal is where the bounds begin to look.
+void solve_again(Json& failure, const ConvexPair& pair, const std::optional<std::string>& method, Solvers& solvers) {
+  const auto bounds_near = [&](const Vec3<double>& normal) {
+    return reference_json(reference::bound_overlap(pair, normal, kConvexCells));
+  };
+  const Solver* const solver = method ? &solvers.find(*method) : nullptr;
+  if (solver == nullptr || !solver->solve_convex) {
+    failure["reference"] = bounds_near(not_valid<double>());
+    failure["reason"] = solver == nullptr ? no_answer : solver->name + " takes superellipsoids alone";
+    return;
+  }
+  const JudgedAnswer judged = solve_and_judge(pair, *solver, {});
+  failure["reference"] = bounds_near(judged.answer.normal);
+  failure["answer"] = answer_json(judged.answer);
+  failure["right_from"] = right_from(judged.judgement);
 }
 
 /// Puts in "answer", "reference" and "right_from", or null and the "reason".
 void solve_again(Json& failure, const Case& kept, Solvers& solvers) {
   failure["answer"] = failure["reference"] = failure["right_from"] = nullptr;
   try {
-    const Reference reference = find_reference(kept.pair, Effort::bounds);
-    failure["reference"] = reference_json(kept.pair, reference);
-    if (!kept.expect.method || *kept.expect.method == "reference") {
-      failure["reason"] = "a finding of the reference itself: there is no answer of a method";
-      return;
-    }
-    const Solver& solver = solvers.find(*kept.expect.method);
-    failure["answer"] = answer_json(kept.pair, solver.solve(kept.pair, {}, nullptr), reference);
-    failure["right_from"] = right_from(kept.pair, solver);
+    if (kept.convex)
+      solve_again(failure, *kept.convex, method_of(kept), solvers);
+    else
+      solve_again(failure, kept.pair, method_of(kept), solvers);
   } catch (const std::exception& e) {
     failure["reason"] = e.what();
   }
 }
 
-/// What stands between finding, method and shapes of a bucket's name and its end.
-std::string regime_in(const RankedBucket& bucket, const std::string& before) {
+/// In a bucket's name, and for people.
+std::string shapes_of(const Case& kept, const char* between) {
+  if (!kept.convex) return shape_class(kept.pair);
+  return fmt::format("{}{}{}", name(kept.convex->body1.shape), between, name(kept.convex->body2.shape));
+}
+
+/// What stands between finding, method and shapes of a bucket's name and its end; "" where nothing does.
+std::string regime_in(const RankedBucket& bucket, const Case& kept) {
+  const std::string before = bucket.finding + "-" + bucket.method + "-" + shapes_of(kept, "-") + "-";
   return bucket.name.starts_with(before) ? bucket.name.substr(before.size()) : "";
 }
 
@@ -122,7 +186,7 @@ std::string replay_of(const std::filesystem::path& file, const RankedBucket& buc
 Json shrunk_json(const Run& run, const RankedBucket& bucket, Solvers& solvers) {
   const auto file = run.folder / "failures" / (bucket.name + std::string(kShrunk));
   if (!std::filesystem::exists(file)) return nullptr;
-  const Case kept = parse_case(read_text(file), file.string());
+  const Case kept = parse_case(read_text(file), file.string(), 0, CaseShapes::every);
   Json out{{"explanation", kept.provenance.value("explanation", "")},
            {"file", file.string()},
            {"replay", replay_of(file, bucket)},
@@ -134,7 +198,6 @@ Json shrunk_json(const Run& run, const RankedBucket& bucket, Solvers& solvers) {
 Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& failure, const char* kept) {
   const Case& c = failure.kept;
   const Json& from = c.provenance;
-  const std::string shapes = shape_class(c.pair);
   const auto file =
       run.folder / "failures" / (bucket.name + std::string(kept == std::string_view("worst") ? kWorst : kSimplest));
   return {{"bucket", bucket.name},
@@ -142,8 +205,8 @@ Json failure_json(const Run& run, const RankedBucket& bucket, const Failure& fai
           {"count", bucket.count},
           {"finding", bucket.finding},
           {"method", bucket.method},
-          {"shapes", shapes},
-          {"regime", regime_in(bucket, bucket.finding + "-" + bucket.method + "-" + shapes + "-")},
+          {"shapes", shapes_of(c, " against ")},
+          {"regime", regime_in(bucket, c)},
           {"family", from.value("family", "")},
           {"own", bucket.own},
           {"severity", from.at("severity")},

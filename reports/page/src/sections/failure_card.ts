@@ -18,11 +18,12 @@ interface Line {
   of: (answer: Answer) => string;
 }
 
+const ANGLE = "angle error, °";
 const LINES: Line[] = [
   { name: "status", of: (answer) => answer.status },
   { name: "verdict", of: (answer) => answer.verdict },
   { name: "overlap", of: (answer) => number(answer.overlap, 8) },
-  { name: "angle error, °", of: (answer) => number(answer.angle_error_deg, 4) },
+  { name: ANGLE, of: (answer) => number(answer.angle_error_deg, 4) },
   { name: "iterations", of: (answer) => number(answer.iterations) },
   { name: "normal", of: (answer) => vector(answer.normal) },
   { name: "p1", of: (answer) => vector(answer.points?.[0]) },
@@ -32,6 +33,8 @@ const LINES: Line[] = [
 function comparison(failure: Failure): Child {
   const { answer, reference, reason } = failure.shrunk ?? failure;
   const missing = reason && h("p", { class: "note" }, `Not solved anew: ${reason}`);
+  const hasAngle = [answer, reference].some((one) => (one?.angle_error_deg ?? null) !== null);
+  const rows = LINES.filter(({ name }) => hasAngle || name !== ANGLE);
   const of = (one: Answer | null) => (line: Line) => (one ? line.of(one) : NONE);
   const columns = [
     { title: "", head: true, cell: (line: Line) => line.name },
@@ -42,7 +45,7 @@ function comparison(failure: Failure): Child {
     "div",
     {},
     missing,
-    table({ caption: `${failure.bucket}: answer and reference`, columns, rows: LINES, hideCaption: true }),
+    table({ caption: `${failure.bucket}: answer and reference`, columns, rows, hideCaption: true }),
   );
 }
 
@@ -71,7 +74,7 @@ function facts(failure: Failure): HTMLElement {
     ["In the bucket", count(failure.count)],
     ["Kept", KEPT[failure.kept]],
     ["Shapes", breakable(failure.shapes)],
-    ["Regime", failure.regime],
+    ...(failure.regime ? [["Regime", failure.regime] as [string, Child]] : []),
     ["Family", failure.family],
   ]);
   list.className = "facts small";
@@ -98,7 +101,7 @@ function behind(failure: Failure, report: Report, matters: string): HTMLElement 
 }
 
 export function failureCard(failure: Failure, report: Report): HTMLElement {
-  const name = `${failure.finding} of ${failure.method}, ${failure.shapes}, ${failure.regime}`;
+  const name = [`${failure.finding} of ${failure.method}`, failure.shapes, failure.regime].filter(Boolean).join(", ");
   const [sentence, matters] = sentenceOf(failure);
   const shown = seenOf(failure);
   const title = h(

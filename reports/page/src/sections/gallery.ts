@@ -36,7 +36,7 @@ const wordsOf = (failure: Failure): string =>
 function controls(failures: Failure[], filter: Filter, changed: () => void): HTMLElement {
   const choice = (key: Key) => {
     const words = failures.map((failure) => failure[key]);
-    const names = key === "method" ? inOrder(words) : unique(words);
+    const names = (key === "method" ? inOrder(words) : unique(words)).filter(Boolean);
     const values = names.map((name): [string, string] => [name, name]);
     const title = key.charAt(0).toUpperCase() + key.slice(1);
     return select(title, [["", "all"], ...values], "", (value) => {

@@ -1,6 +1,6 @@
 /** Surfaces as triangles, all in float64 and in the axes of the view; three gets what is left as float32. */
 import type { Vec } from "../data";
-import type { Placed } from "./placed";
+import type { Located, Placed } from "./placed";
 import { gauge, loop, quarter } from "./superellipsoid";
 import { across, add, cross, dot, scale, subtract, turned, turnedBack, unit } from "./vector";
 
@@ -21,7 +21,7 @@ export interface Mapping {
 
 const HALF = 7;
 
-class Collector {
+export class Collector {
   private readonly positions: number[] = [];
   private readonly normals: number[] = [];
   readonly triangles: number[] = [];
@@ -30,6 +30,14 @@ class Collector {
   add(point: Vec, normal: Vec): void {
     this.positions.push(...this.mapping.point(point));
     this.normals.push(...this.mapping.direction(normal));
+  }
+
+  /** A triangle with corners of its own. */
+  flat(corners: [Vec, Vec, Vec], normal: Vec): void {
+    for (const corner of corners) {
+      this.triangles.push(this.triangles.length);
+      this.add(corner, normal);
+    }
   }
 
   /** Two triangles a cell of a grid of rows; cells with a vertex that is not are left out. */
@@ -54,7 +62,7 @@ class Collector {
   }
 }
 
-const inWorld = (body: Placed, x: Vec): Vec => add(turned(body.turn, x), body.centre);
+export const inWorld = (body: Located, x: Vec): Vec => add(turned(body.turn, x), body.centre);
 const stretched = (body: Placed, [x, y, z]: Vec): Vec => [x * body.axes[0], y * body.axes[1], z * body.axes[2]];
 
 /** The three principal sections. */

@@ -2,9 +2,11 @@
 import type { Answer, Body, Failure, Vec } from "../data";
 import { rimOf, surfaceOf } from "./rim";
 import { gauge, type Shape } from "./superellipsoid";
+import { type Form, formOf, sizeOf, sweptOf } from "./support";
 import {
   add,
   divide,
+  dot,
   isFinite3,
   length,
   middle,
@@ -17,10 +19,21 @@ import {
   unit,
 } from "./vector";
 
-export interface Placed extends Shape {
+export interface Located {
   turn: Turn;
   centre: Vec;
 }
+
+/** A superellipsoid: it has a gauge. */
+export interface Placed extends Shape, Located {}
+
+/** Any other shape: it has a support map alone. */
+export interface Formed extends Located {
+  form: Form;
+}
+
+export type Drawn = Placed | Formed;
+export const hasGauge = (body: Drawn): body is Placed => "axes" in body;
 
 export interface Contact {
   points: [Vec, Vec];
@@ -28,14 +41,14 @@ export interface Contact {
 }
 
 export interface Geometry {
-  bodies: [Placed, Placed];
+  bodies: [Drawn, Drawn];
   answer: Contact | null;
   reference: Contact | null;
   /** From body 1 to body 2: the reference's, or the answer's, or the centres'. */
   normal: Vec;
   /** What the answer says is the normal. */
   given: Vec | null;
-  /** Where both surfaces cross; closed. */
+  /** Where both surfaces cross; closed. Of superellipsoids alone. */
   rim: Vec[] | null;
   /** The case's length of 1. */
   size: number;
@@ -49,14 +62,26 @@ export interface Focus {
   radius: number;
 }
 
-function placed(body: Body, origin: Vec, size: number): Placed {
-  const { semi_axes, exponents } = body.shape.superellipsoid;
-  return {
-    axes: divide(semi_axes, size),
-    exponents: exponents ?? [2, 2],
+const isHalfSpace = ({ shape }: Body): boolean => "half_space" in sweptOf(shape).core;
+
+/** What is drawn of a half-space is about the origin, on its plane. */
+function halfSpace(body: Body, { turn, centre }: Located, size: number): Formed {
+  const { core, radius } = sweptOf(body.shape);
+  const normal = turned(turn, [0, 0, 1]);
+  const height = dot(normal, centre) + radius / size;
+  return { form: formOf(core, size), turn, centre: scale(normal, height) };
+}
+
+function placed(body: Body, origin: Vec, size: number): Drawn {
+  const located = {
     turn: turnOf(body.orientation.quaternion_wxyz),
     centre: divide(subtract(body.position, origin), size),
   };
+  const { shape } = body;
+  if (isHalfSpace(body)) return halfSpace(body, located, size);
+  if (!("superellipsoid" in shape)) return { form: formOf(shape, size), ...located };
+  const { semi_axes, exponents } = shape.superellipsoid;
+  return { axes: divide(semi_axes, size), exponents: exponents ?? [2, 2], ...located };
 }
 
 function contact(answer: Answer | null, origin: Vec, size: number): Contact | null {
@@ -75,14 +100,19 @@ function originOf({ answer, reference, case: { bodies } }: Shown): Vec {
     const [p, q] = one?.points ?? [null, null];
     if (isFinite3(p) && isFinite3(q)) return middle(p, q);
   }
-  return bodies[0].position;
+  return (isHalfSpace(bodies[0]) ? bodies[1] : bodies[0]).position;
+}
+
+function rimBetween([first, second]: [Drawn, Drawn], normal: Vec): Vec[] | null {
+  if (!hasGauge(first) || !hasGauge(second)) return null;
+  return rimOf(surfaceOf(first), surfaceOf(second), [0, 0, 0], normal);
 }
 
 export function geometryOf(failure: Shown): Geometry {
   const [first, second] = failure.case.bodies;
-  const size = Math.max(...first.shape.superellipsoid.semi_axes, ...second.shape.superellipsoid.semi_axes);
+  const size = Math.max(sizeOf(first.shape), sizeOf(second.shape)) || 1;
   const origin = originOf(failure);
-  const bodies: [Placed, Placed] = [placed(first, origin, size), placed(second, origin, size)];
+  const bodies: [Drawn, Drawn] = [placed(first, origin, size), placed(second, origin, size)];
   const known = [failure.reference?.normal, failure.answer?.normal].find((n) => isFinite3(n));
   const normal = unit(known ?? subtract(bodies[1].centre, bodies[0].centre));
   return {
@@ -91,7 +121,7 @@ export function geometryOf(failure: Shown): Geometry {
     reference: contact(failure.reference, origin, size),
     normal,
     given: isFinite3(failure.answer?.normal) ? unit(failure.answer.normal) : null,
-    rim: rimOf(surfaceOf(bodies[0]), surfaceOf(bodies[1]), [0, 0, 0], normal),
+    rim: rimBetween(bodies, normal),
     size,
   };
 }
@@ -114,8 +144,12 @@ export const ARROW = 0.62;
 const NAMED_ARROW = 0.66;
 /** Further from the middle, in radii, nothing is surely seen. */
 const SEEN = 0.95;
-/** A body's box reaches further than the body. */
+/** A superellipsoid's box reaches further than it. */
 const BALL = 0.65;
+/** About its centre, with all of the body in it, as far as that is seen. */
+const ballOf = (body: Drawn, corner: Vec): number =>
+  hasGauge(body) ? BALL * length(corner) : Math.min(length(corner), body.form.reach || Number.POSITIVE_INFINITY);
+
 /** Arrows grow with the radius that makes room for them: by then it hardly changes. */
 const ROUNDS = 10;
 
@@ -124,12 +158,13 @@ function arrowsOf({ answer, reference, normal, given }: Geometry, plain: boolean
   const right = reference ? [normal, ...(plain && given ? [given] : [])] : [];
   const arrows = right.map((direction): [Vec, Vec] => [reference?.points[0] ?? [0, 0, 0], direction]);
   const { points, normals } = answer ?? {};
-  if (plain || !points || !normals) return arrows;
+  if (plain || !points) return arrows;
+  if (!normals) return given ? [...arrows, [points[0], given]] : arrows;
   return [...arrows, [points[0], normals[0]], [points[1], normals[1]]];
 }
 
 /** The bodies' box with those points, and all of it seen. */
-export function around(bodies: Placed[], tips: Vec[]): Focus {
+export function around(bodies: Drawn[], tips: Vec[]): Focus {
   const ends = (sign: 1 | -1) =>
     [0, 1, 2].map((i) => [
       ...bodies.map((body) => (body.centre[i] as number) + sign * reach(body, i)),
@@ -140,7 +175,7 @@ export function around(bodies: Placed[], tips: Vec[]): Focus {
   const centre = middle(low, high);
   const corners = bodies.map((body) => [0, 1, 2].map((i) => reach(body, i)) as Vec);
   const furthest = [
-    ...bodies.map((body, k) => length(subtract(body.centre, centre)) + BALL * length(corners[k] as Vec)),
+    ...bodies.map((body, k) => length(subtract(body.centre, centre)) + ballOf(body, corners[k] as Vec)),
     ...tips.map((tip) => length(subtract(tip, centre))),
   ];
   return { centre, radius: Math.max(...furthest) / SEEN };
@@ -160,8 +195,13 @@ function aroundBodies(geometry: Geometry, plain: boolean): Focus {
 }
 
 /** Half the extent of the body's box along a world axis. */
-function reach(body: Placed, axis: number): number {
+function reach(body: Drawn, axis: number): number {
   const row = body.turn[axis] as Vec;
+  if (!hasGauge(body)) {
+    const { support } = body.form;
+    const back = scale(row, -1);
+    return Math.max(dot(row, support(row)), dot(back, support(back)));
+  }
   return Math.hypot(row[0] * body.axes[0], row[1] * body.axes[1], row[2] * body.axes[2]);
 }
 

@@ -29,9 +29,20 @@ import {
 import type { Vec } from "../data";
 import { number } from "../numbers";
 import type { Theme } from "../theme";
+import { formMesh } from "./form_mesh";
 import { type Mapping, pieceMesh, type Mesh as Surface, wholeMesh } from "./mesh";
 import { patches } from "./patches";
-import { ARROW, anchorOf, type Contact, type Focus, focusOf, type Geometry, type Placed, type Zoom } from "./placed";
+import {
+  ARROW,
+  anchorOf,
+  type Contact,
+  type Drawn,
+  type Focus,
+  focusOf,
+  type Geometry,
+  hasGauge,
+  type Zoom,
+} from "./placed";
 import { across, add, cross, divide, dot, length, scale, subtract, type Turn, turned, unit } from "./vector";
 
 export interface Label {
@@ -100,7 +111,12 @@ function mappingOf(geometry: Geometry, focus: Focus, plain: boolean): Mapping {
   };
 }
 
-function surface(geometry: Geometry, body: Placed, index: 0 | 1, focus: Focus, mapping: Mapping): Surface {
+/** Smaller views show no form: it is drawn whole, and float32 moves its faces. */
+const FINEST = 1e-5;
+
+/** Null where nothing of it is drawn. */
+function surface(geometry: Geometry, body: Drawn, index: 0 | 1, focus: Focus, mapping: Mapping): Surface | null {
+  if (!hasGauge(body)) return focus.radius < FINEST ? null : formMesh(body, mapping);
   if (focus.radius >= CLOSE * Math.min(...body.axes)) return wholeMesh(body, mapping);
   return pieceMesh(body, anchorOf(geometry, body, index, focus), 1.5 * focus.radius, mapping);
 }
@@ -192,7 +208,7 @@ class Drawing {
   }
 
   /** At the centre where that is seen, else on the piece. */
-  bodyLabel(body: Placed, index: 0 | 1, { positions, isPiece }: Surface): void {
+  bodyLabel(body: Drawn, index: 0 | 1, { positions, isPiece }: Surface): void {
     const { first, second } = this.colours;
     const middle: Vec = [positions[0] ?? 0, positions[1] ?? 0, positions[2] ?? 0];
     const at = isPiece ? add(middle, [index === 0 ? -0.5 : 0.5, 0, 0.3]) : this.mapping.point(body.centre);
@@ -205,7 +221,8 @@ class Drawing {
     this.note(name, add(from, scale(direction, ARROW + 0.05)), colour);
   }
 
-  answer({ points, normals }: Contact): void {
+  /** `given`: the normal of an answer whose surfaces have none of their own. */
+  answer({ points, normals }: Contact, given: Vec | null): void {
     const { first, second } = this.colours;
     const [p1, p2] = points.map(this.mapping.point) as [Vec, Vec];
     this.scene.add(marker(new SphereGeometry(0.034, 16, 12), p1, first));
@@ -213,6 +230,8 @@ class Drawing {
     if (normals) {
       this.direction("n1", p1, normals[0], first);
       this.direction("n2", p2, normals[1], second);
+    } else if (given) {
+      this.direction("normal", p1, given, first);
     }
     this.note("p1", p1, first);
     this.note("p2", p2, second);
@@ -266,6 +285,7 @@ export function picture(geometry: Geometry, zoom: Zoom, theme: Theme, plain = fa
   for (const index of [0, 1] as const) {
     const body = geometry.bodies[index];
     const shape = surface(geometry, body, index, focus, mapping);
+    if (!shape) continue;
     drawing.body(shape, index);
     bodyNotes.push(() => drawing.bodyLabel(body, index, shape));
   }
@@ -275,7 +295,7 @@ export function picture(geometry: Geometry, zoom: Zoom, theme: Theme, plain = fa
     return { scene: drawing.scene, labels: drawing.labels, radius: focus.radius * geometry.size };
   }
   if (geometry.reference) drawing.reference(geometry.reference, geometry.normal);
-  if (geometry.answer) drawing.answer(geometry.answer);
+  if (geometry.answer) drawing.answer(geometry.answer, geometry.given);
   if (geometry.rim) drawing.patch(geometry.rim);
   for (const note of bodyNotes) note();
   return { scene: drawing.scene, labels: drawing.labels, radius: focus.radius * geometry.size };
