@@ -141,7 +141,7 @@ TEST(ConvexDerivatives, AFlatEndIsFlatWhereItIsTouchedFromWithin) {
 TEST(ConvexDerivatives, OfFacesOnOneAnotherThereIsNone) {
   const Contact<double> contact = solve_with_all(at(Box{{1, 1, 1}}, Box{{1, 1, 1}}, {0.25, 0.125, 1.75}));
   ASSERT_TRUE(contact.derivatives);
-  for (const PoseDerivative<double>& by : *contact.derivatives) {
+  for (const PoseDerivative<double>& by : contact.derivatives.value_or(std::array<PoseDerivative<double>, 2>{})) {
     EXPECT_TRUE(by.normal_by_shift.array().isNaN().all() && by.normal_by_turn.array().isNaN().all());
     EXPECT_TRUE(by.overlap_by_shift.allFinite());
   }
