@@ -72,7 +72,8 @@ class MeridianSearch {
 
  private:
   static constexpr double pi = static_cast<double>(EIGEN_PI);
-  static constexpr int parts = 4, deepest = 60, most_cells = 20'000, kept = 8;
+  static constexpr int parts = 4, deepest = 60, kept = 8;
+  static constexpr int most_cells = 20'000, most_about_one = 4'000;  // what is shown about one body's axis took 500
   /// Of the size. What an axis that is common but for rounding does to o, and what is left for the search.
   static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon(),
                           tolerance = 128 * std::numeric_limits<double>::epsilon();
@@ -115,7 +116,7 @@ class MeridianSearch {
 
   [[nodiscard]] bool search() {
     bool is_complete = true;
-    last_cell_ = cells_ + most_cells;
+    last_cell_ = cells_ + (turned_ == Turned::both ? most_cells : most_about_one);
     for (int k = 0; k < parts; ++k) is_complete = exclude({width() * k, width(), {}, 0}) && is_complete;
     return is_complete;
   }
