@@ -18,8 +18,7 @@ class BestNormal {
 
   void take(const CommonNormal& found) {
     lowest_ = std::min(lowest_, found.overlap);
-    if (found.overlap < normal_.overlap - pair_.rounding() || (is_low(found) && descent_.is_more_exact(found, normal_)))
-      normal_ = found;
+    if (descent_.is_lower(found, normal_) || (is_low(found) && descent_.is_more_exact(found, normal_))) normal_ = found;
   }
   /// As low as all that was seen, but for rounding.
   [[nodiscard]] bool is_low(const CommonNormal& of) const { return of.overlap <= lowest_ + pair_.rounding(); }

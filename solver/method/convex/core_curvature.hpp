@@ -57,9 +57,10 @@ class CurvatureOf {
   [[nodiscard]] PrincipalCurvature<double> operator()(const ForeignCore& core) const {
     if (core.shape->hessian == nullptr) return {};
     const PieceSupport at = core.support(0, u_);
+    const double near = std::sqrt(rounding_);  // a flat's own point is known no better
     const Tangent<double> basis = tangent_basis<double>(u_);
     const Mat2<double> m = basis.transpose() * at.hessian * basis;
-    if (!m.allFinite() || !((at.point - x_).norm() <= std::sqrt(rounding_))) return {};
+    if (!m.allFinite() || !((at.point - x_).norm() <= near)) return {};
     const Vec2<double> v = smaller_eigenvector<double>(m(0, 0), m(0, 1), m(1, 1)), w(-v[1], v[0]);
     return {std::max(v.dot(m * v), 0.0), std::max(w.dot(m * w), 0.0), basis * v, basis * w};
   }

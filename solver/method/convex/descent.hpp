@@ -45,6 +45,10 @@ class Descent {
   /// Of cores apart: the nearest points, sharpened.
   [[nodiscard]] CommonNormal sharpened(const Nearest& nearest) const { return settled(best_of(nearest)); }
 
+  /// Whether a is lower than b by more than rounding.
+  [[nodiscard]] bool is_lower(const CommonNormal& a, const CommonNormal& b) const {
+    return a.overlap < b.overlap - pair_.rounding();
+  }
   /// Whether b is not exact, and a less far from it.
   [[nodiscard]] bool is_more_exact(const CommonNormal& a, const CommonNormal& b) const {
     return !is_exact(b) && defect(a) < defect(b);
@@ -148,10 +152,6 @@ class Descent {
     return best;
   }
 
-  /// By more than rounding.
-  [[nodiscard]] bool is_lower(const CommonNormal& a, const CommonNormal& b) const {
-    return a.overlap < b.overlap - pair_.rounding();
-  }
   /// But for rounding.
   [[nodiscard]] bool is_as_low(const CommonNormal& a, const CommonNormal& b) const {
     return a.overlap <= b.overlap + pair_.rounding();

@@ -3,15 +3,15 @@
 // sphere. Where one core alone is of revolution a part of a circle may be as low: where the other has its end on the axis.
 //
 // Both: a is body 1's axis, b body 2's, turned to a's side; body 2's centre is z a + s, s across. n = n_a a + n_e e, e any unit vector
-// across. A point of body 1 is x_a a + x_e e, for every e, and one of body 2 is z a + s + Q (y_a a + y_e e), Q the least rotation from a to b. With
-// m = b - cos a, sin = |m|, k the unit vector across a and m, the height n.(x1 - x2) is
+// across. A point of body 1 is x_a a + x_e e, for every e, and one of body 2 is z a + s + Q (y_a a + y_e e), Q the least rotation from a
+// to b. With m = b - cos a, sin = |m|, k the unit vector across a and m, the height n.(x1 - x2) is
 //     n_a (x_a - z) + n_e x_e - cos (n_a y_a + n_e y_e) - [c.e + B (k.e)^2],   c = n_e s + (y_a n_e - y_e n_a) m,   B = (1 - cos) n_e y_e
 // For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where c is along m and 2 B <= |c|: there |c| cos + B sin^2 is
 // greatest at the angle 0. One alone, about a through the origin, the point x2 of the other being the same for every e:
 //     n_a (x_a - x2.a) + n_e x_e - c.e,   c = n_e (x2 - (x2.a) a)
-// Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between
-// them have. Where the lowest e differs from point to point no two points show for all e what a mixture of them shows for each: then arcs of e
-// are searched, and over an arc the bracket's two terms are each at most their greatest in it.
+// Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between them have. Where the
+// lowest e differs from point to point no two points show for all e what a mixture of them shows for each: then arcs of e are searched,
+// and over an arc the bracket's two terms are each at most their greatest in it.
 #pragma once
 
 #include <cstdint>
