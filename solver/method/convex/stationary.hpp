@@ -123,7 +123,7 @@ class StationaryNewton {
       double last = std::numeric_limits<double>::infinity();
       for (int step = 0; step < most_steps; ++step) {
         const double now = evaluate();
-        const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2);
+        const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * turning() && now >= last / 2);
         if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
         if (!(now < 1e3 * last || (pair.all_but_touch(overlap) && now < 0.1 * pair.size)) || !take_step())
           return std::nullopt;
@@ -136,6 +136,12 @@ class StationaryNewton {
     [[nodiscard]] bool is_near(const Vec3<double>& start) const {
       constexpr double near = 0.1;
       return (n - start).norm() < near || pair.all_but_touch(overlap);
+    }
+
+    /// By how much the residual turns with n, and so what rounding of n makes of it: of a surface that is all but flat by more than the size.
+    [[nodiscard]] double turning() const {
+      constexpr double most = 0x1p20;
+      return std::clamp(jacobian.leftCols<3>().cwiseAbs().maxCoeff(), 1.0, most) * pair.size;
     }
 
     /// The residual's largest component, a length.
