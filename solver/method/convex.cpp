@@ -4,7 +4,6 @@
 
 #include "solver/method/automatic.hpp"
 #include "solver/method/common.hpp"
-#include "solver/method/convex/core_curvature.hpp"
 #include "solver/method/convex/direction_search.hpp"
 #include "solver/method/convex/flat_faces.hpp"
 #include "solver/method/convex/meridian_search.hpp"
@@ -312,8 +311,8 @@ void set_second_order(const ConvexPair& bodies, const PlacedCores& pair, const C
                       const ConvexFrame& frame, Contact<double>& out) {
   const auto curvature = [&](const ConvexBody& body, const PlacedCore& core, const Vec3<double>& outward,
                              const Vec3<double>& x) {
-    return std::holds_alternative<HalfSpace>(body.shape) ? CurvatureOf(outward, x, 0).flat()
-                                                         : placed_curvature(core, outward, x, Descent::exact(pair));
+    return std::holds_alternative<HalfSpace>(body.shape) ? Touch{outward, x, 0}.flat()
+                                                         : core.curvature(outward, x, Descent::exact(pair));
   };
   const PlacedContact<double> cores{at.overlap,
                                     at.normal,

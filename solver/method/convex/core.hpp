@@ -4,7 +4,8 @@
 // corners of a polytope, the two rims of a frustum, one piece for what is smooth all over. Between pieces faces and edges lie: there
 // several x are farthest, and every mixture of them is.
 //
-// A core says whether it is a polytope, whether it is of revolution about its z axis, and whether it holds a point but for a length.
+// A core says whether it is a polytope, whether it is of revolution about its z axis, whether it holds a point but for a length, and how it
+// is curved where it is touched.
 #pragma once
 
 #include <algorithm>
@@ -38,6 +39,7 @@ struct SegmentCore {
   [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
     return std::hypot(x[0], x[1]) <= beyond && std::abs(x[2]) <= half_length + beyond;
   }
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const { return at.of_polytope(*this); }
 };
 
 /// Corner k has the positive half-extent along axis i where bit i of k is set.
@@ -61,6 +63,7 @@ struct BoxCore {
   [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
     return (x.cwiseAbs() - half_extents).maxCoeff() <= beyond;
   }
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const { return at.of_polytope(*this); }
 };
 
 /// The corners of a hull, in another unit.
@@ -89,6 +92,7 @@ struct HullCore {
              return (x - corner(face.corners[0])).dot(face.normal) <= beyond;
            });
   }
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const { return at.of_polytope(*this); }
 
  private:
   template <class Height>
@@ -125,6 +129,22 @@ struct FrustumCore {
     const double across = std::hypot(x[0], x[1]), aside = (across - radii[0]) * height - (x[2] - heights[0]) * wider;
     return x[2] >= heights[0] - beyond && x[2] <= heights[1] + beyond && aside <= slant * beyond &&
            across <= std::max(radii[0], radii[1]) + beyond;
+  }
+  /// Both rims are as far, and not one circle.
+  [[nodiscard]] bool is_on_side(const Touch& at) const {
+    const Vec3<double> slant = support(1, at.u).point - support(0, at.u).point;
+    return std::abs(slant.dot(at.u)) <= at.rounding && slant.norm() > at.rounding;
+  }
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const {
+    const auto end = static_cast<std::size_t>(support(at.u).piece);
+    const double aside = std::hypot(at.u[0], at.u[1]), from_axis = std::hypot(at.x[0], at.x[1]);
+    const bool is_on_end = std::abs(at.x[2] - heights[end]) <= at.rounding,
+               is_within = from_axis < radii[end] - at.rounding;
+    if ((is_on_end && is_within) || (radii[end] > 0 && 2 * radii[end] * aside <= at.rounding)) return at.flat();
+    if (!(aside > 0)) return at.ball(0);  // an apex
+    const Vec3<double> around(-at.u[1] / aside, at.u[0] / aside, 0);
+    return is_on_side(at) ? at.with_radii(from_axis / aside, Touch::infinite, around)
+                          : at.with_radii(0, radii[end] / aside, around.cross(at.u));
   }
 };
 
@@ -163,6 +183,10 @@ struct TabletCore {
     if (across > r + beyond || up > e + beyond) return false;
     // On the cap's sphere or within: across^2 + (up - e)^2 + 2 R (up - e) <= 0.
     return across * across + (up - e) * (up - e) <= 2 * cap_radius * (e - up + beyond);
+  }
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const {
+    const bool is_on_dome = is_on_cap(std::hypot(at.u[0], at.u[1]), std::abs(at.u[2]));
+    return is_on_dome && !straight().is_on_side(at) ? at.ball(cap_radius) : straight().curvature(at);
   }
 };
 
@@ -203,6 +227,14 @@ struct SmoothCore {
   }
   /// g, 1 on the surface, with its derivatives by x.
   [[nodiscard]] NormHessian<double> gauge(const Vec3<double>& x) const { return gauge_hessian<double>(octant(x), x); }
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const {
+    // On a flat the normal does not tell the point, at a sharp edge the point does not tell the normal.
+    const CubePoint<double> of_point = chart_of_point(at.x), of_normal = chart_of_normal(at.u);
+    const double turned = (on_chart(of_point).normal - at.u).norm(),
+                 shifted = (on_chart(of_normal).point - at.x).norm();
+    const CubePoint<double>& chart = turned * at.x.norm() <= shifted ? of_point : of_normal;
+    return principal_curvature<double>(octant(chart.w), chart);
+  }
 };
 
 using Core = std::variant<SegmentCore, BoxCore, HullCore, FrustumCore, TabletCore, SmoothCore, ForeignCore>;

@@ -6,11 +6,11 @@
 // and, where there were more, every point of a second run to the first run's answer.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 
 #include "solver/method/convex/piece_support.hpp"
+#include "solver/method/convex/touch.hpp"
 #include "solver/power_of_two.hpp"
 #include "solver/shape/shapes.hpp"
 
@@ -81,6 +81,17 @@ struct ForeignCore {
   }
   /// Not known.
   [[nodiscard]] static bool holds(const Vec3<double>& /*x*/, double /*beyond*/) { return false; }
+  /// NaN without a Hessian, or where x is not the shape's own point.
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& touch) const {
+    if (shape->hessian == nullptr) return {};
+    const PieceSupport at = support(0, touch.u);
+    const double near = std::sqrt(touch.rounding);  // a flat's own point is known no better
+    const Tangent<double> basis = tangent_basis<double>(touch.u);
+    const Mat2<double> m = basis.transpose() * at.hessian * basis;
+    if (!m.allFinite() || !((at.point - touch.x).norm() <= near)) return {};
+    const Vec2<double> v = smaller_eigenvector<double>(m(0, 0), m(0, 1), m(1, 1)), w(-v[1], v[0]);
+    return {std::max(v.dot(m * v), 0.0), std::max(w.dot(m * w), 0.0), basis * v, basis * w};
+  }
 
  private:
   [[nodiscard]] static Vec3<double> unit_of(const Vec3<double>& u) {

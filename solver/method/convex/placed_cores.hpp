@@ -51,6 +51,13 @@ struct PlacedCore {
   [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
     return std::visit([&](const auto& of) { return of.holds(rotation.transpose() * (x - centre), beyond); }, core);
   }
+  /// Where it is touched at x along its outward unit n, to a length; directions in the frame.
+  [[nodiscard]] PrincipalCurvature<double> curvature(const Vec3<double>& n, const Vec3<double>& x,
+                                                     double within) const {
+    const Touch at{rotation.transpose() * n, rotation.transpose() * (x - centre), within};
+    const PrincipalCurvature<double> own = std::visit([&](const auto& of) { return of.curvature(at); }, core);
+    return {own.radius1, own.radius2, rotation * own.direction1, rotation * own.direction2};
+  }
 
  private:
   template <class C>
