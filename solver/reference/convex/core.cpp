@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
+#include <vector>
 
+#include "solver/reference/convex/norms.hpp"
 #include "solver/shape/hull.hpp"
 #include "solver/shape/overloaded.hpp"
 
@@ -11,6 +14,43 @@ namespace plumb::reference::cores {
 namespace {
 
 using detail::Overloaded;
+
+/// Octants of superellipsoids; of a superellipsoid all alike.
+struct OctantsCore {
+  std::array<I, 6> semi_axes;  ///< in PolySuperellipsoid's order
+  double n1, n2;
+};
+
+/// The hull of two discs at z = bottom and z = top. The origin lies inside.
+struct DiscsCore {
+  I bottom, top, bottom_radius, top_radius;
+};
+
+/// Points within both balls that a tablet's caps are of, and within its radius of the axis. The origin lies inside.
+struct TabletCore {
+  I half_length, radius, cap_height;
+  I ball;  ///< the radius of the balls
+};
+
+/// A body by functions, whose enclosures are believed, and that no point of it is beyond the bound.
+struct ForeignCore {
+  ForeignShape shape;
+  int exponent;
+  I bound;
+};
+
+/// Half-extents that may be 0: a segment or a point as well.
+struct BoxCore {
+  IVec3<I> half_extents;
+};
+
+/// The hull of points.
+struct CornersCore {
+  std::vector<IVec3<I>> corners;
+  std::vector<Vec3<double>> rough;
+};
+
+using Kind = std::variant<OctantsCore, DiscsCore, TabletCore, BoxCore, CornersCore, ForeignCore>;
 
 I scaled(double x, int exponent) {
   return times_power_of_two<I>(I(x), -exponent);
@@ -24,7 +64,7 @@ double rough(const I& x) {
   return low(x) + (high(x) - low(x)) / 2;
 }
 
-Core octants(const std::array<double, 6>& semi_axes, double n1, double n2, int exponent) {
+Kind octants(const std::array<double, 6>& semi_axes, double n1, double n2, int exponent) {
   OctantsCore out{{}, n1, n2};
   for (std::size_t i = 0; i < 6; ++i) out.semi_axes[i] = scaled(semi_axes[i], exponent);
   return out;
@@ -32,7 +72,7 @@ Core octants(const std::array<double, 6>& semi_axes, double n1, double n2, int e
 
 /// The centroid lies (R^2 + 2 R r + 3 r^2) / (4 (R^2 + R r + r^2)) of the height above the bottom. R and r are over the larger:
 /// squares of slender ones underflow.
-Core frustum(const Frustum& s, int exponent) {
+Kind frustum(const Frustum& s, int exponent) {
   const I larger(std::max(s.radii[0], s.radii[1])), from = I(s.radii[0]) / larger, to = I(s.radii[1]) / larger;
   const I ends = square<I>(from) + square<I>(to), mixed = from * to;
   const I share = (ends + I(2.0) * (mixed + square<I>(to))) / (I(4.0) * (ends + mixed));
@@ -42,12 +82,12 @@ Core frustum(const Frustum& s, int exponent) {
 }
 
 /// The ball over the rim of radius r with the height e has the radius r^2/(2 e) + e/2.
-Core tablet(const Tablet& s, int exponent) {
+Kind tablet(const Tablet& s, int exponent) {
   const I l = scaled(s.half_length, exponent), r = scaled(s.radius, exponent), e = scaled(s.cap_height, exponent);
   return TabletCore{l, r, e, r * (I(s.radius) / (I(2.0) * I(s.cap_height))) + I(0.5) * e};
 }
 
-Core corners(const plumb::Hull& hull, int exponent) {
+Kind corners(const plumb::Hull& hull, int exponent) {
   CornersCore out;
   for (const Vec3<double>& corner : hull.corners) {
     out.corners.push_back(scaled(corner, exponent));
@@ -59,31 +99,6 @@ Core corners(const plumb::Hull& hull, int exponent) {
 
 bool is_sphere(const Superellipsoid<double>& s) {
   return s.n1 == 2 && s.n2 == 2 && (s.semi_axes.array() == s.semi_axes[0]).all();
-}
-
-I greatest(const I& a, const I& b) {
-  return {std::max(low(a), low(b)), std::max(high(a), high(b))};
-}
-
-/// The greatest x u over -before <= x <= after.
-I greatest_product(const I& u, const I& after, const I& before) {
-  if (low(u) >= 0) return u * after;
-  if (high(u) <= 0) return -(u * before);
-  return {0, std::max(high(I(high_end<I>(u) * after)), high(I(-low_end<I>(u) * before)))};
-}
-
-/// |(x, y)|_m for x, y >= 0, over the larger so that no power underflows.
-I norm_of(const I& x, const I& y, const I& m) {
-  const I &larger = high(x) > high(y) ? x : y, &smaller = high(x) > high(y) ? y : x;
-  const double most = high(I(high_end<I>(x) + high_end<I>(y)));
-  if (!is_positive(larger)) return {std::max(low(x), low(y)), most};
-  const I out = larger * power<I>(I(I(1.0) + power<I>(I(smaller / larger), m)), I(I(1.0) / m));
-  return {low(out), std::min(high(out), most)};
-}
-/// The same for the exponent n/(n-1).
-I dual_norm_of(const I& x, const I& y, double n) {
-  if (n == 2) return root<I>(square<I>(x) + square<I>(y));
-  return norm_of(x, y, DualExponent<I>(n).m);
 }
 
 I support_in(const OctantsCore& core, const IVec3<I>& u) {
@@ -190,19 +205,6 @@ IVec3<I> drawn_in(const C& core, const Vec3<double>& x) {
   }
   return enclosed<I>(Vec3<double>(0, 0, 0));
 }
-
-/// |(x, y)|_m for x, y >= 0, and (x, y) over it.
-struct RoughNorm {
-  double value, first, second;
-
-  RoughNorm(double x, double y, double m) {
-    const double larger = std::max(x, y);
-    const double sum = larger > 0 ? std::pow(x / larger, m) + std::pow(y / larger, m) : 1;
-    value = larger * std::pow(sum, 1 / m);
-    first = value > 0 ? x / value : 0;
-    second = value > 0 ? y / value : 0;
-  }
-};
 
 /// The gradient of |(|(a x, b y)|_m2, c z)|_m1.
 CorePoint farthest_in(const OctantsCore& core, const Vec3<double>& u) {
@@ -315,10 +317,8 @@ CorePoint near_in(const ForeignCore& core, const Vec3<double>& x) {
   return farthest_in(core, x);
 }
 
-}  // namespace
-
-Core core_of(const Shape& shape, int exponent) {
-  const auto box = [&](double x, double y, double z) -> Core {
+Kind kind_of(const Shape& shape, int exponent) {
+  const auto box = [&](double x, double y, double z) -> Kind {
     return BoxCore{scaled(Vec3<double>(x, y, z), exponent)};
   };
   return std::visit(
@@ -329,19 +329,29 @@ Core core_of(const Shape& shape, int exponent) {
             return octants({a[0], a[0], a[1], a[1], a[2], a[2]}, s.n1, s.n2, exponent);
           },
           [&](const Capsule& s) { return box(0, 0, s.half_length); },
-          [&](const Cylinder& s) -> Core {
+          [&](const Cylinder& s) -> Kind {
             const I half = scaled(s.half_length, exponent), radius = scaled(s.radius, exponent);
             return DiscsCore{-half, half, radius, radius};
           },
           [&](const Cone& s) { return frustum({{s.radius, 0}, s.height}, exponent); },
           [&](const Frustum& s) { return frustum(s, exponent); },
-          [&](const ForeignShape& s) -> Core { return ForeignCore{s, exponent, scaled(s.bounding_radius, exponent)}; },
+          [&](const ForeignShape& s) -> Kind { return ForeignCore{s, exponent, scaled(s.bounding_radius, exponent)}; },
           [&](const Tablet& s) { return tablet(s, exponent); },
           [&](const Box& s) { return box(s.half_extents[0], s.half_extents[1], s.half_extents[2]); },
           [&](const Polyhedron& s) { return corners(*s.hull, exponent); },
           [&](const PolySuperellipsoid& s) { return octants(s.semi_axes, s.n1, s.n2, exponent); },
           [&](const HalfSpace&) { return box(0, 0, 0); }},
       shape);
+}
+
+}  // namespace
+
+struct KindOfCore {
+  Kind kind;
+};
+
+Core core_of(const Shape& shape, int exponent) {
+  return std::make_shared<KindOfCore>(KindOfCore{kind_of(shape, exponent)});
 }
 
 I radius_about_core(const Shape& shape, int exponent) {
@@ -356,22 +366,22 @@ bool is_enclosed(const ConvexBody& body) {
 }
 
 I support_of(const Core& core, const IVec3<I>& u) {
-  return std::visit([&](const auto& c) { return support_in(c, u); }, core);
+  return std::visit([&](const auto& c) { return support_in(c, u); }, core->kind);
 }
 
 IVec3<I> proved_point(const Core& core, const CorePoint& point) {
   return std::visit(Overloaded{[&](const CornersCore& c) { return c.corners[static_cast<std::size_t>(point.corner)]; },
                                [&](const ForeignCore& c) { return enclosure_of(c, point.along); },
                                [&](const auto& c) { return drawn_in(c, point.at); }},
-                    core);
+                    core->kind);
 }
 
 CorePoint farthest(const Core& core, const Vec3<double>& u) {
-  return std::visit([&](const auto& c) { return farthest_in(c, u); }, core);
+  return std::visit([&](const auto& c) { return farthest_in(c, u); }, core->kind);
 }
 
 CorePoint near(const Core& core, const Vec3<double>& x) {
-  return std::visit([&](const auto& c) { return near_in(c, x); }, core);
+  return std::visit([&](const auto& c) { return near_in(c, x); }, core->kind);
 }
 
 }  // namespace plumb::reference::cores
