@@ -59,9 +59,31 @@ struct ShapeBytes {
     for (double& x : out) x = std::max(x, least);
     return out;
   }
+  /// Lengths and exponents by themselves. Where they are not legal together the last length is halved until they are.
+  template <class S>
+  [[nodiscard]] S by_fields() const {
+    constexpr std::array<std::size_t, 6> places{2, 4, 36, 38, 40, 6};
+    S out{};
+    std::size_t lengths = 0, exponents = 0;
+    double* last = nullptr;
+    each_field(out, [&](auto, const auto& field, const auto& numbers) {
+      for (double* number : numbers) {
+        if (!field.is_length()) {
+          *number = exponent(8 + 2 * (exponents++ % 2));
+          continue;
+        }
+        const std::size_t place = places[lengths++ % places.size()];
+        *number = field.legal == Legal::not_below_zero ? length_or_0(place) : length(place);
+        last = number;
+      }
+    });
+    while (last != nullptr && *last > 0 && !find_input_error(ConvexPair{{out}, {}}).reason.empty()) *last /= 2;
+    return out;
+  }
   [[nodiscard]] Shape shape() const {
+    const std::size_t kind = read(bytes, 0, 1) % shape_count;
     const Vec3<double> a = lengths(2);
-    switch (read(bytes, 0, 1) % shape_count) {
+    switch (kind) {
       case 0: return Superellipsoid<double>{a.cwiseMax(a.maxCoeff() / 1000), exponent(8), exponent(10)};
       case 1: return Capsule{length_or_0(2), a[1]};
       case 2: return Cylinder{a[0], a[1]};
@@ -71,7 +93,7 @@ struct ShapeBytes {
       case 6: return polyhedron();
       case 7: return PolySuperellipsoid{six_half_axes(), exponent(8), exponent(10)};
       case half_space_kind: return HalfSpace{};
-      default: return Tablet{length_or_0(2), a[1], std::min(length(36), a[1])};
+      default: return shape_of_kind(kind, [&]<class S>() { return Shape(by_fields<S>()); });
     }
   }
   /// At the origin.

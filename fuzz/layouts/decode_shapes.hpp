@@ -26,8 +26,9 @@
 //   28   2  swept radius                                     v < 256: 0; else as a length
 //   30   2  polyhedron: points 1 + % 20; upper byte % 4: on a sphere, whole coordinates -2 .. 2, in a plane, a prism
 //   32   4  polyhedron: its random numbers
-//   36   6  poly-superellipsoid: the other three half-axes; frustum: the top's radius; tablet: the caps' height; lengths
+//   36   6  poly-superellipsoid: the other three half-axes; frustum: the top's radius; lengths
 //   42   2  unused
+// A shape that is not named here has its lengths at 2, 4, 36, 38, 40, 6 in the order of its fields, and its exponents at 8 and 10.
 // No superellipsoid's axis is shorter than 1/1000 of its longest; flat and slender shapes of the other kinds reach 1e-12.
 #pragma once
 

@@ -52,9 +52,18 @@ Shape draw_fields(Stream& stream) {
     if (find_input_error(ConvexPair{{out}, {}}).reason.empty()) return out;
   }
 }
-template <class... S>
-Shape draw_by_fields(std::size_t kind, Stream& stream, const std::variant<S...>* /*list*/) {
-  return std::array{&draw_fields<S>...}[kind](stream);
+
+/// One of its lengths, as long as that is legal.
+template <class S>
+void shorten(S& shape, double by, std::size_t which) {
+  std::vector<double*> lengths;
+  each_field(shape, [&](auto, const auto& field, const auto& numbers) {
+    if (field.is_length()) lengths.insert(lengths.end(), numbers.begin(), numbers.end());
+  });
+  if (lengths.empty()) return;
+  double& length = *lengths[which % lengths.size()];
+  const double before = std::exchange(length, length * by);
+  if (!find_input_error(ConvexPair{{shape}, {}}).reason.empty()) length = before;
 }
 
 /// The kinds in an order that ends with it.
@@ -107,7 +116,7 @@ Shape draw_shape(std::size_t kind, Stream& stream) {
       return PolySuperellipsoid{{length(), length(), length(), length(), length(), length()}, n1, n2};
     }
     case half_space_kind: return HalfSpace{};
-    default: return draw_by_fields(kind, stream, static_cast<const Shape*>(nullptr));
+    default: return shape_of_kind(kind, [&]<class S>() { return draw_fields<S>(stream); });
   }
 }
 
@@ -145,7 +154,7 @@ Shape flattened(const Shape& shape, double decades, Stream& stream) {
                    round(s.half_length, s.radius);
                    s.cap_height *= by;
                  },
-                 [](HalfSpace&) {}, [](ForeignShape&) {}},
+                 [](ForeignShape&) {}, [&](auto& s) { shorten(s, by, axis); }},
              out);
   return out;
 }

@@ -3,15 +3,30 @@
 
 #include "properties/generators/draft.hpp"
 #include "solver/shape/convex.hpp"
+#include "solver/shape/shape_fields.hpp"
 
 namespace plumb {
 
-/// Those that are numbers; a foreign one, which is functions, is the last of all.
-inline constexpr std::size_t shape_count = std::variant_size_v<Shape> - 1, half_space_kind = 8;
-static_assert(std::is_same_v<std::variant_alternative_t<shape_count, Shape>, ForeignShape>);
+/// Kinds are Shape's alternatives in their order, without the foreign one, which is functions.
+inline constexpr std::size_t shape_count = std::variant_size_v<Shape> - 1, half_space_kind = 8, foreign_place = 10;
+static_assert(std::is_same_v<std::variant_alternative_t<foreign_place, Shape>, ForeignShape>);
 static_assert(std::is_same_v<std::variant_alternative_t<half_space_kind, Shape>, HalfSpace>);
 
-/// Two shapes of Shape's alternatives; two half-spaces have no contact.
+/// of.template operator()<S>(): of the alternative of a kind.
+template <class Of>
+[[nodiscard]] Shape shape_of_kind(std::size_t kind, const Of& of) {
+  return [&]<class... S>(const std::variant<S...>*) {
+    const std::array made{+[](const Of& by) -> Shape {
+      if constexpr (is_value<S>)
+        return by.template operator()<S>();
+      else
+        return {};
+    }...};
+    return made[kind < foreign_place ? kind : kind + 1](of);
+  }(static_cast<const Shape*>(nullptr));
+}
+
+/// Two kinds; two half-spaces have no contact.
 struct ShapeKinds {
   std::size_t first, second;
 };
