@@ -2,7 +2,7 @@
 import type { Answer, Body, Failure, Vec } from "../data";
 import { rimOf, surfaceOf } from "./rim";
 import { gauge, type Shape } from "./superellipsoid";
-import { type Form, formOf, sizeOf, sweptOf } from "./support";
+import { type Form, formOf, sizeOf, superellipsoidOf, sweptOf } from "./support";
 import {
   add,
   divide,
@@ -79,8 +79,9 @@ function placed(body: Body, origin: Vec, size: number): Drawn {
   };
   const { shape } = body;
   if (isHalfSpace(body)) return halfSpace(body, located, size);
-  if (!("superellipsoid" in shape)) return { form: formOf(shape, size), ...located };
-  const { semi_axes, exponents } = shape.superellipsoid;
+  const own = superellipsoidOf(shape);
+  if (!own) return { form: formOf(shape, size), ...located };
+  const { semi_axes, exponents } = own;
   return { axes: divide(semi_axes, size), exponents: exponents ?? [2, 2], ...located };
 }
 

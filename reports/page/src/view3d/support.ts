@@ -16,11 +16,19 @@ export interface Form {
   corners?: Vec[];
 }
 
-type KeyOfAny<Union> = Union extends unknown ? keyof Union : never;
-/** Of each word of a shape that is swept by nothing, its numbers. */
-type Numbers = {
-  [Word in Exclude<KeyOfAny<BodyShape>, "sphere_swept">]: Extract<BodyShape, Record<Word, unknown>>[Word];
-};
+/** Of each word of a shape that is swept by nothing, its fields. */
+interface Numbers {
+  superellipsoid: { semi_axes: Vec; exponents?: [number, number] };
+  capsule: { half_length: number; radius: number };
+  cylinder: { half_length: number; radius: number };
+  cone: { radius: number; height: number };
+  frustum: { radii: [number, number]; height: number };
+  box: { half_extents: Vec };
+  polyhedron: { points: Vec[] };
+  poly_superellipsoid: { semi_axes: [number, number, number, number, number, number]; exponents?: [number, number] };
+  half_space: object;
+  tablet: { half_length: number; radius: number; cap_height: number };
+}
 
 /** Where a circle about z is farthest. */
 function onCircle(radius: number, [x, y]: Vec, z: number): Vec {
@@ -151,11 +159,15 @@ function inUnits<Part>(part: Part, size: number): Part {
   ) as Part;
 }
 
+/** A shape that is swept by nothing. */
+type Core = { [Word in keyof Numbers]: Record<Word, Numbers[Word]> }[keyof Numbers];
+
 /** One sweep for several. */
-export function sweptOf(shape: BodyShape): { core: BodyShape; radius: number } {
-  if (!("sphere_swept" in shape)) return { core: shape, radius: 0 };
-  const { core, radius } = sweptOf(shape.sphere_swept.core);
-  return { core, radius: radius + shape.sphere_swept.radius };
+export function sweptOf(shape: BodyShape): { core: Core; radius: number } {
+  const sweep = shape.sphere_swept as { core: BodyShape; radius: number } | undefined;
+  if (!sweep) return { core: shape as unknown as Core, radius: 0 };
+  const { core, radius } = sweptOf(sweep.core);
+  return { core, radius: radius + sweep.radius };
 }
 
 /** All within a radius of a form: r n beyond its farthest point, and nothing sharp. */
@@ -172,7 +184,11 @@ export function formOf(shape: BodyShape, size: number): Form {
   return radius > 0 ? swept(form, radius / size) : form;
 }
 
+/** That is swept by nothing. */
+export const superellipsoidOf = (shape: BodyShape) => shape.superellipsoid as Numbers["superellipsoid"] | undefined;
+
 /** The larger body's is the picture's unit: the largest semi-axis, of others the reach. */
 export function sizeOf(shape: BodyShape): number {
-  return "superellipsoid" in shape ? Math.max(...shape.superellipsoid.semi_axes) : formOf(shape, 1).reach;
+  const own = superellipsoidOf(shape);
+  return own ? Math.max(...own.semi_axes) : formOf(shape, 1).reach;
 }
