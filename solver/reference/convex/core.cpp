@@ -11,9 +11,6 @@
 #include "solver/shape/overloaded.hpp"
 
 namespace plumb::reference::cores {
-namespace {
-
-using detail::Overloaded;
 
 /// Octants of superellipsoids; of a superellipsoid all alike.
 struct OctantsCore {
@@ -51,6 +48,13 @@ struct CornersCore {
 };
 
 using Kind = std::variant<OctantsCore, DiscsCore, TabletCore, BoxCore, CornersCore, ForeignCore>;
+struct KindOfCore {
+  Kind kind;
+};
+
+namespace {
+
+using detail::Overloaded;
 
 I scaled(double x, int exponent) {
   return times_power_of_two<I>(I(x), -exponent);
@@ -345,10 +349,6 @@ Kind kind_of(const Shape& shape, int exponent) {
 }
 
 }  // namespace
-
-struct KindOfCore {
-  Kind kind;
-};
 
 Core core_of(const Shape& shape, int exponent) {
   return std::make_shared<KindOfCore>(KindOfCore{kind_of(shape, exponent)});
