@@ -99,7 +99,8 @@ struct Lowest {
 }
 
 /// What a descent from the best's own normal leads to, where that is exact: it came from another, and its points are of pieces seen from there.
-[[nodiscard]] CommonNormal seen_again(const Descent& descent, const BestNormal& found, const CommonNormal& best) {
+[[nodiscard]] CommonNormal seen_again(const PlacedCores& pair, const BestNormal& found, const CommonNormal& best) {
+  const Descent descent(pair, true);
   const CommonNormal again = descent.from(best.normal);
   return found.is_low(again) && descent.is_exact(again) ? again : best;
 }
@@ -109,7 +110,7 @@ template <class Search>
   const bool is_complete = search.run();
   const BestNormal& found = search.best();
   CommonNormal best = settled_on_a_face(pair, descent, found.normal(), found.lowest() + pair.rounding());
-  if (!descent.is_exact(best)) best = seen_again(descent, found, best);
+  if (!descent.is_exact(best)) best = seen_again(pair, found, best);
   // Of cores apart there is one common normal alone, and nothing else has to be excluded.
   const bool is_lowest = best.overlap < 0 || (is_complete && found.is_low(best));
   return {best, is_lowest && descent.is_exact(best), search.cells()};

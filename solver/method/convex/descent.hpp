@@ -13,7 +13,8 @@ namespace plumb::detail {
 
 class Descent {
  public:
-  explicit Descent(const PlacedCores& pair) : pair_(pair) {}
+  /// Patient: by every step of Newton's, which takes a tenth longer.
+  explicit Descent(const PlacedCores& pair, bool is_patient = false) : pair_(pair), is_patient_(is_patient) {}
 
   /// Of cores that are not apart, from a unit n on. The overlap is no higher than o(n), but for rounding.
   [[nodiscard]] CommonNormal from(const Vec3<double>& n) const {
@@ -138,7 +139,8 @@ class Descent {
     if (pair_.are_polytopes() && mixture.count == 3) return best;  // what Newton would find
     const StationaryNewton newton(pair_, mixture, nearest.normal);
     using enum Described;
-    for (const NewtonStep step : {NewtonStep::only, NewtonStep::shortest}) {
+    for (const NewtonStep step : {NewtonStep::only, NewtonStep::shortest, NewtonStep::far}) {
+      if (step == NewtonStep::far && !is_patient_) break;
       for (const Described first : {by_support, from_normal, from_point})
         for (const Described second : {by_support, from_normal, from_point})
           if (const auto solved = newton.solve(first, second, step)) {
@@ -165,6 +167,7 @@ class Descent {
   }
 
   const PlacedCores& pair_;
+  bool is_patient_;
 };
 
 }  // namespace plumb::detail

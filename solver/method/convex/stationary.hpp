@@ -62,8 +62,9 @@ struct ActivePieces {
   }
 };
 
-/// Of Newton's equations: the one there is, or where they are singular the shortest.
-enum class NewtonStep : std::uint8_t { only, shortest };
+/// Of Newton's equations: the one there is, or where they are singular the shortest; or the one there is however far it leads at first, as
+/// around a ring of normals that are all but as low.
+enum class NewtonStep : std::uint8_t { only, shortest, far };
 
 class StationaryNewton {
  public:
@@ -120,12 +121,13 @@ class StationaryNewton {
       constexpr int most_steps = 16;
       constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
       const Vec3<double> start = n;
+      const double most_growth = way == NewtonStep::far ? 1e6 : 1e3;
       double last = std::numeric_limits<double>::infinity();
       for (int step = 0; step < most_steps; ++step) {
         const double now = evaluate();
         const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * turning() && now >= last / 2);
         if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
-        if (!(now < 1e3 * last || (pair.all_but_touch(overlap) && now < 0.1 * pair.size)) || !take_step())
+        if (!(now < most_growth * last || (pair.all_but_touch(overlap) && now < 0.1 * pair.size)) || !take_step())
           return std::nullopt;
         last = std::min(last, now);
       }
@@ -202,7 +204,7 @@ class StationaryNewton {
     /// singular values that are not 0.
     [[nodiscard]] Column solved() const {
       constexpr double damping = 1e-13;
-      if (way == NewtonStep::only) return jacobian.partialPivLu().solve(residual);
+      if (way != NewtonStep::shortest) return jacobian.partialPivLu().solve(residual);
       System square = jacobian.lazyProduct(jacobian.transpose());
       square.diagonal().array() += damping;
       const Column shares = square.llt().solve(residual);
