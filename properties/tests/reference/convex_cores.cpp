@@ -137,7 +137,7 @@ TEST(ConvexCores, TheNearestMixtureHasNoNearerPoint) {
   for (std::uint64_t i = 0; i < 500; ++i) {
     Stream stream("nearest mixtures", 1, i);
     cores::Points points;
-    for (std::size_t k = 0; k < 1 + stream.below(4); ++k) points.push_back(random_direction(stream));
+    for (std::size_t k = 0; k < 1 + stream.below(7); ++k) points.push_back(random_direction(stream));
     const Vec w = cores::mixed(points, cores::nearest_mixture(points));
     for (const Vec& point : points) EXPECT_GE(point.dot(w), w.squaredNorm() - 1e-12) << i;
   }
