@@ -157,10 +157,11 @@ class MeridianSearch {
     const double height = fixed.dot(axis_);
     return {{ring.dot(axis_) - height, ring.dot(e)}, Vec3<double>::Zero(), fixed - height * axis_, 0};
   }
-  /// e of a direction; any, where it is the axis.
+  /// e of a direction; any, where it is the axis but for rounding. What is left of a direction beside the axis is mostly rounding, some of it along
+  /// the axis.
   [[nodiscard]] Vec3<double> across(const Vec3<double>& n) const {
     const Vec3<double> e = n - n.dot(axis_) * axis_;
-    return e.isZero(0) ? across_ : e.stableNormalized().eval();
+    return e.norm() > rounding ? made_across(e.normalized()) : across_;
   }
 
   /// c, and B.
