@@ -134,9 +134,12 @@ template <class Search>
     if (!found.is_proved) found = after(found, lowest_by(DirectionSearch(pair, found.contact, cells), pair, descent));
   };
   constexpr int few = 12'000, many = 120'000;  // of 240 000 pairs that lie anyhow none took more than the few
-  search_about(MeridianSearch::common_axis(pair));
+  constexpr double all_but_one = 0x1p-8, roughly_one = 0x1p-5;
+  const auto common = MeridianSearch::common_axis(pair, all_but_one);
+  search_about(common);
   search_all(few);
   for (const Turned turned : {Turned::first, Turned::second}) search_about(MeridianSearch::axis_of(pair, turned));
+  if (!common) search_about(MeridianSearch::common_axis(pair, roughly_one));
   search_all(many);
   return found;
 }

@@ -7,7 +7,9 @@
 // to b. With m = b - cos a, sin = |m|, k the unit vector across a and m, the height n.(x1 - x2) is
 //     n_a (x_a - z) + n_e x_e - cos (n_a y_a + n_e y_e) - [c.e + B (k.e)^2],   c = n_e s + (y_a n_e - y_e n_a) m,   B = (1 - cos) n_e y_e
 // For all e at once the bracket is at most |c| + max(B, 0), and |c| alone where c is along m and 2 B <= |c|: there |c| cos + B sin^2 is
-// greatest at the angle 0. One alone, about a through the origin, the point x2 of the other being the same for every e:
+// greatest at the angle 0. A spheroid is a smaller body swept by the largest ball that rolls within it, of which o knows the radius alone: its
+// points, taken for every e, tell the less the farther they are from the axis, and what is left of a spheroid that is all but round is small.
+// One alone, about a through the origin, the point x2 of the other being the same for every e:
 //     n_a (x_a - x2.a) + n_e x_e - c.e,   c = n_e (x2 - (x2.a) a)
 // Being the greatest of functions that are linear in n, it is convex: a height that two directions have, all between them have. Where the
 // lowest e differs from point to point no two points show for all e what a mixture of them shows for each: then arcs of e are searched,
@@ -28,9 +30,8 @@ class MeridianSearch {
     Vec3<double> direction;
     Turned of;
   };
-  /// The first core's axis; nullopt: there is none that is common to both, or nearly so.
-  [[nodiscard]] static std::optional<Axis> common_axis(const PlacedCores& pair) {
-    constexpr double nearly = 0x1p-8;
+  /// The first core's axis; nullopt: there is none that is common to both, but for an angle, or a share of the size, of `nearly`.
+  [[nodiscard]] static std::optional<Axis> common_axis(const PlacedCores& pair, double nearly) {
     const bool is_first = has_axis(pair.body1), is_second = has_axis(pair.body2);
     if (!(is_first || is_point(pair.body1)) || !(is_second || is_point(pair.body2))) return std::nullopt;
     const Vec3<double> axis = (is_first ? pair.body1 : pair.body2).rotation.col(2), other = pair.body2.rotation.col(2);
@@ -58,6 +59,7 @@ class MeridianSearch {
     const Vec3<double>& aside = tilt_.norm() > rounding ? tilt_ : shift_;
     across_ = aside.norm() > rounding * pair.size ? made_across(made_across(aside)) : axis.unitOrthogonal().eval();
     beside_ = axis.cross(across_);
+    if (turned_ == Turned::both) rolling_ = {rolling(pair.body1), rolling(pair.body2)};
   }
 
   /// Whether all directions are excluded but those as low as the lowest that was seen, to rounding.
@@ -115,6 +117,10 @@ class MeridianSearch {
   };
 
   [[nodiscard]] bool search() {
+    // So much that the bodies without them still overlap: what follows from a chord's ends holds along its arc of heights above 0.
+    const double most = std::max(best_.lowest(), 0.0), both = rolling_[0] + rolling_[1],
+                 share = both > most ? most / both : 1;
+    taken_ = {share * rolling_[0], share * rolling_[1]};
     bool is_complete = true;
     last_cell_ = cells_ + (turned_ == Turned::both ? most_cells : most_about_one);
     for (int k = 0; k < parts; ++k) is_complete = exclude({width() * k, width(), {}, 0}) && is_complete;
@@ -135,9 +141,32 @@ class MeridianSearch {
     return !is_point(body) && std::visit([](const auto& core) { return core.is_of_revolution(); }, body.core);
   }
 
-  [[nodiscard]] static Angle at(double angle) { return {std::cos(angle), std::sin(angle)}; }
-  [[nodiscard]] double level() const { return best_.lowest() - tolerance * pair_.size; }
+  /// The radius of the largest ball that rolls within a spheroid; 0 of all else.
+  [[nodiscard]] static double rolling(const PlacedCore& body) {
+    const auto* smooth = std::get_if<SmoothCore>(&body.core);
+    if (smooth == nullptr || smooth->n1 != 2 || !smooth->is_of_revolution() ||
+        smooth->semi_axes[4] != smooth->semi_axes[5])
+      return 0;
+    const double across = smooth->semi_axes[0], along = smooth->semi_axes[4], shorter = std::min(across, along);
+    return (1 - rounding) * shorter * (shorter / std::max(across, along));
+  }
 
+  [[nodiscard]] static Angle at(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  /// Of what is left of the bodies.
+  [[nodiscard]] double level() const { return best_.lowest() - taken_[0] - taken_[1] - tolerance * pair_.size; }
+
+  /// Of the farthest points along a unit n.
+  [[nodiscard]] Witness seen_along(const Vec3<double>& n, const Vec3<double>& point1, const Vec3<double>& point2,
+                                   const Vec3<double>& e) const {
+    return seen(point1 - taken_[0] * n, point2 + taken_[1] * n, e);
+  }
+  /// Of what is smaller by a ball the points are the normal's own: along another normal the ball's centre is another.
+  [[nodiscard]] Witness seen_at_best() const {
+    const CommonNormal& best = best_.normal();
+    const Vec3<double>& n = best.normal;
+    return seen_along(n, taken_[0] > 0 ? pair_.body1.support(n).point : best.point1,
+                      taken_[1] > 0 ? pair_.body2.support(-n).point : best.point2, across(n));
+  }
   /// Of points of the bodies. Those of both are seen in the plane of an axis and e, where the second lies in it but for little.
   [[nodiscard]] Witness seen(const Vec3<double>& point1, const Vec3<double>& point2, const Vec3<double>& e) const {
     const Vec3<double>&c = pair_.body2.centre, y = point2 - c;
@@ -207,7 +236,7 @@ class MeridianSearch {
       const Difference at = pair_.support(direction);
       const double overlap = at.w().dot(direction);
       if (overlap < best_.lowest() - pair_.rounding()) best_.take(descent_.from(direction));
-      if (overlap < lowest) lowest = overlap, out = seen(at.point1, at.point2, e);
+      if (overlap < lowest) lowest = overlap, out = seen_along(direction, at.point1, at.point2, e);
     };
     see(std::cos(arc.middle) * across_ + std::sin(arc.middle) * beside_);
     if (arc.is_circle())
@@ -218,7 +247,7 @@ class MeridianSearch {
 
   /// Whether no direction of the cell is lower.
   [[nodiscard]] bool exclude(const Cell& cell) {
-    if (++cells_ > last_cell_) return false;
+    if (++cells_ > last_cell_ || level() < -2 * tolerance * pair_.size) return false;
     const Arc& arc = cell.arc;
     // What cannot be divided may be lower by half as much again.
     const double slack = cell.depth == deepest ? tolerance * pair_.size / 2 : 0;
@@ -227,8 +256,7 @@ class MeridianSearch {
     };
     const Angle first = at(cell.from), middle = at(cell.from + cell.width / 2), last = at(cell.from + cell.width);
     const Witness at_middle = look(middle, arc);
-    const CommonNormal& best = best_.normal();
-    const Witness of_best = seen(best.point1, best.point2, across(best.normal));
+    const Witness of_best = seen_at_best();
     if (are_above(at_middle, first, last) || are_above(of_best, first, last)) return true;
     // Up to where the two are as high one excludes, and beyond it the other.
     const Witness at_first = look(first, arc), at_last = look(last, arc);
@@ -271,9 +299,10 @@ class MeridianSearch {
   const PlacedCores& pair_;
   Descent descent_;
   Turned turned_;
-  Vec3<double> axis_, other_, shift_, tilt_;  ///< a, b, s, m
-  Vec3<double> across_, beside_;              ///< unit e: along m, or along s where there is no m, and across that
-  double centre_, less_;                      ///< z, 1 - cos
+  Vec3<double> axis_, other_, shift_, tilt_;   ///< a, b, s, m
+  Vec3<double> across_, beside_;               ///< unit e: along m, or along s where there is no m, and across that
+  double centre_, less_;                       ///< z, 1 - cos
+  std::array<double, 2> rolling_{}, taken_{};  ///< radii: of balls within, and what the search takes off
   BestNormal best_;
   int cells_ = 0, last_cell_ = 0;
   std::array<Witness, kept> seen_;  ///< the last; number k has the place k modulo their number
