@@ -123,15 +123,16 @@ class StationaryNewton {
       const Vec3<double> start = n;
       const double most_growth = way == NewtonStep::far ? 1e6 : 1e3;
       double last = std::numeric_limits<double>::infinity();
-      for (int step = 0; step < most_steps; ++step) {
+      for (int step = 0;; ++step) {
         const double now = evaluate();
-        const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * turning() && now >= last / 2);
+        const bool is_last = step == most_steps;
+        const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2) ||
+                               (is_last && now <= 64 * rounding * turning());
         if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
-        if (!(now < most_growth * last || (pair.all_but_touch(overlap) && now < 0.1 * pair.size)) || !take_step())
-          return std::nullopt;
+        const bool grows = !(now < most_growth * last || (pair.all_but_touch(overlap) && now < 0.1 * pair.size));
+        if (is_last || grows || !take_step()) return std::nullopt;
         last = std::min(last, now);
       }
-      return std::nullopt;
     }
 
     /// Whether it is the contact that was begun from. Of bodies that all but touch the least error of a point turns the normal by any angle.
@@ -140,9 +141,12 @@ class StationaryNewton {
       return (n - start).norm() < near || pair.all_but_touch(overlap);
     }
 
-    /// By how much the residual turns with n, and so what rounding of n makes of it: of a surface that is all but flat by more than the size.
+    /// By how much the residual turns with n, and so what rounding of n makes of it: of a surface that is all but flat by more than the size. A
+    /// smooth core has its chart for that.
     [[nodiscard]] double turning() const {
       constexpr double most = 0x1p20;
+      for (int i = 0; i < 2; ++i)
+        if (body(i).is_smooth() && !of(i).by_chart) return pair.size;
       return std::clamp(jacobian.leftCols<3>().cwiseAbs().maxCoeff(), 1.0, most) * pair.size;
     }
 
