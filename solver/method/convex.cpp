@@ -7,6 +7,7 @@
 #include "solver/method/convex/direction_search.hpp"
 #include "solver/method/convex/flat_faces.hpp"
 #include "solver/method/convex/meridian_search.hpp"
+#include "solver/method/convex/nearest_corner.hpp"
 #include "solver/method/convex/polytopes.hpp"
 #include "solver/method/convex/shared_face.hpp"
 #include "solver/method/derivatives.hpp"
@@ -91,11 +92,12 @@ struct Lowest {
 /// Of polytopes that are apart by little more than rounding: there is one common normal alone. nullopt: it is not that of features.
 [[nodiscard]] std::optional<Lowest> nearest_features(const PlacedCores& pair, const Vec3<double>& low) {
   if (!pair.are_polytopes()) return std::nullopt;
+  const Descent descent(pair);
   PolytopeMinimum minimum(pair, low);
-  const auto normal = minimum.lowest();
-  if (!normal || pair.overlap(*normal) > pair.rounding()) return std::nullopt;
-  const auto found = contact_of_features(pair, Descent(pair), minimum, *normal);
-  return found ? std::optional(Lowest{*found, true, 0}) : std::nullopt;
+  if (const auto normal = minimum.lowest(); normal && pair.overlap(*normal) <= pair.rounding())
+    if (const auto found = contact_of_features(pair, descent, minimum, *normal)) return Lowest{*found, true, 0};
+  const auto corner = NearestCorner(pair).contact();
+  return corner && descent.is_exact(*corner) ? std::optional(Lowest{*corner, true, 0}) : std::nullopt;
 }
 
 /// What a descent from the best's own normal leads to, where that is exact: it came from another, and its points are of pieces seen from there.
