@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fuzz/layouts/layout_fields.hpp"
 #include "properties/generators/shapes.hpp"
@@ -59,13 +60,13 @@ struct ShapeBytes {
     for (double& x : out) x = std::max(x, least);
     return out;
   }
-  /// Lengths and exponents by themselves. Where they are not legal together the last length is halved until they are.
+  /// Lengths and exponents by themselves. Where they are not legal together the last length is that before it.
   template <class S>
   [[nodiscard]] S by_fields() const {
     constexpr std::array<std::size_t, 6> places{2, 4, 36, 38, 40, 6};
     S out{};
     std::size_t lengths = 0, exponents = 0;
-    double* last = nullptr;
+    double *last = nullptr, *before = nullptr;
     each_field(out, [&](auto, const auto& field, const auto& numbers) {
       for (double* number : numbers) {
         if (!field.is_length()) {
@@ -74,10 +75,10 @@ struct ShapeBytes {
         }
         const std::size_t place = places[lengths++ % places.size()];
         *number = field.legal == Legal::not_below_zero ? length_or_0(place) : length(place);
-        last = number;
+        before = std::exchange(last, number);
       }
     });
-    while (last != nullptr && *last > 0 && !find_input_error(ConvexPair{{out}, {}}).reason.empty()) *last /= 2;
+    if (before != nullptr && !find_input_error(ConvexPair{{out}, {}}).reason.empty()) *last = *before;
     return out;
   }
   [[nodiscard]] Shape shape() const {

@@ -89,7 +89,7 @@ struct Lowest {
   return Lowest{beside, true, 0};
 }
 
-/// Of polytopes that are apart by little more than rounding: there is one common normal alone. nullopt: it is not that of features.
+/// Of polytopes that were not solved and are apart, or overlap by rounding: there is one common normal alone. nullopt: it is not that of features.
 [[nodiscard]] std::optional<Lowest> nearest_features(const PlacedCores& pair, const Vec3<double>& low) {
   if (!pair.are_polytopes()) return std::nullopt;
   const Descent descent(pair);
@@ -97,7 +97,9 @@ struct Lowest {
   if (const auto normal = minimum.lowest(); normal && pair.overlap(*normal) <= pair.rounding())
     if (const auto found = contact_of_features(pair, descent, minimum, *normal)) return Lowest{*found, true, 0};
   const auto corner = NearestCorner(pair).contact();
-  return corner && descent.is_exact(*corner) ? std::optional(Lowest{*corner, true, 0}) : std::nullopt;
+  const bool is_normal =
+      corner && descent.is_exact(*corner) && pair.overlap(corner->normal) <= corner->overlap + pair.rounding();
+  return is_normal ? std::optional(Lowest{*corner, true, 0}) : std::nullopt;
 }
 
 /// What a descent from the best's own normal leads to, where that is exact: it came from another, and its points are of pieces seen from there.

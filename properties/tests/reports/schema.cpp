@@ -58,8 +58,6 @@ TEST_F(ReportSchema, ADocumentWithoutAFieldOrWithAnotherIsNot) {
 
 TEST_F(ReportSchema, AllThatIsDescribedIsRequiredOrNamedOptional) {
   const std::vector<std::string> optional{"KeptCase.name",
-                                          "superellipsoid.exponents",
-                                          "poly_superellipsoid.exponents",
                                           "Failure.reason",
                                           "Failure.shrunk",
                                           "Shrunk.reason",

@@ -124,7 +124,7 @@ class MeridianSearch {
     bool is_complete = true;
     last_cell_ = cells_ + (turned_ == Turned::both ? most_cells : most_about_one);
     for (int k = 0; k < parts; ++k) is_complete = exclude({width() * k, width(), {}, 0}) && is_complete;
-    return is_complete;
+    return is_complete && !has_taken_too_much();
   }
 
   [[nodiscard]] static double width() { return pi / parts; }
@@ -152,6 +152,10 @@ class MeridianSearch {
   }
 
   [[nodiscard]] static Angle at(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  /// What is left of the bodies does not overlap: what chords show does not hold along their arcs then.
+  [[nodiscard]] bool has_taken_too_much() const {
+    return taken_[0] + taken_[1] > 0 && level() < -2 * tolerance * pair_.size;
+  }
   /// Of what is left of the bodies.
   [[nodiscard]] double level() const { return best_.lowest() - taken_[0] - taken_[1] - tolerance * pair_.size; }
 
@@ -247,7 +251,7 @@ class MeridianSearch {
 
   /// Whether no direction of the cell is lower.
   [[nodiscard]] bool exclude(const Cell& cell) {
-    if (++cells_ > last_cell_ || level() < -2 * tolerance * pair_.size) return false;
+    if (++cells_ > last_cell_ || has_taken_too_much()) return false;
     const Arc& arc = cell.arc;
     // What cannot be divided may be lower by half as much again.
     const double slack = cell.depth == deepest ? tolerance * pair_.size / 2 : 0;

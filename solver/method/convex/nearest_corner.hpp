@@ -20,7 +20,7 @@ class NearestCorner {
     });
   }
 
-  /// Of all corners and edges; nullopt: there are none, or they touch.
+  /// Of the corners and edges that are apart; nullopt: there are none. The overlap is less their distance, which need not be that along the normal.
   [[nodiscard]] std::optional<CommonNormal> contact() const { return best_; }
 
  private:

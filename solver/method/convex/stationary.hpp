@@ -105,6 +105,7 @@ class StationaryNewton {
     NewtonStep way;
     System jacobian;
     Column residual;
+    double bend = 0;  ///< the largest radius of curvature of the pieces
 
     [[nodiscard]] const PlacedCore& body(int i) const { return i == 0 ? pair.body1 : pair.body2; }
     [[nodiscard]] ActivePieces& of(int i) { return pieces[static_cast<std::size_t>(i)]; }
@@ -127,7 +128,7 @@ class StationaryNewton {
         const double now = evaluate();
         const bool is_last = step == most_steps;
         const bool is_solved = now <= rounding * pair.size || (now <= 64 * rounding * pair.size && now >= last / 2) ||
-                               (is_last && now <= 64 * rounding * turning());
+                               (is_last && is_as_far_as_rounding_lets(64 * rounding));
         if (is_solved) return is_contact() && is_near(start) ? std::optional(contact()) : std::nullopt;
         const bool grows = !(now < most_growth * last || (pair.all_but_touch(overlap) && now < 0.1 * pair.size));
         if (is_last || grows || !take_step()) return std::nullopt;
@@ -141,13 +142,14 @@ class StationaryNewton {
       return (n - start).norm() < near || pair.all_but_touch(overlap);
     }
 
-    /// By how much the residual turns with n, and so what rounding of n makes of it: of a surface that is all but flat by more than the size. A
-    /// smooth core has its chart for that.
-    [[nodiscard]] double turning() const {
+    /// All but the points, and these but for what rounding of n makes of them: on a surface that is all but flat it turns a point by its radius,
+    /// many times the size. A smooth core has its chart for that.
+    [[nodiscard]] bool is_as_far_as_rounding_lets(double rounding) const {
       constexpr double most = 0x1p20;
       for (int i = 0; i < 2; ++i)
-        if (body(i).is_smooth() && !of(i).by_chart) return pair.size;
-      return std::clamp(jacobian.leftCols<3>().cwiseAbs().maxCoeff(), 1.0, most) * pair.size;
+        if (body(i).is_smooth() && !of(i).by_chart) return false;
+      return residual.tail(residual.size() - 3).cwiseAbs().maxCoeff() <= rounding * pair.size &&
+             residual.head<3>().cwiseAbs().maxCoeff() <= rounding * std::clamp(bend, pair.size, most * pair.size);
     }
 
     /// The residual's largest component, a length.
@@ -161,6 +163,7 @@ class StationaryNewton {
       residual.head<3>() = -overlap * n;
       jacobian.block<1, 3>(3, 0) = 2 * n.transpose();
       residual[3] = n.squaredNorm() - 1;
+      bend = 0;
       int weights = 4, charts = 4 + m;
       for (int i = 0; i < 2; ++i) {
         if (of(i).by_chart)
@@ -183,6 +186,7 @@ class StationaryNewton {
         if (k == 0) first = x.point;
         residual.head<3>() += sign(i) * weight * x.point;
         jacobian.topLeftCorner<3, 3>() += weight * x.hessian;  // of body 2: both signs turn
+        bend = std::max(bend, x.hessian.cwiseAbs().maxCoeff());
         jacobian.block<3, 1>(0, at + k) = sign(i) * x.point;
         residual[at] += weight;
         jacobian(at, at + k) = 1;
