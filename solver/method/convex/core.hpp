@@ -4,8 +4,8 @@
 // corners of a polytope, the two rims of a frustum, one piece for what is smooth all over. Between pieces faces and edges lie: there
 // several x are farthest, and every mixture of them is.
 //
-// A core says whether it is a polytope, whether it is of revolution about its z axis, whether it holds a point but for a length, and how it
-// is curved where it is touched.
+// A core says whether it is a polytope, whether it is of revolution about its z axis, whether it holds a point but for a length, and what is
+// no polytope how it is curved where it is touched.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,6 @@ struct SegmentCore {
   [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
     return std::hypot(x[0], x[1]) <= beyond && std::abs(x[2]) <= half_length + beyond;
   }
-  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const { return at.of_polytope(*this); }
 };
 
 /// Corner k has the positive half-extent along axis i where bit i of k is set.
@@ -63,7 +62,6 @@ struct BoxCore {
   [[nodiscard]] bool holds(const Vec3<double>& x, double beyond) const {
     return (x.cwiseAbs() - half_extents).maxCoeff() <= beyond;
   }
-  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const { return at.of_polytope(*this); }
 };
 
 /// The corners of a hull, in another unit.
@@ -92,7 +90,6 @@ struct HullCore {
              return (x - corner(face.corners[0])).dot(face.normal) <= beyond;
            });
   }
-  [[nodiscard]] PrincipalCurvature<double> curvature(const Touch& at) const { return at.of_polytope(*this); }
 
  private:
   template <class Height>

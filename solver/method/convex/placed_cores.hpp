@@ -55,7 +55,7 @@ struct PlacedCore {
   [[nodiscard]] PrincipalCurvature<double> curvature(const Vec3<double>& n, const Vec3<double>& x,
                                                      double within) const {
     const Touch at{rotation.transpose() * n, rotation.transpose() * (x - centre), within};
-    const PrincipalCurvature<double> own = std::visit([&](const auto& of) { return of.curvature(at); }, core);
+    const PrincipalCurvature<double> own = std::visit([&](const auto& of) { return curvature_of(of, at); }, core);
     return {own.radius1, own.radius2, rotation * own.direction1, rotation * own.direction2};
   }
 
@@ -63,6 +63,13 @@ struct PlacedCore {
   template <class C>
   [[nodiscard]] static CorePoint support_of(const C& of, const Vec3<double>& v) {
     return of.support(v);
+  }
+  template <class C>
+  [[nodiscard]] static PrincipalCurvature<double> curvature_of(const C& of, const Touch& at) {
+    if constexpr (C::is_polytope)
+      return at.of_polytope(of);
+    else
+      return of.curvature(at);
   }
   template <class C>
   [[nodiscard]] static PieceSupport support_of(const C& of, int piece, const Vec3<double>& v) {
