@@ -78,7 +78,7 @@ struct ShapeBytes {
         before = std::exchange(last, number);
       }
     });
-    if (before != nullptr && !find_input_error(ConvexPair{{out}, {}}).reason.empty()) *last = *before;
+    if (before != nullptr && !is_legal(out)) *last = *before;
     return out;
   }
   [[nodiscard]] Shape shape() const {

@@ -49,7 +49,7 @@ Shape draw_fields(Stream& stream) {
         *number = is_zero ? 0 : (field.is_length() ? draw_length(stream) : draw_convex_exponent(stream));
       }
     });
-    if (find_input_error(ConvexPair{{out}, {}}).reason.empty()) return out;
+    if (is_legal(out)) return out;
   }
 }
 
@@ -63,7 +63,7 @@ void shorten(S& shape, double by, std::size_t which) {
   if (lengths.empty()) return;
   double& length = *lengths[which % lengths.size()];
   const double before = std::exchange(length, length * by);
-  if (!find_input_error(ConvexPair{{shape}, {}}).reason.empty()) length = before;
+  if (!is_legal(shape)) length = before;
 }
 
 /// The kinds in an order that ends with it.
@@ -133,28 +133,27 @@ Shape flattened(const Shape& shape, double decades, Stream& stream) {
   const auto i = static_cast<Eigen::Index>(axis);
   const auto round = [&](double& along, double& across) { (axis == 2 ? along : across) *= by; };
   Shape out = shape;
-  std::visit(detail::Overloaded{
-                 [&](Superellipsoid<double>& s) { s.semi_axes[i] *= by; }, [&](Capsule& s) { s.radius *= by; },
-                 [&](Cylinder& s) { round(s.half_length, s.radius); }, [&](Cone& s) { round(s.height, s.radius); },
-                 [&](Frustum& s) {
-                   round(s.height, s.radii[0]);
-                   if (axis != 2) s.radii[1] *= by;
-                 },
-                 [&](Box& s) { s.half_extents[i] *= by; },
-                 [&](Polyhedron& s) {
-                   std::vector<Vec3<double>> points = s.hull->corners;
-                   for (Vec3<double>& x : points) x[i] *= by;
-                   s = make_polyhedron(points);
-                 },
-                 [&](PolySuperellipsoid& s) {
-                   s.semi_axes[2 * axis] *= by;
-                   s.semi_axes[2 * axis + 1] *= by;
-                 },
-                 [&](Tablet& s) {
-                   round(s.half_length, s.radius);
-                   s.cap_height *= by;
-                 },
-                 [](ForeignShape&) {}, [&](auto& s) { shorten(s, by, axis); }},
+  std::visit(detail::Overloaded{[&](Capsule& s) { s.radius *= by; },
+                                [&](Cylinder& s) { round(s.half_length, s.radius); },
+                                [&](Cone& s) { round(s.height, s.radius); },
+                                [&](Frustum& s) {
+                                  round(s.height, s.radii[0]);
+                                  if (axis != 2) s.radii[1] *= by;
+                                },
+                                [&](Polyhedron& s) {
+                                  std::vector<Vec3<double>> points = s.hull->corners;
+                                  for (Vec3<double>& x : points) x[i] *= by;
+                                  s = make_polyhedron(points);
+                                },
+                                [&](PolySuperellipsoid& s) {
+                                  s.semi_axes[2 * axis] *= by;
+                                  s.semi_axes[2 * axis + 1] *= by;
+                                },
+                                [&](Tablet& s) {
+                                  round(s.half_length, s.radius);
+                                  s.cap_height *= by;
+                                },
+                                [](ForeignShape&) {}, [&](auto& s) { shorten(s, by, axis); }},
              out);
   return out;
 }

@@ -12,17 +12,21 @@ inline constexpr std::size_t shape_count = std::variant_size_v<Shape> - 1, half_
 static_assert(std::is_same_v<std::variant_alternative_t<foreign_place, Shape>, ForeignShape>);
 static_assert(std::is_same_v<std::variant_alternative_t<half_space_kind, Shape>, HalfSpace>);
 
-/// of.template operator()<S>(): of the alternative of a kind.
-template <class Of>
-[[nodiscard]] Shape shape_of_kind(std::size_t kind, const Of& of) {
+[[nodiscard]] inline bool is_legal(const Shape& shape) {
+  return find_input_error(ConvexPair{{shape}, {}}).reason.empty();
+}
+
+/// make.operator()<S>() for the S of a kind.
+template <class Make>
+[[nodiscard]] Shape shape_of_kind(std::size_t kind, const Make& make) {
   return [&]<class... S>(const std::variant<S...>*) {
-    const std::array made{+[](const Of& by) -> Shape {
+    const std::array makers{+[](const Make& by) -> Shape {
       if constexpr (is_value<S>)
         return by.template operator()<S>();
       else
         return {};
     }...};
-    return made[kind < foreign_place ? kind : kind + 1](of);
+    return makers[kind < foreign_place ? kind : kind + 1](make);
   }(static_cast<const Shape*>(nullptr));
 }
 

@@ -113,8 +113,8 @@ Range payoffs(const Points& points, const CornersOfCell& corners, std::vector<st
 
 /// Of the affine hull of the points that a mask chooses: false where it is not inside their mixtures.
 bool nearest_of(const Points& points, unsigned mask, std::vector<double>& weights) {
-  if (std::popcount(mask) > 4) return false;  // no mixture needs as many
   std::array<std::size_t, 4> chosen{};
+  if (std::popcount(mask) > static_cast<int>(chosen.size())) return false;  // no mixture needs more
   int count = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if ((mask >> i & 1U) != 0) chosen[static_cast<std::size_t>(count++)] = i;
