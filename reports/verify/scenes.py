@@ -110,14 +110,17 @@ class Runner:
         self.folder = pathlib.Path(folder)
         self.program = program or os.environ["PLUMB_SCENE"]
 
+    def place(self, name, accuracy):
+        return self.folder / name / f"{accuracy:g}"
+
     def run(self, name, tree, accuracy):
-        folder = self.folder / name / f"{accuracy:g}"
+        folder = self.place(name, accuracy)
         if folder.exists():
             subprocess.run(["rm", "-r", str(folder)], check=True)
         folder.mkdir(parents=True)
         file = folder / "scene-in.json"
-        file.write_text(json.dumps(tree))
-        command = [self.program, str(file), "--out", str(folder / "run"), "--accuracy", repr(accuracy), "--threads", "1"]
+        file.write_text(json.dumps({**tree, "run": {**tree["run"], "accuracy": accuracy}}))
+        command = [self.program, str(file), "--out", str(folder / "run"), "--threads", "1"]
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         if ended.returncode != 0:
             raise Failed(ended.stderr.strip() or f"exit code {ended.returncode}")

@@ -10,6 +10,7 @@ import time
 import adhesion
 import bodies
 import impacts
+import lammps
 import resting
 import rocking
 import table
@@ -82,27 +83,35 @@ def main(arguments=None):
     parser.add_argument("--accuracy", type=float, nargs="+", default=ACCURACIES, help="coarsest first")
     parser.add_argument("--only", default="", help="tests whose names hold this")
     parser.add_argument("--quick", action="store_true", help="two bodies in the place of twenty")
+    parser.add_argument("--ranks", type=int, nargs="+", default=(), help="and through LAMMPS on so many processes, at the first accuracy")
     parser.add_argument("--out", type=pathlib.Path, default=top / "build/verify")
     parser.add_argument("--record", action="store_true", help="and reports/results/verify.txt: of all tests")
     asked = parser.parse_args(arguments)
     if asked.record and (asked.only or asked.quick or tuple(asked.accuracy) != ACCURACIES):
         print("--record: takes all tests: leave --only, --quick and --accuracy out", file=sys.stderr)
         return 2
+    if asked.ranks and not lammps.Lammps().program.exists():
+        print(f"--ranks: {lammps.Lammps().program}: is not built: liblammps-dev or MPI is missing", file=sys.stderr)
+        return 2
     begun = time.monotonic()
-    done = []
-    for row in rows(Runner(asked.out / "scenes"), (g for g in everything(asked.quick) if asked.only in g.test), asked.accuracy):
+    done, runner = [], Runner(asked.out / "scenes")
+    groups = [group for group in everything(asked.quick) if asked.only in group.test]
+    for row in rows(runner, groups, asked.accuracy):
         done.append(row)
         print(table.line(row), flush=True)
     if not done:
         print(f"--only {asked.only}: there is no such test", file=sys.stderr)
         return 2
+    through = lammps.rows(runner, groups, asked.accuracy[0], asked.ranks) if asked.ranks else []
     text = table.text(done, MISSING, asked.accuracy, os.environ.get("PLUMB_COMMIT", "unknown"))
+    text += lammps.text(through, asked.accuracy[0]) if through else ""
     asked.out.mkdir(parents=True, exist_ok=True)
     (asked.out / "verify.txt").write_text(text)
     if asked.record:
         (top / "reports/results/verify.txt").write_text(text)
-    print(f"\n{table.summary(done)}; {time.monotonic() - begun:.0f} s; {asked.out / 'verify.txt'}")
-    return 0 if all(row.holds for row in done) else 1
+    said = [table.summary(done)] + ([lammps.summary(through)] if through else [])
+    print(f"\n{'; '.join(said)}; {time.monotonic() - begun:.0f} s; {asked.out / 'verify.txt'}")
+    return 0 if all(row.holds for row in [*done, *through]) else 1
 
 
 if __name__ == "__main__":

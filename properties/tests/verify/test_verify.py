@@ -5,8 +5,10 @@ import io
 import math
 import pathlib
 import random
+import shutil
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 from mpmath import mpf
@@ -14,7 +16,9 @@ from mpmath import mpf
 import bodies
 import exact
 import impacts
+import lammps
 import ode
+import resting
 import rigid
 import table
 import verify
@@ -116,6 +120,37 @@ class Suite(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
                 self.assertEqual(verify.main(["--record", "--out", folder, *part]), 2)
             self.assertEqual(said.getvalue(), "--record: takes all tests: leave --only, --quick and --accuracy out\n")
+
+
+class ThroughLammps(unittest.TestCase):
+    def frame(self, **changed):
+        names = ("x", "y", "z", *lammps.TURNS[0], *lammps.TURNS[1], *lammps.DIAMETERS, "vx", "vy", "vz", *lammps.MOMENTA[0], *lammps.MOMENTA[1])
+        return {"columns": {name: np.array([changed.get(name, 2.0)]) for name in names}}
+
+    def test_any_part_of_a_state_counts(self):
+        self.assertEqual(lammps.deviation(self.frame(), self.frame()), 0)
+        for name in ("z", "c_body[4]", "vx", "c_body[9]"):
+            self.assertGreaterEqual(lammps.deviation(self.frame(), self.frame(**{name: 2.5})), 0.25, name)
+
+    def test_a_run_that_failed_is_off_and_a_refused_one_is_not(self):
+        failed = lammps.Row("t", {1: 0.0, 2: math.nan}, 1, failed="lost atoms")
+        self.assertFalse(failed.holds)
+        self.assertIn("off   lost atoms", lammps.line(failed))
+        self.assertTrue(lammps.Row("t", {1: 0.0}, 1, refused="no heat").holds)
+
+    def test_without_lammps_it_is_said(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
+            with unittest.mock.patch.dict("os.environ", {"PLUMB_SCENE": folder + "/plumb-scene"}):
+                self.assertEqual(verify.main(["--ranks", "1", "--out", folder]), 2)
+        self.assertRegex(said.getvalue(), "^--ranks: .*plumb-lammps: is not built: .*\n$")
+
+    @unittest.skipUnless(lammps.Lammps().program.exists() and shutil.which("mpirun"), "LAMMPS is not there")
+    def test_the_same_scenes_end_the_same(self):
+        groups = [impacts.oblique("aluminium oxide", impacts.OXIDE, 45), resting.drag(), resting.heat()]
+        with tempfile.TemporaryDirectory() as folder:
+            found = lammps.rows(Runner(pathlib.Path(folder)), groups, 1e-2, (1, 2))
+        self.assertEqual([row.largest for row in found[:2]], [{1: 0.0, 2: 0.0}] * 2, lammps.text(found, 1e-2))
+        self.assertIn("temperatures", found[2].refused)
 
 
 if __name__ == "__main__":
