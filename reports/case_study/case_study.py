@@ -29,8 +29,11 @@ class Failed(Exception):
 
 
 def called(command, folder):
-    ended = subprocess.run([str(word) for word in command], cwd=folder, env={**os.environ, **ENVIRONMENT}, stdin=subprocess.DEVNULL,
-                           capture_output=True, text=True, check=False)
+    try:
+        ended = subprocess.run([str(word) for word in command], cwd=folder, env={**os.environ, **ENVIRONMENT}, stdin=subprocess.DEVNULL,
+                               capture_output=True, text=True, check=False)
+    except FileNotFoundError as failed:
+        raise Failed(f"{command[0]}: is not there") from failed
     if ended.returncode != 0:
         raise Failed(f"{command[0]}: {(ended.stderr or ended.stdout).strip() or f'exit code {ended.returncode}'}")
     return ended.stdout
@@ -72,11 +75,25 @@ def measured(folder, programs, bodies, duration):
     return [min(runs, key=lambda run: run.step) for runs in zip(*rounds)]
 
 
-def last_places(folder):
-    """Centres in the last frame of the run's dump."""
+def last_frame(folder):
+    """Of the run's dump: {column: its numbers}."""
     lines = (folder / "files/dump.lammpstrj").read_text().splitlines()
     start = max(k for k, row in enumerate(lines) if row.startswith("ITEM: ATOMS"))
-    return [tuple(map(float, row.split()[2:5])) for row in lines[start + 1:]]
+    return dict(zip(lines[start].split()[2:], zip(*(map(float, row.split()) for row in lines[start + 1:]))))
+
+
+def write_last(folder, frame, bodies):
+    """last.json: a scene of one step that begins where the run ended, for `plumb scene` and the page."""
+    tree = drum.scene(bodies, 1e-4)
+    diameters, turns = ([frame[f"c_body[{k}]"] for k in part] for part in ((5, 6, 7), (1, 2, 3, 4)))
+    for i, body in enumerate(tree["bodies"]):
+        body["shape"]["superellipsoid"] = {"semi_axes": [axis[i] / 2 for axis in diameters], "exponents": [frame["d_n1"][i], frame["d_n2"][i]]}
+        body["position"] = [frame[name][i] for name in "xyz"]
+        body["velocity"] = [frame[name][i] for name in ("vx", "vy", "vz")]
+        body["angular_velocity"] = [0, 0, 0]
+        body["orientation"] = {"quaternion_wxyz": [part[i] for part in turns]}
+    tree["run"]["outputs"] = {"every": 0, "write": ["playback"]}
+    (folder / "last.json").write_text(json.dumps(tree))
 
 
 HEAD = f"{'':<8} {'bodies':>8} {'ranks':>6} {'ms a step':>12} {'predicted':>12} {'us a body':>12} {'ghosts':>9} {'Mbyte':>9}"
@@ -125,11 +142,12 @@ def main(arguments=None):
     folders = [(asked.out / str(bodies)).resolve() for bodies in asked.bodies]
     try:
         runs = [measured(folder, programs, bodies, asked.duration) for folder, bodies in zip(folders, asked.bodies)]
-    except Failed as failed:
+    except (Failed, ValueError) as failed:
         print(failed, file=sys.stderr)
         return 1
-    one, two = runs[0]
-    model = cost.fitted(one, two, runs[1][0], cost.cell_inside(last_places(folders[0]), 2 * two.cutoff))
+    frame, (one, two) = last_frame(folders[0]), runs[0]
+    write_last(asked.out, frame, asked.bodies[0])
+    model = cost.fitted(one, two, runs[1][0], cost.cell_inside(list(zip(frame["x"], frame["y"], frame["z"])), 2 * two.cutoff))
     table = text(runs, model, asked.duration, os.environ.get("PLUMB_COMMIT", "unknown"))
     (asked.out / "case_study.txt").write_text(table)
     if asked.record:

@@ -1,13 +1,13 @@
 // npm run picture -- PAGE.html FILE.png SET: work and precision of one set, as the README shows it; in SET's place also
 //   study-angles, study-maps [ASPECT PHI RATIO], study-limits [angle_deg | point | overlap]: figures of the source's study;
-//   fem-angles: the figure of the finite elements.
+//   fem-angles: the figure of the finite elements; scene: the bodies of a run's first frame.
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { bring, launch, open } from "../test/support/browser.mjs";
 
 const [file, picture, what, ...choices] = process.argv.slice(2);
 if (!file || !picture || !what)
-  throw new Error("usage: npm run picture -- PAGE.html FILE.png SET|study-FIGURE|fem-angles [CHOICE..]");
+  throw new Error("usage: npm run picture -- PAGE.html FILE.png SET|study-FIGURE|fem-angles|scene [CHOICE..]");
 const BLOCKS = ["study-angles", "study-maps", "study-limits", "fem-angles"];
 
 /** The option of the first list that begins with the set's name. */
@@ -71,10 +71,17 @@ async function pictureOfBlock(page) {
   await block.screenshot({ path: picture });
 }
 
+async function pictureOfScene(page) {
+  const canvas = await bring(page, "#playback canvas");
+  await pause();
+  await canvas.screenshot({ path: picture });
+}
+
 const browser = await launch();
 try {
   const { page } = await open(browser, pathToFileURL(resolve(file)).href, { width: 1100, height: 1400 });
-  await (BLOCKS.includes(what) ? pictureOfBlock(page) : pictureOfSet(page));
+  if (what === "scene") await pictureOfScene(page);
+  else await (BLOCKS.includes(what) ? pictureOfBlock(page) : pictureOfSet(page));
 } finally {
   await browser.close();
 }
