@@ -75,33 +75,51 @@ def with_a_law(scene):
 
 
 class Lammps:
-    """`plumb export-lammps` and `plumb lammps`, in the folder of a run by `plumb scene`."""
+    """`plumb export-lammps` and `plumb lammps`, which lie beside `plumb scene`."""
 
     def __init__(self, scene_program=None):
         beside = pathlib.Path(scene_program or os.environ["PLUMB_SCENE"])
         self.export, self.program = beside.with_name("plumb-export-lammps"), beside.with_name("plumb-lammps")
 
-    def last(self, folder, ranks):
-        files, scene = folder / f"lammps-{ranks}", folder / "scene-lammps.json"
-        scene.write_text(json.dumps(with_a_law(json.loads((folder / "scene-in.json").read_text()))))
+    def exported(self, scene, files):
+        """The scene file as in.lammps in a new folder."""
         ended = subprocess.run([self.export, scene, "-o", files], capture_output=True, text=True, check=False)
         if ended.returncode != 0:
             raise Refused(last_words(ended.stderr).removeprefix(f"{scene}: "))
+
+    def run(self, files, ranks, script="in.lammps"):
+        """What it says of itself."""
         command = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
-        ended = subprocess.run([*command, self.program, "-in", "in.lammps", "-log", "none"], cwd=files, env={**os.environ, **ENVIRONMENT},
+        ended = subprocess.run([*command, self.program, "-in", script, "-log", "none"], cwd=files, env={**os.environ, **ENVIRONMENT},
                                stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         if ended.returncode != 0:
             raise Failed(last_words(ended.stderr or ended.stdout))
-        return list(frames_in((files / "dump.lammpstrj").read_text()))[-1]
+        return ended.stdout
+
+    def last(self, files, ranks):
+        """The last frame of a run's dump, which stays as dump.RANKS."""
+        self.run(files, ranks)
+        dump = (files / "dump.lammpstrj").rename(files / f"dump.{ranks}")
+        return list(frames_in(dump.read_text()))[-1]
 
 
-def add(row, lammps, frame, folder):
+def add(row, runner, lammps, case, accuracy):
     row.scenes += 1
+    folder = runner.place(case.name, accuracy)
+    scene, files = folder / "scene-lammps.json", folder / "lammps"
+    try:
+        frame = runner.run(case.name, case.scene, accuracy).last
+        scene.write_text(json.dumps(with_a_law(json.loads((folder / "scene-in.json").read_text()))))
+        lammps.exported(scene, files)
+    except Refused as refused:
+        row.refused = str(refused)
+        return
+    except Failed as failed:
+        row.failed, row.largest = str(failed), dict.fromkeys(row.largest, math.nan)
+        return
     for ranks, largest in row.largest.items():
         try:
-            row.largest[ranks] = max(largest, deviation(frame, lammps.last(folder, ranks)))
-        except Refused as refused:
-            row.refused = str(refused)
+            row.largest[ranks] = max(largest, deviation(frame, lammps.last(files, ranks)))
         except Failed as failed:
             row.failed, row.largest[ranks] = str(failed), math.nan
 
@@ -112,7 +130,7 @@ def rows(runner, groups, accuracy, ranks, lammps=None):
     for group in groups:
         row = found.setdefault(group.test, Row(group.test, dict.fromkeys(ranks, 0.0)))
         for case in group.cases if isinstance(group, Set) else [group]:
-            add(row, lammps, runner.run(case.name, case.scene, accuracy).last, runner.place(case.name, accuracy))
+            add(row, runner, lammps, case, accuracy)
     return list(found.values())
 
 

@@ -109,12 +109,15 @@ class Runner:
     def __init__(self, folder, program=None):
         self.folder = pathlib.Path(folder)
         self.program = program or os.environ["PLUMB_SCENE"]
+        self.done = {}
 
     def place(self, name, accuracy):
         return self.folder / name / f"{accuracy:g}"
 
     def run(self, name, tree, accuracy):
         folder = self.place(name, accuracy)
+        if folder in self.done:
+            return self.done[folder]
         if folder.exists():
             subprocess.run(["rm", "-r", str(folder)], check=True)
         folder.mkdir(parents=True)
@@ -124,4 +127,5 @@ class Runner:
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         if ended.returncode != 0:
             raise Failed(ended.stderr.strip() or f"exit code {ended.returncode}")
-        return Ran(folder / "run")
+        self.done[folder] = Ran(folder / "run")
+        return self.done[folder]

@@ -90,6 +90,9 @@ def main(arguments=None):
     if asked.record and (asked.only or asked.quick or tuple(asked.accuracy) != ACCURACIES):
         print("--record: takes all tests: leave --only, --quick and --accuracy out", file=sys.stderr)
         return 2
+    if min(asked.ranks, default=1) < 1:
+        print("--ranks: at least 1", file=sys.stderr)
+        return 2
     if asked.ranks and not lammps.Lammps().program.exists():
         print(f"--ranks: {lammps.Lammps().program}: is not built: liblammps-dev or MPI is missing", file=sys.stderr)
         return 2

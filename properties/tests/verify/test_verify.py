@@ -138,6 +138,17 @@ class ThroughLammps(unittest.TestCase):
         self.assertIn("off   lost atoms", lammps.line(failed))
         self.assertTrue(lammps.Row("t", {1: 0.0}, 1, refused="no heat").holds)
 
+    def test_where_the_scene_fails_lammps_is_off_too(self):
+        with tempfile.TemporaryDirectory() as folder:
+            found = lammps.rows(Runner(pathlib.Path(folder), "/bin/false"), [resting.drag()], 1e-2, (1, 2))
+        self.assertFalse(found[0].holds)
+        self.assertIn("off   exit code 1", lammps.line(found[0]))
+
+    def test_no_process_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
+            self.assertEqual(verify.main(["--ranks", "0", "--out", folder]), 2)
+        self.assertEqual(said.getvalue(), "--ranks: at least 1\n")
+
     def test_without_lammps_it_is_said(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
             with unittest.mock.patch.dict("os.environ", {"PLUMB_SCENE": folder + "/plumb-scene"}):
