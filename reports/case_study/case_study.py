@@ -4,96 +4,77 @@ import argparse
 import json
 import os
 import pathlib
-import subprocess
+import shutil
 import sys
 
 import cost
 import drum
+from lammps import Lammps, Refused
+from scenes import Failed, frames_in
 
 SIZES = (20000, 2500)   # the case itself, and one for the model to predict
-DURATION = 0.5          # s: the bed has turned by a quarter and flows
+DURATION = 0.5          # s: the bed has turned by a quarter and begins to slide
 MEASURED = 200          # steps
 ROUNDS = 3              # of each measurement, the least counts
 PREDICTED = 1_000_000
 RANKS = (1, 2, 8, 32, 128, 512)
-# As root, and with more processes than processors.
-ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               "OMP_NUM_THREADS": "1"}
 # The bed is as deep on both sides of a cut across the drum's axis, however it leans.
 CUT = "processors 1 * 1"
 RESTART = "drum.restart"
 
 
-class Failed(Exception):
-    """A command did not end well; its words."""
-
-
-def called(command, folder):
-    try:
-        ended = subprocess.run([str(word) for word in command], cwd=folder, env={**os.environ, **ENVIRONMENT}, stdin=subprocess.DEVNULL,
-                               capture_output=True, text=True, check=False)
-    except FileNotFoundError as failed:
-        raise Failed(f"{command[0]}: is not there") from failed
-    if ended.returncode != 0:
-        raise Failed(f"{command[0]}: {(ended.stderr or ended.stdout).strip() or f'exit code {ended.returncode}'}")
-    return ended.stdout
-
-
-def exported(folder, programs, bodies, duration):
-    """in.lammps of the drum, and what it reads."""
+def exported(lammps, folder, scene):
+    """in.lammps of the drum, and what it reads, in a new folder."""
+    shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    (folder / "scene.json").write_text(json.dumps(drum.scene(bodies, duration)))
-    called([programs / "plumb-export-lammps", "scene.json", "-o", "files"], folder)
+    (folder / "scene.json").write_text(scene)
+    lammps.exported(folder / "scene.json", folder / "files")
     script = (folder / "files/in.lammps").read_text()
     return script.replace("\nread_data ", f"\n{CUT}\nread_data ")
 
 
-def lammps(folder, programs, ranks, script, name):
+def ran(lammps, folder, ranks, script, name):
     """Its log, which stays in the folder."""
     (folder / "files" / f"in.{name}").write_text(script)
-    log = called(["mpirun", "-n", ranks, programs / "plumb-lammps", "-in", f"in.{name}", "-log", "none"], folder / "files")
+    log = lammps.run(folder / "files", ranks, f"in.{name}")
     (folder / f"log.{name}").write_text(log)
     return log
 
 
 def measuring(script):
     """Goes on from the restart file for a few steps, and writes nothing."""
-    kept = [line for line in script.splitlines() if not line.startswith(("compute body", "dump", "  d_n1", "thermo", "run "))]
+    kept = [line for line in script.splitlines() if not line.startswith(("compute body", "dump", "  d_n1", "thermo", "run ", "write_restart"))]
     at = next(k for k, line in enumerate(kept) if line.startswith("read_data"))
     shapes = [line for line in kept if line.startswith("fix shapes")]
     head = [line for line in kept[:at] if line not in shapes]
     return "\n".join([*head, f"read_restart {RESTART}", *shapes, *kept[at + 1:], f"run {MEASURED}", "info memory", ""])
 
 
-def measured(folder, programs, bodies, duration):
+def measured(lammps, folder, bodies, duration):
     """The drum once, where that is not done, and then steps of it on one process and on two: the least of a few rounds."""
-    if not (folder / "log.run").exists():
-        script = exported(folder, programs, bodies, duration)
-        lammps(folder, programs, 2, script + f"write_restart {RESTART}\n", "run")
-    script = measuring((folder / "files/in.run").read_text().rsplit("write_restart", 1)[0])
-    rounds = [[cost.read(lammps(folder, programs, ranks, script, f"ranks-{ranks}")) for ranks in (1, 2)] for _ in range(ROUNDS)]
+    scene, kept = json.dumps(drum.scene(bodies, duration)), folder / "scene.json"
+    if not ((folder / "log.run").exists() and kept.read_text() == scene):
+        ran(lammps, folder, 2, exported(lammps, folder, scene) + f"write_restart {RESTART}\n", "run")
+    script = measuring((folder / "files/in.run").read_text())
+    rounds = [[cost.read(ran(lammps, folder, ranks, script, f"ranks-{ranks}")) for ranks in (1, 2)] for _ in range(ROUNDS)]
     return [min(runs, key=lambda run: run.step) for runs in zip(*rounds)]
 
 
 def last_frame(folder):
     """Of the run's dump: {column: its numbers}."""
-    lines = (folder / "files/dump.lammpstrj").read_text().splitlines()
-    start = max(k for k, row in enumerate(lines) if row.startswith("ITEM: ATOMS"))
-    return dict(zip(lines[start].split()[2:], zip(*(map(float, row.split()) for row in lines[start + 1:]))))
+    text = (folder / "files/dump.lammpstrj").read_text()
+    return next(frames_in(text[text.rindex("ITEM: TIMESTEP"):]))["columns"]
 
 
-def write_last(folder, frame, bodies):
+def write_last(folder, frame):
     """last.json: a scene of one step that begins where the run ended, for `plumb scene` and the page."""
-    tree = drum.scene(bodies, 1e-4)
-    diameters, turns = ([frame[f"c_body[{k}]"] for k in part] for part in ((5, 6, 7), (1, 2, 3, 4)))
-    for i, body in enumerate(tree["bodies"]):
-        body["shape"]["superellipsoid"] = {"semi_axes": [axis[i] / 2 for axis in diameters], "exponents": [frame["d_n1"][i], frame["d_n2"][i]]}
-        body["position"] = [frame[name][i] for name in "xyz"]
-        body["velocity"] = [frame[name][i] for name in ("vx", "vy", "vz")]
-        body["angular_velocity"] = [0, 0, 0]
-        body["orientation"] = {"quaternion_wxyz": [part[i] for part in turns]}
-    tree["run"]["outputs"] = {"every": 0, "write": ["playback"]}
-    (folder / "last.json").write_text(json.dumps(tree))
+    def rows(*names):
+        return zip(*(frame[name].tolist() for name in names))
+    axes = ([diameter / 2 for diameter in row] for row in rows(*(f"c_body[{k}]" for k in (5, 6, 7))))
+    turns = rows(*(f"c_body[{k}]" for k in (1, 2, 3, 4)))
+    parts = zip(axes, rows("d_n1", "d_n2"), rows("x", "y", "z"), turns, rows("vx", "vy", "vz"))
+    bodies = [drum.body(*of_one, (0, 0, 0)) for of_one in parts]
+    (folder / "last.json").write_text(json.dumps(drum.of_bodies(bodies, 1e-4, {"every": 0, "write": ["playback"]})))
 
 
 HEAD = f"{'':<8} {'bodies':>8} {'ranks':>6} {'ms a step':>12} {'predicted':>12} {'us a body':>12} {'ghosts':>9} {'Mbyte':>9}"
@@ -138,16 +119,24 @@ def main(arguments=None):
     if asked.record and (tuple(asked.bodies), asked.duration) != (SIZES, DURATION):
         print("--record: takes the case as it is: leave --bodies and --duration out", file=sys.stderr)
         return 2
-    programs = pathlib.Path(os.environ["PLUMB_PROGRAMS"])
+    if min(*asked.bodies, asked.duration) <= 0:
+        print("--bodies and --duration: above 0", file=sys.stderr)
+        return 2
+    lammps = Lammps(pathlib.Path(os.environ["PLUMB_PROGRAMS"]) / "plumb-scene")
+    for program in (lammps.export, lammps.program):
+        if not program.exists():
+            print(f"{program}: is not there", file=sys.stderr)
+            return 1
     folders = [(asked.out / str(bodies)).resolve() for bodies in asked.bodies]
     try:
-        runs = [measured(folder, programs, bodies, asked.duration) for folder, bodies in zip(folders, asked.bodies)]
-    except (Failed, ValueError) as failed:
+        runs = [measured(lammps, folder, bodies, asked.duration) for folder, bodies in zip(folders, asked.bodies)]
+    except (Failed, Refused, ValueError) as failed:
         print(failed, file=sys.stderr)
         return 1
     frame, (one, two) = last_frame(folders[0]), runs[0]
-    write_last(asked.out, frame, asked.bodies[0])
-    model = cost.fitted(one, two, runs[1][0], cost.cell_inside(list(zip(frame["x"], frame["y"], frame["z"])), 2 * two.cutoff))
+    write_last(asked.out, frame)
+    places = list(zip(*(frame[name].tolist() for name in "xyz")))
+    model = cost.fitted(one, two, runs[1][0], cost.cell_inside(places, 2 * two.cutoff))
     table = text(runs, model, asked.duration, os.environ.get("PLUMB_COMMIT", "unknown"))
     (asked.out / "case_study.txt").write_text(table)
     if asked.record:

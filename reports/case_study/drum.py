@@ -13,12 +13,17 @@ GAP = 1.04                           # of the stack, over the greatest bodies
 FRAMES_A_SECOND = 50
 
 
-def body(draw, place):
+def body(axes, exponents, place, quaternion, velocity, spin):
+    return {"shape": {"superellipsoid": {"semi_axes": list(axes), "exponents": list(exponents)}}, "position": list(place),
+            "orientation": {"quaternion_wxyz": list(quaternion)}, "density": DENSITY, "velocity": list(velocity), "angular_velocity": list(spin)}
+
+
+def drawn(draw, place):
     """Along the axes, so that a stack has no overlaps; it moves a little, so that the stack does not last."""
     axes = [axis * draw.uniform(0.9, 1.1) for axis in SEMI_AXES]
-    return {"shape": {"superellipsoid": {"semi_axes": axes, "exponents": [draw.uniform(*EXPONENTS) for _ in range(2)]}},
-            "position": list(place), "orientation": {"quaternion_wxyz": [1, 0, 0, 0]}, "density": DENSITY, "velocity": [draw.uniform(-0.1, 0.1) for _ in range(3)],
-            "angular_velocity": [draw.uniform(-5, 5) for _ in range(3)]}
+    exponents = [draw.uniform(*EXPONENTS) for _ in range(2)]
+    velocity = [draw.uniform(-0.1, 0.1) for _ in range(3)]
+    return body(axes, exponents, place, (1, 0, 0, 0), velocity, [draw.uniform(-5, 5) for _ in range(3)])
 
 
 def drum(bodies):
@@ -45,14 +50,19 @@ def stacked(bodies, radius, half_length):
                 yield i * x, j * y, height
 
 
-def scene(bodies, duration, seed=1):
-    draw = random.Random(seed)
-    radius, half_length = drum(bodies)
+def of_bodies(bodies, duration, outputs):
+    """The scene that holds them."""
+    radius, half_length = drum(len(bodies))
     quarter = math.sqrt(0.5)
     wall = {"position": [0, 0, 0], "orientation": {"quaternion_wxyz": [quarter, -quarter, 0, 0]},
             "cylinder": {"radius": radius, "half_length": half_length, "side": "inside", "ends": "closed"}}
     effects = {"gravity": {"acceleration": [0, 0, -9.81]}, "linear": {"stiffness": 1000}, "damping": {"restitution": 0.3},
                "friction": {"coefficient": 0.5}, "moving_walls": {"motions": [{"wall": 0, "angular_velocity": [0, TURNING, 0]}]}}
-    run = {"time_step": "auto", "duration": duration, "accuracy": 1e-2, "outputs": {"every": 1 / FRAMES_A_SECOND, "write": ["dump"]}}
-    return {"format": "plumb/scene-1", "name": "drum", "bodies": [body(draw, place) for place in stacked(bodies, radius, half_length)],
-            "walls": [wall], "effects": effects, "run": run}
+    run = {"time_step": "auto", "duration": duration, "accuracy": 1e-2, "outputs": outputs}
+    return {"format": "plumb/scene-1", "name": "drum", "bodies": bodies, "walls": [wall], "effects": effects, "run": run}
+
+
+def scene(bodies, duration, seed=1):
+    """So many, stacked."""
+    draw = random.Random(seed)
+    return of_bodies([drawn(draw, place) for place in stacked(bodies, *drum(bodies))], duration, {"every": 1 / FRAMES_A_SECOND, "write": ["dump"]})

@@ -81,10 +81,24 @@ class Suite(unittest.TestCase):
         self.assertRegex(said, r"\nheld +60 +2 ")
         self.assertRegex(said, r"\n 1000000 +512 ")
 
+    @unittest.skipUnless((pathlib.Path(os.environ["PLUMB_PROGRAMS"]) / "plumb-lammps").exists() and shutil.which("mpirun"), "LAMMPS is not there")
+    def test_a_run_is_kept_and_another_or_half_a_run_is_not(self):
+        lammps = case_study.Lammps(pathlib.Path(os.environ["PLUMB_PROGRAMS"]) / "plumb-scene")
+        with tempfile.TemporaryDirectory() as place, mock.patch.multiple(case_study, MEASURED=2, ROUNDS=1):
+            folder = pathlib.Path(place) / "60"
+            folder.mkdir()  # as a run that was interrupted leaves it
+            for duration, is_new in ((0.01, True), (0.01, False), (0.02, True)):
+                was = (folder / "log.run").stat().st_mtime_ns if (folder / "log.run").exists() else 0
+                case_study.measured(lammps, folder, 60, duration)
+                self.assertEqual((folder / "log.run").stat().st_mtime_ns != was, is_new)
+
     def test_a_program_that_fails_is_said(self):
         with mock.patch.dict("os.environ", {"PLUMB_PROGRAMS": "/nowhere"}):
             code, said = self.main()
         self.assertEqual((code, said), (1, "/nowhere/plumb-export-lammps: is not there\n"))
+
+    def test_nothing_is_refused(self):
+        self.assertEqual(self.main("--bodies", "0", "10"), (2, "--bodies and --duration: above 0\n"))
 
     def test_a_part_is_not_recorded(self):
         self.assertEqual(self.main("--record", "--duration", "0.1"),
