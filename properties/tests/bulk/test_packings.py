@@ -48,30 +48,25 @@ class Scenes(unittest.TestCase):
         self.assertNotEqual(packings.scene_of(SHAPES[1], 30, 1, damped), packings.scene_of(SHAPES[1], 30, 1, cooled))
 
 
-class Table(unittest.TestCase):
-    def test_interval_is_students(self):
-        mean, half = packings.interval([1.0, 2.0, 3.0])
-        self.assertEqual(mean, 2.0)
-        self.assertAlmostEqual(half, 4.303 / math.sqrt(3), places=12)
-        self.assertEqual(packings.text_of([0.5], 2), "0.50")
+class Study(unittest.TestCase):
+    def main(self, folder, *arguments):
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(io.StringIO()):
+            code = packings.main(["--shapes", "ball", "--bodies", "30", "--out", folder, *arguments])
+        return code, said.getvalue()
 
     @mock.patch.object(packings, "PROTOCOLS", {"damped": packings.Protocol(2, 0.02, 0.5), "cooled": packings.Protocol(1, 5e-4, 0.99)})
     def test_a_run_is_a_row_and_is_not_run_twice(self):
         with tempfile.TemporaryDirectory() as folder:
-            asked = packings.parsed(["--shapes", "ball", "--bodies", "30", "--seeds", "2", "--out", folder])
-            with contextlib.redirect_stderr(io.StringIO()):
-                table = packings.table_of(asked)
-                ended = pathlib.Path(folder, "ball-30-damped-1", "bulk.jsonl")
-                before = ended.stat().st_mtime_ns
-                self.assertEqual(packings.table_of(asked), table)
+            code, table = self.main(folder, "--seeds", "2")
+            self.assertEqual(code, 0)
+            ended = pathlib.Path(folder, "ball-30-damped-1", "bulk.jsonl")
+            before = ended.stat().st_mtime_ns
+            self.assertEqual(self.main(folder, "--seeds", "2"), (0, table))
             self.assertEqual(ended.stat().st_mtime_ns, before)
-            self.assertRegex(table.splitlines()[1], r"^ball +damped +0\.\d{4} \+- 0\.\d{4} .*0\.64")
-            self.assertRegex(table.splitlines()[2], r"^ball +cooled +0\.\d{4} \+- 0\.\d{4} .*0\.64")
-
-    def test_a_scene_that_is_refused_is_said(self):
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(packings, "STIFFNESS", -1):
-            with self.assertRaisesRegex(packings.Failed, "effects.linear.stiffness"):
-                packings.packed(SHAPES[0], 30, 1, "damped", pathlib.Path(folder))
+        self.assertRegex(table, r"\nball +damped +0\.\d{4} \+- 0\.\d{4} .*0\.64")
+        self.assertRegex(table, r"\nball +cooled +0\.\d{4} \+- 0\.\d{4} .*0\.64")
+        self.assertIn("\ncommand reports/bulk/run packings --shapes ball --bodies 30 --seeds 2\n", table)
 
 
 if __name__ == "__main__":
