@@ -20,6 +20,20 @@ namespace plumb::covers_tests {
   return ellipsoid_pair(framed_pair(pair, PairFrame<double>(pair)));
 }
 
+[[nodiscard]] inline SuperellipsoidPair<double> framed_superellipsoids(const Pair& pair) {
+  const Superellipsoid<double>&shape1 = pair.body1.shape, &shape2 = pair.body2.shape;
+  return superellipsoid_pair<double>(framed_pair(pair, PairFrame<double>(pair)), per_body<double>(shape1.n1, shape2.n1),
+                                     per_body<double>(shape1.n2, shape2.n2));
+}
+
+/// From concentric to a fair overlap: `farthest` is of the least semi-axes.
+[[nodiscard]] inline Pair draw_deep_pair(Stream& stream, const Superellipsoid<double>& shape1,
+                                         const Superellipsoid<double>& shape2, double farthest = 0.7) {
+  const double reach = shape1.semi_axes.minCoeff() + shape2.semi_axes.minCoeff();
+  return {{shape1, Vec3<double>::Zero(), random_rotation(stream)},
+          {shape2, random_direction(stream) * (reach * stream.uniform(0, farthest)), random_rotation(stream)}};
+}
+
 /// A solver whose solves never converge.
 template <class Solver>
 struct WithoutSolves {

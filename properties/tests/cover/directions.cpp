@@ -80,18 +80,12 @@ void judge(const Solver& solver, const std::vector<Vector3<double>>& grid,
   });
 }
 
-Pair draw_pair(Stream& stream, const Superellipsoid<double>& shape1, const Superellipsoid<double>& shape2) {
-  const double reach = shape1.semi_axes.minCoeff() + shape2.semi_axes.minCoeff();
-  return {{shape1, Vec3<double>::Zero(), random_rotation(stream)},
-          {shape2, random_direction(stream) * (reach * stream.uniform(0, 0.7)), random_rotation(stream)}};
-}
-
 TEST(Directions, OfEllipsoidsNoLowerOneIsExcluded) {
   const std::vector<Vector3<double>> grid = grid_of_directions(24);
   Tally tally;
   for (std::uint64_t draw = 0; draw < 80; ++draw) {
     Stream stream("ellipsoids", 1, draw);
-    const Pair pair = draw_pair(stream, random_ellipsoid(stream, 4), random_ellipsoid(stream, 4));
+    const Pair pair = draw_deep_pair(stream, random_ellipsoid(stream, 4), random_ellipsoid(stream, 4));
     const EllipsoidPair<double> framed = framed_ellipsoids(pair);
     const Want want;
     judge(EllipsoidSolver<double>{framed, want, {}}, grid, std::nullopt, stream, tally);
@@ -108,10 +102,8 @@ TEST(Directions, OfSuperellipsoidsNoLowerOneIsExcluded) {
     Stream stream("superellipsoids", 1, draw);
     const auto shape = [&] { return random_superellipsoid(stream, 3, draw % 3 == 0 ? 1.3 : 2, 8); };
     const Superellipsoid<double> shape1 = shape(), shape2 = shape();
-    const Pair pair = draw_pair(stream, shape1, shape2);
-    const SuperellipsoidPair<double> framed =
-        superellipsoid_pair<double>(framed_pair(pair, PairFrame<double>(pair)), per_body<double>(shape1.n1, shape2.n1),
-                                    per_body<double>(shape1.n2, shape2.n2));
+    const Pair pair = draw_deep_pair(stream, shape1, shape2);
+    const SuperellipsoidPair<double> framed = framed_superellipsoids(pair);
     const Want want;
     judge(SurfaceSolver<double>(framed, want), grid, std::nullopt, stream, tally);
   }
@@ -129,7 +121,7 @@ TEST(Directions, OfBodiesOfRevolutionNoLowerOneIsExcluded) {
     Superellipsoid<double> shape1, shape2;
     shape1.semi_axes[2] = stream.log_uniform(0.3, 3);
     shape2.semi_axes[2] = stream.log_uniform(0.3, 3);
-    const Pair pair = draw_pair(stream, shape1, shape2);
+    const Pair pair = draw_deep_pair(stream, shape1, shape2);
     const EllipsoidPair<double> framed = framed_ellipsoids(pair);
     const Want want;
     judge(EllipsoidSolver<double>{framed, want, {}}, grid, RotationDerivative<double>::of(place<double>(pair)), stream,

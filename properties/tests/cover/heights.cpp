@@ -25,19 +25,14 @@ void judge(const Pair& pair, const std::vector<Vector3<double>>& grid, Stream& s
   });
 }
 
-Pair draw_pair(Stream& stream, const Superellipsoid<double>& shape1, const Superellipsoid<double>& shape2) {
-  const double reach = shape1.semi_axes.minCoeff() + shape2.semi_axes.minCoeff();
-  return {{shape1, Vec3<double>::Zero(), random_rotation(stream)},
-          {shape2, random_direction(stream) * (reach * stream.uniform(0, 0.9)), random_rotation(stream)}};
-}
-
 TEST(Heights, NoLowerOneIsExcluded) {
   const std::vector<Vector3<double>> grid = grid_of_directions(24);
   Tally tally;
   for (std::uint64_t draw = 0; draw < 120; ++draw) {
     Stream stream("heights", 1, draw);
     const double aspect = draw % 2 == 0 ? 4 : 15;
-    judge(draw_pair(stream, random_ellipsoid(stream, aspect), random_ellipsoid(stream, aspect)), grid, stream, tally);
+    judge(draw_deep_pair(stream, random_ellipsoid(stream, aspect), random_ellipsoid(stream, aspect), 0.9), grid, stream,
+          tally);
   }
   EXPECT_GT(tally.lowest, 50);
   EXPECT_GT(tally.higher, 80);
@@ -53,7 +48,7 @@ TEST(Heights, ACircleOfMinimaIsNoHindrance) {
     Superellipsoid<double> shape1, shape2;
     shape1.semi_axes[2] = stream.log_uniform(1.2, 4);
     shape2.semi_axes[2] = stream.log_uniform(1.2, 4);
-    Pair pair = draw_pair(stream, shape1, shape2);
+    Pair pair = draw_deep_pair(stream, shape1, shape2);
     pair.body2.quaternion = pair.body1.quaternion;
     pair.body2.position = place<double>(pair).body1.rotation.col(2) * stream.uniform(0.1, 1);
     judge(pair, grid, stream, tally);
@@ -68,7 +63,7 @@ TEST(Heights, MirrorImagesAreNoHindrance) {
   Tally tally;
   for (std::uint64_t draw = 0; draw < 40; ++draw) {
     Stream stream("mirror", 1, draw);
-    Pair pair = draw_pair(stream, random_ellipsoid(stream, 6), random_ellipsoid(stream, 6));
+    Pair pair = draw_deep_pair(stream, random_ellipsoid(stream, 6), random_ellipsoid(stream, 6));
     pair.body2.position.setZero();
     judge(pair, grid, stream, tally);
   }

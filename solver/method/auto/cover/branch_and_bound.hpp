@@ -2,7 +2,8 @@
 //
 // Latitudes    axes of revolution parallel, or parallel to rounding (latitudes.hpp)
 // Quadrangles  axes of revolution nearly parallel, not of ellipsoids (quadrangles.hpp)
-// Directions   all other pairs (directions.hpp)
+// Sectors      all other pairs, a few cells about the common normal that is known (sectors.hpp)
+// Directions   where these do not do (directions.hpp)
 // Heights      ellipsoids, where the first of these does not come to an end (heights.hpp)
 //
 // Its proofs are made in the scalar's own rounding; proofs by intervals are reference/'s. The number of evaluations is
@@ -14,6 +15,7 @@
 #include "solver/method/auto/cover/heights.hpp"
 #include "solver/method/auto/cover/latitudes.hpp"
 #include "solver/method/auto/cover/quadrangles.hpp"
+#include "solver/method/auto/cover/sectors.hpp"
 
 namespace plumb {
 
@@ -80,8 +82,8 @@ lowest_by_quadrangles(const Solver& solver, const PlacedPair<S>& placed, const t
   return branch_and_bound<Quadrangles>(solver, first, budget::quadrangles, TiltedAxesBound<S>(placed)).lowest;
 }
 
-/// The lowest common normal from `first` on: by latitudes where the axes are parallel, by directions else, and where that
-/// does not come to an end by the cover that suits the solver.
+/// The lowest common normal from `first` on: by latitudes where the axes are parallel, by sectors and directions else, and
+/// where that does not come to an end by the cover that suits the solver.
 template <class S, class Solver>
 [[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_search(const Solver& solver, const PlacedPair<S>& placed,
                                                                       const typename Solver::Answer& first) {
@@ -93,15 +95,18 @@ template <class S, class Solver>
     using Directions = DirectionCover<S, Solver, by_directions>;
     return branch_and_bound<Directions>(solver, from, by_directions, RotationDerivative<S>::of(placed));
   };
+  const auto search_sectors = [&] {
+    const Searched<Answer> found = branch_and_bound<SectorCover<S, Solver>>(solver, first, by_directions);
+    return found.lowest.status == Status::converged ? found : search_directions(found.best);
+  };
   const std::optional<ParallelAxesBound<S>> parallel = ParallelAxesBound<S>::of(placed);
   const Held held(solver, parallel ? parallel->circle_axis() : std::nullopt);
   if constexpr (!ends_by_heights)
     if (TiltedAxesBound<S>::is_for(placed)) return lowest_by_quadrangles<S>(held, placed, first);
   const bool is_coaxial = parallel && parallel->is_coaxial();
   const int by_latitudes = is_coaxial ? budget::last_search : budget::first_search;
-  const Searched<Answer> found = parallel
-                                     ? branch_and_bound<LatitudeCover<S, Held>>(held, first, by_latitudes, *parallel)
-                                     : search_directions(first);
+  const Searched<Answer> found =
+      parallel ? branch_and_bound<LatitudeCover<S, Held>>(held, first, by_latitudes, *parallel) : search_sectors();
   if (found.lowest.status == Status::converged || is_coaxial) return found.lowest;
   if constexpr (ends_by_heights)
     return branch_and_bound<HeightCover<S, Held>>(held, found.best, budget::last_search, solver.pair).lowest;

@@ -247,12 +247,12 @@ template <class S>
   return best;
 }
 
-/// The widest square about n, unit, on which s = f - o* |v| is convex, by f's curvature alone (|v| >= 1 there); of reach 0
-/// where none is found.
+/// The widest square about n, unit, of reach `widest` or half of it, a quarter .., on which s = f - o* |v| is convex, by f's
+/// curvature alone (|v| >= 1 there); of reach 0 where none is found.
 template <class S>
 [[nodiscard]] inline DirectionSquare<S> convex_square(const std::array<SupportShape<S>, 2>& shapes, const Vector3<S>& n,
-                                                      const S& overlap) {
-  constexpr double widest = 0.25, narrowest = 1e-9;
+                                                      const S& overlap, double widest = 0.25) {
+  constexpr double narrowest = 1e-9;
   const Tangent<S> across = tangent_basis<S>(n.eigen());
   DirectionSquare<S> out{n, {Vector3<S>::of(across.col(0)), Vector3<S>::of(across.col(1))}, S(widest)};
   const S wanted = overlap * (S(1) + tolerance::proof_margin.of<S>());

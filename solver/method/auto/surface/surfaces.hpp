@@ -75,9 +75,9 @@ template <class S, bool any_dual>
 [[nodiscard, gnu::always_inline]] inline Roles<S> roles(const Mask<S>& dual, const ArcPoint<S>& at) {
   const PerBody<S> dca = -at.gb, dcb = at.ga, dga = -at.ka * at.gb, dgb = at.kb * at.ga;
   if constexpr (!any_dual) return {at.ca, at.cb, dca, dcb, at.ga, at.gb, dga, dgb};
-  const auto either = [&](const PerBody<S>& g, const PerBody<S>& c) { return select<S>(dual, g, c); };
-  return {either(at.ga, at.ca), either(at.gb, at.cb), either(dga, dca), either(dgb, dcb),
-          either(at.ca, at.ga), either(at.cb, at.gb), either(dca, dga), either(dcb, dgb)};
+  return {select<S>(dual, at.ga, at.ca), select<S>(dual, at.gb, at.cb), select<S>(dual, dga, dca),
+          select<S>(dual, dgb, dcb),     select<S>(dual, at.ca, at.ga), select<S>(dual, at.cb, at.gb),
+          select<S>(dual, dca, dga),     select<S>(dual, dcb, dgb)};
 }
 
 /// Points, normals and derivatives from the arcs.

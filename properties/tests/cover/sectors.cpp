@@ -1,0 +1,97 @@
+// The cover of sectors: it leaves no direction out, what it excludes is not lower, and it does what it is for.
+#include "solver/method/auto/cover/sectors.hpp"
+
+#include "properties/tests/cover/covers.hpp"
+
+namespace plumb::sectors_tests {
+namespace {
+
+using namespace covers_tests;
+
+constexpr int generous = 1000;  // evaluations, more than it may spend
+
+template <class Solver>
+using Cover = SectorCover<double, WithoutSolves<Solver>>;
+
+template <class Solver>
+void judge(const Solver& solver, const std::vector<Vector3<double>>& grid, Stream& stream, Tally& tally) {
+  const WithoutSolves<Solver> silent{solver};
+  for_each_common_normal(solver, grid, stream, 12, [&](const auto& first, double least) {
+    if (first.overlap <= solver.inner_rolling_radius()) return;  // nothing is lower, and nothing is looked at
+    tally.judge(what_says<Cover<Solver>>(silent, first, generous), first.overlap, least, 1e-13 * solver.size());
+  });
+}
+
+TEST(Sectors, OfEllipsoidsNoLowerOneIsExcluded) {
+  const std::vector<Vector3<double>> grid = grid_of_directions(24);
+  Tally tally;
+  for (std::uint64_t draw = 0; draw < 3000; ++draw) {
+    Stream stream("ellipsoids", 2, draw);
+    const Pair pair = draw_deep_pair(stream, random_ellipsoid(stream, 8), random_ellipsoid(stream, 8));
+    const EllipsoidPair<double> framed = framed_ellipsoids(pair);
+    const Want want;
+    judge(EllipsoidSolver<double>{framed, want, {}}, grid, stream, tally);
+  }
+  EXPECT_GT(tally.lowest, 100);
+  EXPECT_GT(tally.higher, 100);
+}
+
+TEST(Sectors, OfSuperellipsoidsNoLowerOneIsExcluded) {
+  const std::vector<Vector3<double>> grid = grid_of_directions(20);
+  Tally tally;
+  for (std::uint64_t draw = 0; draw < 500; ++draw) {
+    Stream stream("superellipsoids", 2, draw);
+    const auto shape = [&] { return random_superellipsoid(stream, 4, draw % 3 == 0 ? 1.3 : 2, 20); };
+    const Superellipsoid<double> shape1 = shape();
+    const SuperellipsoidPair<double> framed = framed_superellipsoids(draw_deep_pair(stream, shape1, shape()));
+    const Want want;
+    judge(SurfaceSolver<double>(framed, want), grid, stream, tally);
+  }
+  EXPECT_GT(tally.lowest, 20);
+  EXPECT_GT(tally.higher, 40);
+}
+
+/// Overlaps of up to a twentieth of the distance, which the cheaper conditions of surface_guard.hpp leave open.
+TEST(Sectors, OfBlocksThatTouchMostAreProvedByAFewWitnesses) {
+  int open = 0, proved = 0, evaluations = 0;
+  for (std::uint64_t draw = 0; draw < 400; ++draw) {
+    Stream stream("blocks", 1, draw);
+    Draft draft;
+    draft.pair.body1.shape = random_superellipsoid(stream, 5, 8, 40);
+    draft.pair.body2.shape = random_superellipsoid(stream, 5, 8, 40);
+    draft.pair.body2.quaternion = random_rotation(stream);
+    place_on_random_line(stream, draft, stream.log_uniform(1e-3, 5e-2));
+    const SuperellipsoidPair<double> framed = framed_superellipsoids(draft.pair);
+    const Want want;
+    const SurfaceSolver<double> solver(framed, want);
+    auto first = solver.local(draft.pair, nullptr);
+    if (first.status != Status::converged || solver.is_surely_lowest(first)) continue;
+    first.evaluations = 0;
+    ++open;
+    const auto searched = branch_and_bound<SectorCover<double, SurfaceSolver<double>>>(solver, first, generous);
+    if (searched.lowest.status != Status::converged) continue;
+    ++proved;
+    evaluations += searched.lowest.evaluations;
+  }
+  EXPECT_GT(open, 50);
+  EXPECT_GT(proved, 0.9 * open);
+  EXPECT_LT(evaluations, 8 * proved);
+}
+
+/// Without a common normal, or with the centres in one place, there is nothing to begin with.
+TEST(Sectors, GivesUpWhereItCanNotBegin) {
+  const Superellipsoid<double> shape{{1, 1, 3}, 2, 2};
+  for (const bool is_found : {false, true}) {
+    const Pair pair{{shape, Vec3<double>::Zero()}, {shape, Vec3<double>(is_found ? 0.0 : 0.5, 0, 0)}};
+    const EllipsoidPair<double> framed = framed_ellipsoids(pair);
+    const Want want;
+    const EllipsoidSolver<double> solver{framed, want, {}};
+    auto first = solver.solve({0.1, 0.2, 1});
+    if (!is_found) first.status = Status::stalled;
+    const WithoutSolves<EllipsoidSolver<double>> silent{solver};
+    EXPECT_EQ(what_says<Cover<EllipsoidSolver<double>>>(silent, first, generous), Said::is_unfinished);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::sectors_tests
