@@ -1,10 +1,10 @@
 // The branch and bound for the lowest common normal. Its covers, each a way to divide the directions into cells:
 //
+// Sectors      all pairs first: a few cells about the common normal that is known (sectors.hpp)
 // Latitudes    axes of revolution parallel, or parallel to rounding (latitudes.hpp)
 // Quadrangles  axes of revolution nearly parallel, not of ellipsoids (quadrangles.hpp)
-// Sectors      all other pairs, a few cells about the common normal that is known (sectors.hpp)
-// Directions   where these do not do (directions.hpp)
-// Heights      ellipsoids, where the first of these does not come to an end (heights.hpp)
+// Directions   all other pairs (directions.hpp)
+// Heights      ellipsoids, where neither latitudes nor directions come to an end (heights.hpp)
 //
 // Its proofs are made in the scalar's own rounding; proofs by intervals are reference/'s. The number of evaluations is
 // limited. An answer is not called converged where cells are left, or where a lower overlap was seen on the way.
@@ -82,11 +82,10 @@ lowest_by_quadrangles(const Solver& solver, const PlacedPair<S>& placed, const t
   return branch_and_bound<Quadrangles>(solver, first, budget::quadrangles, TiltedAxesBound<S>(placed)).lowest;
 }
 
-/// The lowest common normal from `first` on: by latitudes where the axes are parallel, by sectors and directions else, and
-/// where that does not come to an end by the cover that suits the solver.
+/// By the covers that suit the axes of revolution, and where these do not come to an end by the one that suits the solver.
 template <class S, class Solver>
-[[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_search(const Solver& solver, const PlacedPair<S>& placed,
-                                                                      const typename Solver::Answer& first) {
+[[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_axes(const Solver& solver, const PlacedPair<S>& placed,
+                                                                    const typename Solver::Answer& first) {
   using Answer = typename Solver::Answer;
   using Held = WithoutRotation<S, Solver>;
   constexpr bool ends_by_heights = Solver::last_cover == LastCover::heights;
@@ -95,23 +94,39 @@ template <class S, class Solver>
     using Directions = DirectionCover<S, Solver, by_directions>;
     return branch_and_bound<Directions>(solver, from, by_directions, RotationDerivative<S>::of(placed));
   };
-  const auto search_sectors = [&] {
-    const Searched<Answer> found = branch_and_bound<SectorCover<S, Solver>>(solver, first, by_directions);
-    return found.lowest.status == Status::converged ? found : search_directions(found.best);
-  };
   const std::optional<ParallelAxesBound<S>> parallel = ParallelAxesBound<S>::of(placed);
   const Held held(solver, parallel ? parallel->circle_axis() : std::nullopt);
   if constexpr (!ends_by_heights)
     if (TiltedAxesBound<S>::is_for(placed)) return lowest_by_quadrangles<S>(held, placed, first);
   const bool is_coaxial = parallel && parallel->is_coaxial();
   const int by_latitudes = is_coaxial ? budget::last_search : budget::first_search;
-  const Searched<Answer> found =
-      parallel ? branch_and_bound<LatitudeCover<S, Held>>(held, first, by_latitudes, *parallel) : search_sectors();
+  const Searched<Answer> found = parallel
+                                     ? branch_and_bound<LatitudeCover<S, Held>>(held, first, by_latitudes, *parallel)
+                                     : search_directions(first);
   if (found.lowest.status == Status::converged || is_coaxial) return found.lowest;
   if constexpr (ends_by_heights)
     return branch_and_bound<HeightCover<S, Held>>(held, found.best, budget::last_search, solver.pair).lowest;
   if (Solver::last_cover == LastCover::directions && parallel) return search_directions(found.best).lowest;
   return found.lowest;
+}
+
+/// Whether the sectors about `found` show that it is the lowest. Solves nothing: where that is not the case, the covers that
+/// come after start better.
+template <class S, class Solver>
+[[nodiscard, gnu::noinline]] bool is_lowest_by_sectors(const Solver& solver, typename Solver::Answer& found) {
+  Incumbent<S, Solver> incumbent(solver, found, budget::first_search);
+  SectorCover<S, Solver> sectors(incumbent);
+  sectors.start();
+  while (!sectors.is_empty()) sectors.look_at_next();
+  found.evaluations = incumbent.best().evaluations;
+  return !sectors.has_left_out();
+}
+
+/// The lowest common normal from `found` on, an answer or not.
+template <class S, class Solver>
+[[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_search(const Solver& solver, const PlacedPair<S>& placed,
+                                                                      typename Solver::Answer found) {
+  return is_lowest_by_sectors<S>(solver, found) ? found : lowest_by_axes<S>(solver, placed, found);
 }
 
 }  // namespace plumb
