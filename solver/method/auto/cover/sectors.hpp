@@ -34,12 +34,13 @@ class SectorCover {
         convex_square<S>(incumbent_.solver().support_shapes(), n, incumbent_.bound(), widest_square);
     if (!(square.reach > S(0))) return give_up();
     see(incumbent_.witness(incumbent_.best()));
-    std::array<Vector3<S>, sectors> border, plane;  // of the diagonals
+    const S beyond = S(tolerance::across_centres) * epsilon<S>() / along;  // of the plane, by its rounding
+    std::array<Vector3<S>, sectors> border, plane;                         // of the diagonals
     for (std::size_t k = 0; k < sectors; ++k) {
       const S side0 = k == 0 || k == 3 ? S(1) : S(-1), side1 = k < 2 ? S(1) : S(-1);
       const Vector3<S> d = square.across[0] * side0 + square.across[1] * side1;
       border[k] = unit(n + d * square.reach);
-      plane[k] = unit(d * along - n * dot(d, c));
+      plane[k] = unit(d * along - n * (dot(d, c) + beyond));
     }
     for (std::size_t k = 0; k < sectors; ++k) {
       const std::size_t next = (k + 1) % sectors;
