@@ -1,4 +1,4 @@
-// What the tests of the three covers share: a solver without local solves, and the common normals that a search may start from.
+// What the tests of the covers share: a solver without local solves, and the common normals that a search may start from.
 //
 // A cover that looks at all directions sees a lower overlap wherever there is one, whatever its local solves find: so with a
 // solver that finds nothing, from a common normal that is not the lowest, it must end with a lower overlap seen, and from the

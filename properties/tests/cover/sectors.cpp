@@ -68,28 +68,66 @@ TEST(Sectors, OfBlocksThatTouchMostAreProvedByAFewWitnesses) {
     if (first.status != Status::converged || solver.is_surely_lowest(first)) continue;
     first.evaluations = 0;
     ++open;
-    if (!is_lowest_by_sectors<double>(solver, first)) continue;
+    const auto found = proved_by_sectors<double>(solver, first);
+    if (found.status != Status::converged) continue;
     ++proved;
-    evaluations += first.evaluations;
+    evaluations += found.evaluations;
   }
   EXPECT_GT(open, 50);
   EXPECT_GT(proved, 0.9 * open);
   EXPECT_LT(evaluations, 8 * proved);
 }
 
-/// Without a common normal, or with the centres in one place, there is nothing to begin with.
+/// Whether v, unit, is a sum of three of the corners, none of them negative, to rounding.
+bool holds(const MixtureBound<double>::Corners& corners, const Vector3<double>& v) {
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    const Vector3<double>&p = corners[(left_out + 1) % 4], &q = corners[(left_out + 2) % 4],
+          &r = corners[(left_out + 3) % 4];
+    const double sign = std::copysign(1, dot(cross(p, q), r));
+    const double least = std::min({sign * dot(cross(q, r), v), sign * dot(cross(r, p), v), sign * dot(cross(p, q), v)});
+    if (least >= -1e-15) return true;
+  }
+  return false;
+}
+
+/// Also where n is all but across the line of centres.
+TEST(Sectors, EachDirectionForwardsIsInTheSquareOrInOne) {
+  Stream stream("forwards", 1, 0);
+  for (int draw = 0; draw < 2000; ++draw) {
+    const Vec3<double> n = random_direction(stream), across = random_direction(stream).cross(n).normalized();
+    const Tangent<double> basis = tangent_basis<double>(n);
+    const DirectionSquare<double> square{Vector3<double>::of(n),
+                                         {Vector3<double>::of(basis.col(0)), Vector3<double>::of(basis.col(1))},
+                                         stream.log_uniform(1e-6, 0.1)};
+    const Vec3<double> c = n * stream.log_uniform(1e-12, 1) + across;
+    const auto sectors = sectors_about(square, Vector3<double>::of(c));
+    for (int k = 0; k < 20; ++k) {
+      // Half of them on the plane across c, where rounding decides.
+      const Vec3<double> any = random_direction(stream);
+      const Vec3<double> v = k % 2 == 0 ? Vec3<double>((any - c * (any.dot(c) / c.squaredNorm())).normalized())
+                                        : Vec3<double>(any * (any.dot(c) < 0 ? -1 : 1));
+      const Vector3<double> direction = Vector3<double>::of(v);
+      EXPECT_TRUE(square.holds(direction) ||
+                  std::any_of(sectors.begin(), sectors.end(), [&](const auto& of) { return holds(of, direction); }))
+          << draw << ": " << v.transpose();
+    }
+  }
+}
+
+/// Without a common normal, or with the centres in one place or nearly so, there is nothing to begin with.
 TEST(Sectors, GivesUpWhereItCanNotBegin) {
   const Superellipsoid<double> shape{{1, 1, 3}, 2, 2};
-  for (const bool is_found : {false, true}) {
-    const Pair pair{{shape, Vec3<double>::Zero()}, {shape, Vec3<double>(is_found ? 0.0 : 0.5, 0, 0)}};
-    const EllipsoidPair<double> framed = framed_ellipsoids(pair);
+  const auto says = [&](const Vec3<double>& centre, Status status) {
+    const EllipsoidPair<double> framed = framed_ellipsoids({{shape, Vec3<double>::Zero()}, {shape, centre}});
     const Want want;
     const EllipsoidSolver<double> solver{framed, want, {}};
     auto first = solver.solve({0.1, 0.2, 1});
-    if (!is_found) first.status = Status::stalled;
-    const WithoutSolves<EllipsoidSolver<double>> silent{solver};
-    EXPECT_EQ(what_says<Cover<EllipsoidSolver<double>>>(silent, first, generous), Said::is_unfinished);
-  }
+    first.status = status;
+    return what_says<Cover<EllipsoidSolver<double>>>(WithoutSolves<EllipsoidSolver<double>>{solver}, first, generous);
+  };
+  EXPECT_EQ(says({0.5, 0, 0}, Status::stalled), Said::is_unfinished);
+  EXPECT_EQ(says({0, 0, 0}, Status::converged), Said::is_unfinished);
+  EXPECT_EQ(says({1e-309, 1e-310, 1e-309}, Status::converged), Said::is_unfinished);
 }
 
 }  // namespace

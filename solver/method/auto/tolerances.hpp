@@ -18,12 +18,12 @@ struct ByPrecision {
 };
 
 // Multiples of epsilon.
-inline constexpr double touching = 8;         ///< concentric spheres: o is the inner rolling radius itself, to rounding
-inline constexpr double surely_apart = 16;    ///< o is below zero whatever its rounding
-inline constexpr double undecided = 8;        ///< of the overlap: what rounding may do to it leaves the verdict open
-inline constexpr double search_noise = 16;    ///< of o; at 64 a tie of 1.6e-14 was taken for the lowest
-inline constexpr double across_centres = 32;  ///< of a direction across the centres' line, by that line's part along n
-inline constexpr double squared_tilt = 16;    ///< of axes called parallel, its square: what search_noise takes up
+inline constexpr double touching = 8;        ///< concentric spheres: o is the inner rolling radius itself, to rounding
+inline constexpr double surely_apart = 16;   ///< o is below zero whatever its rounding
+inline constexpr double undecided = 8;       ///< of the overlap: what rounding may do to it leaves the verdict open
+inline constexpr double search_noise = 16;   ///< of o; at 64 a tie of 1.6e-14 was taken for the lowest
+inline constexpr double behind_centre = 32;  ///< of d.c, by n.c: how far the corners of a sector lie behind its plane
+inline constexpr double squared_tilt = 16;   ///< of axes called parallel, its square: what search_noise takes up
 inline constexpr double small_tilt = 0.05;  ///< of axes that are nearly parallel, its sine; beyond it squares do better
 inline constexpr double rotation_noise = 32;  ///< of the derivative of o along a rotation
 inline constexpr double common_axis = 8;      ///< of the axes and centres of bodies on one line

@@ -98,8 +98,7 @@ class DirectionCover {
   }
 
   [[nodiscard]] bool is_excluded(const Corners& corners, const Vector3<S>& witness) const {
-    const S height = incumbent_.excluded_height();
-    return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(witness, v) >= height; });
+    return reaches(witness, incumbent_.excluded_height(), corners);
   }
 
   /// By what was seen of the cell above, or by one of the last.

@@ -20,6 +20,13 @@
 
 namespace plumb {
 
+/// Whether a witness is as high as that at every corner, unit.
+template <class S, std::size_t corner_count>
+[[nodiscard]] inline bool reaches(const Vector3<S>& witness, const S& height,
+                                  const std::array<Vector3<S>, corner_count>& corners) {
+  return std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return dot(witness, v) >= height; });
+}
+
 template <class S>
 class MixtureBound {
  public:
@@ -27,6 +34,7 @@ class MixtureBound {
   using Corners = std::array<Vector3<S>, corner_count>;  ///< unit
 
   void add(const Vector3<S>& witness) { witnesses_[count_++] = witness; }
+  [[nodiscard]] bool is_full() const { return count_ == most_witnesses; }
 
   struct Best {
     Vector3<S> mixture;  ///< of witnesses
@@ -43,6 +51,12 @@ class MixtureBound {
       pivot(row, column);
     }
     return best(corners);
+  }
+
+  /// Whether one of them is as high as that at every corner.
+  [[nodiscard]] bool one_reaches(const S& height, const Corners& corners) const {
+    return std::any_of(witnesses_.begin(), witnesses_.begin() + static_cast<std::ptrdiff_t>(count_),
+                       [&](const Vector3<S>& witness) { return plumb::reaches(witness, height, corners); });
   }
 
   /// Whether one of them shows that o along v is as high as that.
