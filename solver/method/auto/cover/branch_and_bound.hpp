@@ -128,11 +128,12 @@ template <class S, class Solver>
 template <class S, class Solver>
 [[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_search(const Solver& solver, const PlacedPair<S>& placed,
                                                                       const typename Solver::Answer& first) {
-  const typename Solver::Answer proved = proved_by_sectors<S>(solver, first);
+  using Answer = typename Solver::Answer;
+  const Answer proved = proved_by_sectors<S>(solver, first);
   if (proved.status == Status::converged) return proved;
-  typename Solver::Answer open = first;
-  open.evaluations = proved.evaluations;
-  return lowest_by_axes<S>(solver, placed, open);
+  Answer out = lowest_by_axes<S>(solver, placed, first);
+  out.evaluations += proved.evaluations - first.evaluations;  // not out of its budget: few pairs need the last of it
+  return out;
 }
 
 }  // namespace plumb
