@@ -142,4 +142,15 @@ void for_each_common_normal(const Solver& solver, const std::vector<Vector3<doub
   }
 }
 
+/// What a cover over WithoutSolves<Solver> says of each common normal that may not be the lowest.
+template <class Cells, class Solver, class... Geometry>
+void judge_each(const Solver& solver, const std::vector<Vector3<double>>& grid, Stream& stream, int budget,
+                Tally& tally, const Geometry&... geometry) {
+  const WithoutSolves<Solver> silent{solver};
+  for_each_common_normal(solver, grid, stream, 12, [&](const auto& first, double least) {
+    if (first.overlap <= solver.inner_rolling_radius()) return;  // nothing is lower, and nothing is looked at
+    tally.judge(what_says<Cells>(silent, first, budget, geometry...), first.overlap, least, 1e-13 * solver.size());
+  });
+}
+
 }  // namespace plumb::covers_tests

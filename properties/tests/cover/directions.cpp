@@ -71,13 +71,8 @@ constexpr int generous = 12'000;  // evaluations
 template <class Solver>
 void judge(const Solver& solver, const std::vector<Vector3<double>>& grid,
            const std::optional<RotationDerivative<double>>& rotation, Stream& stream, Tally& tally) {
-  using Silent = WithoutSolves<Solver>;
-  const Silent silent{solver};
-  for_each_common_normal(solver, grid, stream, 12, [&](const auto& first, double least) {
-    if (first.overlap <= solver.inner_rolling_radius()) return;  // nothing is lower, and nothing is looked at
-    using Cover = DirectionCover<double, Silent, generous>;
-    tally.judge(what_says<Cover>(silent, first, generous, rotation), first.overlap, least, 1e-13 * solver.size());
-  });
+  using Cover = DirectionCover<double, WithoutSolves<Solver>, generous>;
+  judge_each<Cover>(solver, grid, stream, generous, tally, rotation);
 }
 
 TEST(Directions, OfEllipsoidsNoLowerOneIsExcluded) {

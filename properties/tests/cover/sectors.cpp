@@ -15,11 +15,7 @@ using Cover = SectorCover<double, WithoutSolves<Solver>>;
 
 template <class Solver>
 void judge(const Solver& solver, const std::vector<Vector3<double>>& grid, Stream& stream, Tally& tally) {
-  const WithoutSolves<Solver> silent{solver};
-  for_each_common_normal(solver, grid, stream, 12, [&](const auto& first, double least) {
-    if (first.overlap <= solver.inner_rolling_radius()) return;  // nothing is lower, and nothing is looked at
-    tally.judge(what_says<Cover<Solver>>(silent, first, generous), first.overlap, least, 1e-13 * solver.size());
-  });
+  judge_each<Cover<Solver>>(solver, grid, stream, generous, tally);
 }
 
 TEST(Sectors, OfEllipsoidsNoLowerOneIsExcluded) {
