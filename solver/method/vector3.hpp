@@ -50,6 +50,11 @@ template <class T>
   using std::sqrt;
   return sqrt(dot(a, a));
 }
+/// v over its length.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Vector3<T> unit(const Vector3<T>& v) {
+  return v * (T(1) / length(v));
+}
 /// By components.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Vector3<T> times(const Vector3<T>& a, const Vector3<T>& b) {

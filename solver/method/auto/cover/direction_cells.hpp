@@ -28,7 +28,6 @@ struct DirectionCell {
   [[nodiscard]] Vector3<S> middle() const { return at(0, 0); }
 
   [[nodiscard]] std::array<Vector3<S>, parts> corners() const {
-    const auto unit = [](const Vector3<S>& v) { return v * (S(1) / length(v)); };
     return {unit(at(-1, -1)), unit(at(1, -1)), unit(at(-1, 1)), unit(at(1, 1))};
   }
 

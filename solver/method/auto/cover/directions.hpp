@@ -33,10 +33,8 @@ class DirectionCover {
   using Incumbent = plumb::Incumbent<S, Solver>;
 
   DirectionCover(Incumbent& incumbent, const std::optional<RotationDerivative<S>>& rotation)
-      : incumbent_(incumbent), rotation_(rotation) {
-    const Vector3<S> c = incumbent.solver().centre(), forwards = c * (S(1) / largest(c));
-    forwards_ = largest(forwards) <= S(2) ? forwards : Vector3<S>{S(1), S(0), S(0)};  // else the centres coincide
-  }
+      : incumbent_(incumbent), rotation_(rotation),
+        forwards_(incumbent.forwards().value_or(Vector3<S>{S(1), S(0), S(0)})) {}
 
   void start() {
     if (const Answer first = incumbent_.best(); incumbent_.is_found()) take(first);

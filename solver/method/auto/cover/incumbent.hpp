@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <concepts>
 #include <limits>
+#include <optional>
 
 #include "solver/method/auto/cover/curvature_bound.hpp"
 
@@ -57,6 +58,12 @@ class Incumbent {
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     count();
     return solver_.farthest(v);
+  }
+
+  /// From body 1's centre to body 2's, the greatest component 1; none where the centres coincide, or nearly.
+  [[nodiscard]] std::optional<Vector3<S>> forwards() const {
+    const Vector3<S> c = solver_.centre(), out = c * (S(1) / largest(c));
+    return largest(out) <= S(2) ? std::optional(out) : std::nullopt;
   }
 
   /// An evaluation of o.

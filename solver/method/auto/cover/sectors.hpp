@@ -23,7 +23,6 @@ namespace plumb {
 template <class S>
 [[nodiscard]] inline std::array<typename MixtureBound<S>::Corners, 4> sectors_about(const DirectionSquare<S>& square,
                                                                                     const Vector3<S>& c) {
-  const auto unit = [](const Vector3<S>& v) { return v * (S(1) / length(v)); };
   const S along = dot(square.n, c);
   // The plane's corners lie behind it by more than d.c / n.c rounds: a direction short of it might be in no sector.
   const S beyond = S(tolerance::behind_centre) * epsilon<S>() * dot(c, c) / along;
@@ -49,14 +48,14 @@ class SectorCover {
 
   void start() {
     if (!incumbent_.is_found()) return give_up();
-    const Vector3<S> n = incumbent_.best().normal, centre = incumbent_.solver().centre();
-    const Vector3<S> c = centre * (S(1) / largest(centre));
-    if (!(largest(c) <= S(2) && dot(n, c) > S(0))) return give_up();
+    const Vector3<S> n = incumbent_.best().normal;
+    const std::optional<Vector3<S>> c = incumbent_.forwards();
+    if (!c || !(dot(n, *c) > S(0))) return give_up();
     const DirectionSquare<S> square =
         convex_square<S>(incumbent_.solver().support_shapes(), n, incumbent_.bound(), widest_square);
     if (!(square.reach > S(0))) return give_up();
     witnesses_.add(incumbent_.witness(incumbent_.best()));
-    for (const Corners& corners : sectors_about(square, c)) push({corners, 0});
+    for (const Corners& corners : sectors_about(square, *c)) push({corners, 0});
   }
   [[nodiscard]] bool is_empty() const { return waiting_count_ == 0; }
   /// Whether it has given up.
@@ -85,16 +84,12 @@ class SectorCover {
     int depth;
 
     [[nodiscard]] Cell part(int index) const {
-      const auto middle = [](const Vector3<S>& a, const Vector3<S>& b) -> Vector3<S> {
-        const Vector3<S> v = a + b;
-        return v * (S(1) / length(v));
-      };
       const auto& [near0, near1, far0, far1] = corners;
       if (depth % 2 == 0) {
-        const Vector3<S> near = middle(near0, near1), far = middle(far0, far1);
+        const Vector3<S> near = unit(near0 + near1), far = unit(far0 + far1);
         return index == 0 ? Cell{{near0, near, far0, far}, depth + 1} : Cell{{near, near1, far, far1}, depth + 1};
       }
-      const Vector3<S> side0 = middle(near0, far0), side1 = middle(near1, far1);
+      const Vector3<S> side0 = unit(near0 + far0), side1 = unit(near1 + far1);
       return index == 0 ? Cell{{near0, near1, side0, side1}, depth + 1} : Cell{{side0, side1, far0, far1}, depth + 1};
     }
   };
@@ -110,8 +105,8 @@ class SectorCover {
 
   Incumbent& incumbent_;
   MixtureBound<S> witnesses_;  ///< all that were seen
-  std::array<Cell, 4 + MixtureBound<S>::most_witnesses>
-      waiting_;  ///< a cell that is divided costs a witness, and is one more
+  /// A cell that is divided costs a witness, and is one more.
+  std::array<Cell, 4 + MixtureBound<S>::most_witnesses> waiting_;
   std::size_t waiting_count_ = 0;
   bool has_given_up_ = false;
 };
