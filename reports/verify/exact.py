@@ -85,6 +85,11 @@ class Spring:
         self.duration = pi / rate
 
 
+def damped(half_rate, frequency):
+    """The restitution of x'' + 2 half_rate x' + frequency^2 x = 0, back at x = 0."""
+    return exp(-pi * half_rate / sqrt(mpf(frequency) ** 2 - mpf(half_rate) ** 2))
+
+
 def stuck(ratio):
     """Tangential velocity of the centre after / before, of a ball that sticks in a linear collision, friction spring = ratio * the normal's: the
     point of contact, whose mass is 2/7, swings by pi sqrt(7/2 ratio)."""

@@ -126,15 +126,43 @@ def linear(restitution=1.0):
                 {f"e = {restitution}": restitution}, lambda ran: {f"e = {restitution}": velocity(ran.last, 1)[0] / speed})
 
 
-def stuck(ratio):
-    """A ball that does not slide: a spring across the normal, so much of the normal one."""
+def by_mass(share):
+    """Two balls and a dashpot by their mass: so much of the frequency a unit of time."""
+    radius, speed, stiffness = 1.0, 1.0, 1e9
+    mass = exact.ball_mass(radius, 1)
+    spring = exact.Spring(stiffness, mass / 2, 2 * speed)
+    gap, lasts = before(spring, 2 * speed)
+    rate = share * float(exact.pi / spring.duration)
+    bodies = [ball(radius, (-1 - gap / 2, 0, 0), (speed, 0, 0)), ball(radius, (1 + gap / 2, 0, 0), (-speed, 0, 0))]
+    effects = {"linear": {"stiffness": stiffness}, "damping": {"restitution": 1, "mass_velocity": rate}}
+    name = f"e, mass_velocity {share} of the frequency"
+    return Case(f"by-mass-{share}", "linear force, dashpot by mass", "Schwager & Poschel 2007", scene(bodies, effects, 3 * lasts),
+                {name: exact.damped(rate / 2, exact.pi / spring.duration)}, lambda ran: {name: velocity(ran.last, 1)[0] / speed})
+
+
+def viscoelastic(share):
+    """A ball on a rigid plane and a dashpot by the contact's radius."""
+    radius, speed = 0.0025, 3.9
+    collision, tree = on_rigid(OXIDE, radius, speed)
+    rate = share / float(collision.duration) / math.sqrt(radius * float(collision.overlap))
+    tree["effects"]["damping"] = {"restitution": 1, "viscoelastic": rate}
+    tree["run"]["duration"] *= 3
+    factor, mass = float(exact.hertz_ball(exact.modulus(OXIDE["E"], OXIDE["nu"], "rigid"), radius)), float(exact.ball_mass(radius, OXIDE["rho"]))
+    name = f"e, viscoelastic {share}"
+    return Case(f"viscoelastic-{share}", "Hertz, dashpot by the contact's radius", "the law's ODE, Brilliantov et al. 1996", tree,
+                {name: ode.viscoelastic(factor, mass, radius, speed, rate)}, lambda ran: {name: velocity(ran.last)[2] / speed})
+
+
+def stuck(ratio, has_own_stiffness=False):
+    """A ball that does not slide: a spring across the normal, so much of the normal one; by a stiffness of its own."""
     speed, stiffness = 1.0, 1e12
     spring = exact.Spring(stiffness, exact.ball_mass(1, 1), speed)
     gap, lasts = before(spring, speed)
-    effects = {"linear": {"stiffness": stiffness}, "friction": {"coefficient": 100, "stiffness_ratio": ratio}}
+    friction = {"stiffness": ratio * stiffness} if has_own_stiffness else {"stiffness_ratio": ratio}
+    effects = {"linear": {"stiffness": stiffness}, "friction": {"coefficient": 100, **friction}}
     tree = scene([ball(1, (0, 0, 1 + gap), (1, 0, -speed))], effects, lasts, [floor()])
-    name = f"v_t, ratio {ratio:.3g}"
-    return Case(f"stuck-{ratio:.3g}", "oblique, sticks", "two springs, closed form", tree, {name: exact.stuck(ratio)},
+    name, kind = f"v_t, ratio {ratio:.3g}", "stiffness" if has_own_stiffness else "ratio"
+    return Case(f"stuck-{kind}-{ratio:.3g}", f"oblique, sticks, by {kind}", "two springs, closed form", tree, {name: exact.stuck(ratio)},
                 lambda ran: {name: velocity(ran.last)[0]})
 
 
@@ -188,5 +216,8 @@ def cases():
     yield linear(0.5)
     yield ellipsoid_head_on()
     yield from volumes()
+    yield by_mass(0.5)
+    yield viscoelastic(0.5)
     yield stuck(0.1)
     yield stuck(2 / 7)
+    yield stuck(0.1, has_own_stiffness=True)

@@ -46,6 +46,20 @@ def oblique(factor, mass, radius, normal, across, restitution, friction, ratio=2
         state[4] = max(-most, min(most, state[4]))
 
 
+def viscoelastic(factor, mass, radius, speed, rate, steps=40000):
+    """The restitution of a ball on a plane: overlap'' = -factor overlap^(3/2) / mass - rate sqrt(radius overlap) overlap'."""
+    def rates(state):
+        overlap, closing = max(state[0], 0.0), state[1]
+        return closing, -factor * overlap ** 1.5 / mass - rate * math.sqrt(radius * overlap) * closing
+
+    step = 3.2 * (mass ** 2 / (factor ** 2 * speed)) ** 0.2 / steps
+    state = [0.0, speed]
+    while True:
+        state = stepped(rates, state, step)
+        if state[0] <= 0:
+            return -state[1] / speed
+
+
 def frictional(mobility, approach, normal, restitution, friction, ratio=2 / 7, steps=2000):
     """The impulse on the first of two bodies that meet and hardly turn meanwhile. mobility: 3 x 3, both bodies' in sum; approach: the velocity of the
     first's point against the second's; normal: unit, from the first to the second.

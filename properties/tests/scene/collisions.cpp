@@ -216,6 +216,52 @@ TEST(Restitution, IsOneWithoutDamping) {
   EXPECT_NEAR(ball_restitution(hertz, hertz_lasts, hertz_lasts / 400), 1, order2);
 }
 
+// x'' + c x' + k/m x = 0: back at x = 0 after half a period of what is left of the frequency.
+TEST(Restitution, OfADashpotByTheMassIsThatOfADampedSpring) {
+  const double frequency = std::sqrt(1e7 / ball_mass()), lasts = std::numbers::pi / frequency;
+  for (const double share : {0.1, 0.5, 1.0}) {
+    Scene scene;
+    scene.effects.linear = Linear{1e7};
+    scene.effects.damping = Damping{.mass_velocity = share * frequency};
+    const double half_rate = share * frequency / 2,
+                 expected =
+                     std::exp(-std::numbers::pi * half_rate / std::sqrt(frequency * frequency - half_rate * half_rate));
+    for (const double accuracy : {1e-3, 1e-5})
+      EXPECT_NEAR(ball_restitution(scene, lasts, lasts * std::sqrt(accuracy)) / expected, 1, 10 * accuracy) << share;
+  }
+}
+
+/// Velocity after / before of x'' = -spring x^(3/2) - rate sqrt(x) x', by Runge and Kutta's method of order four.
+double restitution_of_ode(double spring, double rate, double speed, double step) {
+  const auto slope = [&](const Eigen::Vector2d& s) -> Eigen::Vector2d {
+    const double root = std::sqrt(std::max(s[0], 0.0));
+    return {s[1], -spring * s[0] * root - rate * root * s[1]};
+  };
+  Eigen::Vector2d s(0, speed), last = s;
+  while (s[0] >= 0) {
+    last = s;
+    const Eigen::Vector2d k1 = slope(s), k2 = slope(s + step / 2 * k1), k3 = slope(s + step / 2 * k2),
+                          k4 = slope(s + step * k3);
+    s += step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  const double share = last[0] / (last[0] - s[0]);
+  return -(last[1] + share * (s[1] - last[1])) / speed;
+}
+
+// Of a ball on a wall R is its radius, 1, and Hertz's force 4/3 E* x^(3/2).
+TEST(Restitution, OfAViscoelasticDashpotIsThatOfItsEquation) {
+  const double lasts = HertzCollision{4.0 / 3 * contact_modulus, ball_mass(), impact_speed}.lasts();
+  for (const double rate : {5 / lasts, 50 / lasts}) {
+    Scene scene = hertz_scene();
+    scene.effects.damping = Damping{.viscoelastic = rate};
+    const double expected =
+        restitution_of_ode(4.0 / 3 * contact_modulus / ball_mass(), rate, impact_speed, lasts / 20000);
+    EXPECT_LT(expected, 0.99);
+    for (const int steps : {200, 2000})
+      EXPECT_NEAR(ball_restitution(scene, lasts, lasts / steps), expected, 0.2 / steps) << rate << ' ' << steps;
+  }
+}
+
 SceneBody spinning_egg(Stream& stream, const Vec& velocity) {
   SceneBody b = made::body({{1, 0.7, 0.5}}, Vec::Zero(), velocity);
   for (double& x : b.body.quaternion) x = stream.uniform(-1, 1);

@@ -63,6 +63,31 @@ TEST(StickSlip, HasNoJumpAtItsLimit) {
   }
 }
 
+// A ball that sticks: u'' + b u' + k/m' u = 0 of its point, m' the mass that a push across the normal feels there. The spring has a
+// stiffness of its own, the dashpot twice the normal one's force / velocity.
+TEST(Sticking, ByASpringAndAShareOfTheNormalDashpotIsADampedSwing) {
+  constexpr double stiffness = 2e5, rate = 30, share = 2, speed = 1e-3;
+  Scene scene = resting.scene();
+  scene.effects.damping = Damping{.mass_velocity = rate};
+  scene.effects.friction = {.coefficient = 10, .stiffness = stiffness, .normal_share = share};
+  scene.bodies[0].velocity = {speed, 0, 0};
+  const double mass = resting.weight / g, yield = 1 / mass * (1 + resting.arm * resting.arm / gyration);
+  const double half = share * rate * mass * yield / 2, turns = std::sqrt(stiffness * yield - half * half);
+  scene.run.duration = std::numbers::pi / turns;
+  for (const int steps : {200, 400}) {
+    scene.run.time_step = scene.run.duration / steps;
+    const auto run = started(scene);
+    double worst = 0;
+    while (!run->is_done()) {
+      run->step();
+      const double t = run->time(), u = velocity(*run, 0).x() - spin(*run, 0).y() * resting.arm;
+      const double expected = speed * std::exp(-half * t) * (std::cos(turns * t) - half / turns * std::sin(turns * t));
+      worst = std::max(worst, std::abs(u - expected) / speed);
+    }
+    EXPECT_LT(worst, 4.0 / steps);  // order one, by the dashpot's velocity of half a step before
+  }
+}
+
 TEST(Sliding, SlowsAsCoulombSays) {
   Scene scene = resting.scene();
   scene.bodies[0].velocity = {1, 0, 0};

@@ -75,7 +75,7 @@ concept IsElastic = Mixes<Parameters> && requires {
 /// Each field, all numbers, the geometric mean of both; alike ones to the bit.
 template <class Parameters>
 [[nodiscard]] Parameters geometric_mean(const Parameters& first, const Parameters& second) {
-  constexpr std::size_t most_fields = 4;
+  constexpr std::size_t most_fields = 5;
   std::array<double, most_fields> others{};
   std::size_t count = 0;
   Parameters::each_field(second, [&](std::string_view, double value, Range) { others.at(count++) = value; });

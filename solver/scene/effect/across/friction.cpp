@@ -1,6 +1,12 @@
 #include "solver/scene/effect/across/friction.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
 #include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/dashpot.hpp"
 #include "solver/scene/contact/stick_slip.hpp"
 #include "solver/scene/contact/stiffening.hpp"
 #include "solver/scene/effect.hpp"
@@ -17,33 +23,53 @@ Vec3<double> turned_across(const Vec3<double>& spring, const Vec3<double>& norma
   return left > 0 ? Vec3<double>(across * std::sqrt(spring.squaredNorm() / left)) : Vec3<double>::Zero();
 }
 
-/// Of a spring across the normal.
-StickSlip law_of(const Friction& friction, const Contacts& contacts, std::size_t c) {
-  const double stiffness = friction.stiffness_ratio * (*contacts.stiffness)[c];
-  const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
-  return {stiffness, friction.damping * critical, friction.coefficient * (*contacts.normal_force)[c]};
+double stiffness_of(const Friction& friction, const Contacts& contacts, std::size_t c) {
+  return friction.stiffness > 0 ? friction.stiffness : friction.stiffness_ratio * (*contacts.stiffness)[c];
 }
 
-void slide(const ByPair<Friction>& laws, const Stiffening& stiffening, Column& springs, World& world) {
+/// What friction goes by in each contact.
+struct Laws {
+  ByPair<Friction> of_pairs;
+  std::optional<Dashpots> dashpots;  ///< where a pair has a share of them
+
+  /// Of a spring across the normal.
+  [[nodiscard]] StickSlip at(const Contacts& contacts, std::size_t c) const {
+    const Friction& friction = of_pairs.at(c);
+    const double stiffness = stiffness_of(friction, contacts, c);
+    const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
+    const double share = friction.normal_share > 0 ? friction.normal_share * dashpots->at(c) : 0;
+    return {stiffness, friction.damping * critical + share, friction.coefficient * (*contacts.normal_force)[c]};
+  }
+};
+
+Laws laws_of(const Friction& friction, const World& world) {
+  Laws out{by_pair(world, friction, &Effects::friction), {}};
+  const auto has_share = [](const Effects& effects) { return effects.friction && effects.friction->normal_share > 0; };
+  if (has_share(world.effects) || std::ranges::any_of(world.pair_effects.of, has_share))
+    out.dashpots.emplace(world, world.effects.damping.value_or(Damping{}));
+  return out;
+}
+
+void slide(const Laws& laws, const Stiffening& stiffening, Column& springs, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const Levers levers = world.levers(c);
     const Vec3<double> velocity = world.relative_velocity(c, levers);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
-    const StickSlip law = law_of(laws.at(c), contacts, c);
+    const StickSlip law = laws.at(contacts, c);
     springs.vector(c) = stiffening.kept(c, law.stiffness) * turned_across(springs.vector(c), normal);
     world.push(c, law.pull(springs.vector(c), across, world.time_step), levers);
   }
 }
 
 /// A patch that turns about its normal slides at its radius.
-void turn(const ByPair<Friction>& laws, const Stiffening& stiffening, Column& angles, World& world) {
+void turn(const Laws& laws, const Stiffening& stiffening, Column& angles, World& world) {
   Contacts& contacts = world.contacts;
   for (const std::uint32_t c : contacts.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const double radius = contacts.patch_radius(c), square = radius * radius;
-    const StickSlip slip = law_of(laws.at(c), contacts, c);
+    const StickSlip slip = laws.at(contacts, c);
     const StickSlip law{slip.stiffness * square, slip.viscous * square, slip.limit * radius};
     angles.vector(c) = stiffening.kept(c, law.stiffness) * normal.dot(angles.vector(c)) * normal;
     world.turn(c, law.pull(angles.vector(c), normal.dot(world.relative_turn(c)) * normal, world.time_step));
@@ -58,10 +84,10 @@ Stiffening stiffening_of(World& world, std::string_view column) {
 }
 
 /// The work that the springs hold.
-double stored(const ByPair<Friction>& laws, const Column& springs, const Column* angles, const Contacts& contacts) {
+double stored(const Laws& laws, const Column& springs, const Column* angles, const Contacts& contacts) {
   double sum = 0;
   for (const std::uint32_t c : contacts.pressing) {
-    const double stiffness = laws.at(c).stiffness_ratio * (*contacts.stiffness)[c];
+    const double stiffness = stiffness_of(laws.of_pairs.at(c), contacts, c);
     sum += stiffness * springs.vector(c).squaredNorm() / 2;
     if (angles == nullptr) continue;
     const double radius = contacts.patch_radius(c);
@@ -81,12 +107,21 @@ Role role(const Friction& friction, const Scene& scene) {
   // Against the period of a ball's sliding, whose mass is 2/7 of the normal one's, and against the decay of many dashpots at once.
   const double stiffer = std::sqrt(std::max(1.0, 3.5 * friction.stiffness_ratio));
   out.needs.fastest = collision_time(scene) / stiffer / std::max(1.0, 3 * friction.damping);
+  const double sliding_mass = least_contact_mass(scene) * 2 / 7;
+  if (friction.stiffness > 0)
+    out.needs.fastest = std::min(out.needs.fastest, std::numbers::pi * std::sqrt(sliding_mass / friction.stiffness));
+  if (friction.normal_share > 0 && scene.effects.damping) {
+    const Damping& damping = *scene.effects.damping;
+    out.needs.curvature = damping.viscoelastic > 0;
+    out.needs.fastest =
+        std::min(out.needs.fastest, dashpot_time(damping, scene) / std::max(1.0, 3.5 * friction.normal_share));
+  }
   return out;
 }
 
 void install(const Friction& friction, World& world) {
   Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
-  const ByPair<Friction> laws = by_pair(world, friction, &Effects::friction);
+  const Laws laws = laws_of(friction, world);
   const Stiffening sliding = stiffening_of(world, "friction_stiffness");
   world.contact_passes.push_back(
       {Friction::name, [laws, sliding, &springs, &world] { slide(laws, sliding, springs, world); }});

@@ -1,21 +1,14 @@
 #include "solver/scene/effect/normal/damping.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "solver/scene/body/world.hpp"
+#include "solver/scene/contact/dashpot.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
-#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 namespace {
-
-/// beta of a coefficient of restitution: what of the critical damping gives it.
-double damping_ratio(double restitution) {
-  const double log = std::log(restitution);
-  return -log / std::hypot(std::numbers::pi, log);
-}
 
 /// What a contact has of its dashpot behind it.
 enum Phase { is_new = 0, is_on = 1, is_counted = 2 };  // counted to its end: it was about to part
@@ -68,12 +61,12 @@ struct Damped {
 };
 
 /// The dashpots' forces act when all are known.
-void damp(const ByPair<double>& factors, const Damped& out, World& world) {
+void damp(const Dashpots& dashpots, const Damped& out, World& world) {
   const Contacts& contacts = world.contacts;
   const double step = world.time_step;
   for (const std::uint32_t c : contacts.pressing) {
     const double inverse_mass = (*contacts.inverse_mass)[c];
-    const double viscous = factors.at(c) * std::sqrt((*contacts.stiffness)[c] / inverse_mass);
+    const double viscous = dashpots.at(c);
     const double before = world.normal_velocity(c), ahead = before + step / 2 * world.normal_acceleration(c);
     const double now = damped(ahead, step / 2, inverse_mass, viscous);
     Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(out.phases[c])};
@@ -95,23 +88,21 @@ Role role(const Damping& damping, const Scene& scene) {
   Role out;
   require_elastic_force(scene, Damping::name, "damps an elastic force");
   if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
-  if (damping.restitution == 1) out.off = "the restitution is 1";
-  out.needs = {.contacts = true, .normal_force = true, .normal_mass = true};
-  // The decay of a body's many contacts at once.
-  out.needs.fastest = collision_time(scene) / std::max(1.0, 2 * damping_ratio(damping.restitution));
+  if (damping.restitution == 1 && damping.mass_velocity == 0 && damping.viscoelastic == 0)
+    out.off = "the restitution is 1";
+  out.needs = {.contacts = true, .curvature = damping.viscoelastic > 0, .normal_force = true, .normal_mass = true};
+  out.needs.fastest = dashpot_time(damping, scene);
   return out;
 }
 
 void install(const Damping& damping, World& world) {
-  const ByPair<double> factors(world, damping, &Effects::damping, [&](const Damping& of_pair) {
-    return 2 * damping_ratio(of_pair.restitution) * world.contacts.damping_factor;
-  });
+  const Dashpots dashpots(world, damping);
   Column& phases = world.columns.add("damping_phase", Damping::name, history(1));
   Column& forces = world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1});
   const bool tilts = world.contacts.patch_arms != nullptr && world.has_turning();
   Column* couples = tilts ? &world.columns.add("damping_couple", Damping::name, {ColumnKind::pair, 3}) : nullptr;
   world.closing_passes.push_back(
-      {Damping::name, [factors, out = Damped{phases, forces, couples}, &world] { damp(factors, out, world); }});
+      {Damping::name, [dashpots, out = Damped{phases, forces, couples}, &world] { damp(dashpots, out, world); }});
 }
 
 }  // namespace plumb::scene

@@ -1,8 +1,12 @@
-// Viscous damping along the normal that gives a coefficient of restitution: -2 beta' sqrt(stiffness * mass) * normal velocity.
+// Viscous damping along the normal: dashpots of three kinds, which add up.
 //
+// That of a coefficient of restitution: -2 beta' sqrt(stiffness * mass) * normal velocity.
 // beta' = beta for the linear force, sqrt(5/6) beta for Hertz's, beta = -ln e / sqrt(pi^2 + ln^2 e); stiffness is the elastic
 // force's slope and mass the one that the contact feels along its normal, turning included, so that e is that of the
 // normal velocity at the contact, also off centre (linear: exact; Hertz: Antypov & Elliott 2011, EPL 94, 50004).
+// Those of LAMMPS's pair_style granular: -mass_velocity * m * normal velocity, m = m1 m2 / (m1 + m2) of the two bodies' masses; and
+// -viscoelastic * a m * normal velocity, a = sqrt(overlap R), 1/R = A + B of the gap A x^2 + B y^2 as the contact began (Brilliantov et al.
+// 1996, Phys. Rev. E 53, 5382).
 // Of a patch (volume, foundation) the dashpots are spread as its volume is: tilting by w turns each axis's ends by +-w.arm along the
 // normal, and the couple -viscous sum (w.arm) arm resists it: that of flat faces, which
 // slows a curved body that turns where it is, too; 0 of a ball. At the centre alone they would let a die rock from edge to edge for seconds.
@@ -19,11 +23,15 @@ namespace plumb::scene {
 /// Viscous damping along the normal. The head of damping.hpp has the law.
 struct Damping {
   static constexpr std::string_view name = "damping";
-  double restitution = 1;  ///< normal velocity after / before a collision
+  double restitution = 1;    ///< normal velocity after / before a collision, by the dashpot of its own
+  double mass_velocity = 0;  ///< 1 / time
+  double viscoelastic = 0;   ///< 1 / (length time)
 
   template <class Self, class Visit>
   static void each_field(Self& self, Visit&& visit) {
     visit("restitution", self.restitution, Range::restitution);
+    visit("mass_velocity", self.mass_velocity, Range::not_negative);
+    visit("viscoelastic", self.viscoelastic, Range::not_negative);
   }
 
   /// Geometric means of what two materials say each for itself.

@@ -1,0 +1,46 @@
+#include "solver/scene/contact/dashpot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/scene/effect.hpp"
+#include "solver/scene/facts.hpp"
+
+namespace plumb::scene {
+
+double damping_ratio(double restitution) {
+  const double log = std::log(restitution);
+  return -log / std::hypot(std::numbers::pi, log);
+}
+
+double dashpot_time(const Damping& damping, const Scene& scene) {
+  // The decay of a body's many contacts at once.
+  const double of_stiffness = collision_time(scene) / std::max(1.0, 2 * damping_ratio(damping.restitution));
+  // Off its centre a body answers with a sixth of its mass; a patch is a third as wide as the body, or less.
+  constexpr double off_centre = 6, widest = 1.0 / 3;
+  const double rate = damping.mass_velocity + damping.viscoelastic * widest * longest_axis(scene);
+  return std::min(of_stiffness, std::numbers::pi / (off_centre * rate));
+}
+
+Dashpots::Dashpots(const World& world, const Damping& damping)
+    : world_(&world), laws_(world, damping, &Effects::damping, [&](const Damping& of_pair) -> Law {
+        return {2 * damping_ratio(of_pair.restitution) * world.contacts.damping_factor, of_pair.mass_velocity,
+                of_pair.viscoelastic};
+      }) {}
+
+double Dashpots::at(std::size_t c) const {
+  const Contacts& contacts = world_->contacts;
+  const Law& law = laws_.at(c);
+  const double of_stiffness = law.of_stiffness * std::sqrt((*contacts.stiffness)[c] / (*contacts.inverse_mass)[c]);
+  double rate = law.mass_velocity;
+  if (law.viscoelastic > 0) {
+    const auto curvature = contacts.curvature->entry(c);
+    rate += law.viscoelastic * std::sqrt((*contacts.overlap)[c] / (curvature[0] + curvature[1]));
+  }
+  if (rate == 0) return of_stiffness;
+  const auto [i, j] = contacts.pairs[c];
+  return of_stiffness + rate / (world_->bodies.inverse_mass[i] + world_->bodies.inverse_mass[j]);
+}
+
+}  // namespace plumb::scene

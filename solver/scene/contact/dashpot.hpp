@@ -1,0 +1,34 @@
+// The dashpots of effect `damping`: what damps along the normal, and what friction has a share of.
+#pragma once
+
+#include "solver/scene/effect/normal/damping.hpp"
+#include "solver/scene/material/by_pair.hpp"
+
+namespace plumb::scene {
+
+/// beta of a coefficient of restitution: what of the critical damping gives it.
+[[nodiscard]] double damping_ratio(double restitution);
+
+/// The shortest time in which the dashpots of a scene do something.
+[[nodiscard]] double dashpot_time(const Damping& damping, const Scene& scene);
+
+class Dashpots {
+ public:
+  /// Of a world whose elastic law is installed. `damping`: that of a scene without materials.
+  Dashpots(const World& world, const Damping& damping);
+
+  /// Force / normal velocity of a contact that presses, once the elastic force is there.
+  [[nodiscard]] double at(std::size_t contact) const;
+
+ private:
+  /// Of a pair of materials.
+  struct Law {
+    double of_stiffness;  ///< 2 beta'
+    double mass_velocity, viscoelastic;
+  };
+
+  const World* world_;
+  ByPair<Law> laws_;
+};
+
+}  // namespace plumb::scene
