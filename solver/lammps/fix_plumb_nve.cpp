@@ -19,6 +19,9 @@ using VectorOfAtom = Eigen::Map<Vec3<double>>;
 /// Force and torque.
 constexpr int sent_of_ghosts = 6;
 
+/// The names of its pair styles, as LAMMPS looks for them.
+constexpr const char* of_plumb = "^plumb/";
+
 /// In the place of an atom's ID before what it remembers: it has remembered nothing yet.
 constexpr double new_atom = 0;
 
@@ -89,8 +92,9 @@ int FixPlumbNve::setmask() {
 }
 
 void FixPlumbNve::init() {
-  pair_ = dynamic_cast<PairPlumbCn*>(force->pair_match("plumb/cn", 1));
-  if (pair_ == nullptr) error->all(FLERR, std::string("fix plumb/nve: needs pair_style plumb/cn"));
+  pair_ = dynamic_cast<PairPlumbCn*>(force->pair_match(of_plumb, 0));
+  if (pair_ == nullptr)
+    error->all(FLERR, std::string("fix plumb/nve: needs pair_style plumb/cn or plumb/superellipsoid, one of them"));
   comm_forward = std::max(sent_of_ghosts, static_cast<int>(pair_->row_width()));
   refuse_order();
 }
@@ -173,12 +177,16 @@ void FixPlumbNve::post_run() {
 }
 
 double FixPlumbNve::compute_scalar() {
-  if (pair_ == nullptr || force->pair_match("plumb/cn", 1) != pair_ || !pair_->is_ready())
+  return energy_of_turning(groupbit);
+}
+
+double FixPlumbNve::energy_of_turning(int groups) const {
+  if (pair_ == nullptr || force->pair_match(of_plumb, 0) != pair_ || !pair_->is_ready())
     error->all(FLERR, fmt::format("fix plumb/nve: f_{} is there once a run was prepared", id));
   const EllipsoidBonus shapes(*atom);
   double here = 0, all = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (!moves(i)) continue;
+    if (!moves(i) || (atom->mask[i] & groups) == 0) continue;
     const auto [w, x, y, z] = shapes.quaternion(i);
     const Vec3<double> own = Eigen::Quaterniond(w, x, y, z).conjugate() * VectorOfAtom(atom->angmom[i]);
     here += own.cwiseAbs2().dot(pair_->inverse_inertia(i)) / 2;

@@ -36,6 +36,8 @@ class FixPlumbNve : public LAMMPS_NS::Fix {
   void post_run() override;
   /// Kinetic energy of turning, of all atoms that move.
   double compute_scalar() override;
+  /// Of those of them in these groups; on all processes.
+  [[nodiscard]] double energy_of_turning(int groups) const;
 
   void grow_arrays(int atoms) override;
   void copy_arrays(int from, int to, int delflag) override;

@@ -14,7 +14,7 @@ void PairPlumbCn::settings(int count, char** words) {
   }
 }
 
-void PairPlumbCn::coeff(int count, char** words) {
+PairPlumbCn::TypeRanges PairPlumbCn::types_of(int count, char** words) {
   require(count >= 2, "pair_coeff needs two types, or * *");
   const int types = atom->ntypes;
   if (allocated == 0) {
@@ -23,8 +23,14 @@ void PairPlumbCn::coeff(int count, char** words) {
     for (int type = 0; type <= types; ++type) std::fill_n(setflag[type], types + 1, 0);
     allocated = 1;
   }
-  std::array<int, 2> low{}, high{};
-  for (std::size_t k = 0; k < 2; ++k) LAMMPS_NS::utils::bounds(FLERR, words[k], 1, types, low[k], high[k], error);
+  TypeRanges out;
+  for (std::size_t k = 0; k < 2; ++k)
+    LAMMPS_NS::utils::bounds(FLERR, words[k], 1, types, out.low[k], out.high[k], error);
+  return out;
+}
+
+void PairPlumbCn::coeff(int count, char** words) {
+  const auto [low, high] = types_of(count, words);
   try {
     const auto given = scene::parse_material_arguments(std::vector<std::string>(words + 2, words + count));
     const bool are_same = low[0] == low[1] && high[0] == high[1];
@@ -41,7 +47,6 @@ void PairPlumbCn::coeff(int count, char** words) {
   }
 }
 
-/// In the place of what was given before; where nothing is, materials have nothing of their own and pairs are mixed.
 void PairPlumbCn::give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any) {
   if (materials_.empty() && !has_any) return;
   if (materials_.empty())

@@ -75,6 +75,9 @@ void PairPlumbCn::init_style() {
   require(motions.size() == 1, "needs one fix plumb/nve");
   motion_ = motions.front();
   find_shapes();
+  frozen_ = 0;
+  for (int k = 0; k < modify->nfix; ++k)
+    if (std::string_view(modify->fix[k]->style) == "freeze") frozen_ |= modify->fix[k]->groupbit;
   make_part();
   refuse_what_goes_wrong(
       {*lmp, *motion_, has_closing(), [&](int i) { return is_body(i); }, [&](int i) { return is_ellipsoid(i); }});
@@ -185,7 +188,11 @@ Vec3<double> PairPlumbCn::inverse_inertia(int i) const {
 }
 
 bool PairPlumbCn::is_fixed(int i) const {
-  return (atom->mask[i] & motion_->groupbit) == 0;
+  return (atom->mask[i] & motion_->groupbit) == 0 || is_frozen(i);
+}
+
+bool PairPlumbCn::is_frozen(int i) const {
+  return (atom->mask[i] & frozen_) != 0;
 }
 
 bool PairPlumbCn::is_owned(std::uint32_t body) const {
@@ -356,7 +363,7 @@ void PairPlumbCn::close() {
   }
   part_->close();
   for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
-    if (!is_owned(static_cast<std::uint32_t>(k))) continue;
+    if (!is_owned(static_cast<std::uint32_t>(k)) || is_frozen(atom_of_body_[k])) continue;
     Eigen::Map<Vec3<double>>(atom->f[atom_of_body_[k]]) = state.force->vector(k);
     Eigen::Map<Vec3<double>>(atom->torque[atom_of_body_[k]]) = state.torque->vector(k);
   }

@@ -5,6 +5,7 @@
 // a run's bits are those of any number of processes.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -52,16 +53,26 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   /// Contacts whose solver did not converge, over all processes.
   [[nodiscard]] long long failed_contacts() const;
 
+ protected:
+  /// From the lowest type to the highest, of both words of pair_coeff.
+  struct TypeRanges {
+    std::array<int, 2> low{}, high{};
+  };
+
+  /// Of pair_coeff's words, of which the first has made room.
+  [[nodiscard]] TypeRanges types_of(int count, char** words);
+  /// Whether it is of a type that this style has. With pair_style hybrid others may be there.
+  [[nodiscard]] bool is_body(int atom) const;
+  /// In the place of what was given before; where nothing is, materials have nothing of their own and pairs are mixed.
+  void give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any);
+
  private:
   using AtomPair = std::pair<int, int>;
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void require(bool holds, const char* reason) const;
-  /// Whether it is of a type that this style has. With pair_style hybrid others may be there.
-  [[nodiscard]] bool is_body(int atom) const;
   [[nodiscard]] bool is_ellipsoid(int atom) const;
   void find_shapes();
-  void give(int type1, int type2, const scene::MaterialArguments& arguments, bool has_any);
   [[nodiscard]] std::vector<scene::PartMaterial> counted_materials() const;
   void make_part();
   void weigh_atoms();
@@ -80,6 +91,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void share_energy();
   void add_virial_to(Pair& all) const;
   [[nodiscard]] bool is_fixed(int atom) const;
+  [[nodiscard]] bool is_frozen(int atom) const;
   [[nodiscard]] bool is_owned(std::uint32_t body) const;
   /// The atom's ID, or for a wall -1, -2, .., less a part of 1 for each place of it before.
   [[nodiscard]] double key_of(std::uint32_t body, std::size_t place = 0) const;
@@ -95,6 +107,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   FixPlumbNve* motion_ = nullptr;
   EllipsoidBonus shapes_;
   int n1_ = -1, n2_ = -1, density_ = -1;  ///< which of the atoms' custom vectors
+  int frozen_ = 0;                        ///< the groups that a fix freeze holds
   std::vector<double> radius_;            ///< of each type, from 1
   std::vector<int> atom_of_body_, body_of_atom_;
   bool is_stale_ = true, has_warned_ = false;

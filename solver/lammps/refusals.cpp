@@ -77,7 +77,8 @@ void refuse_integrators(const Beginning& run) {
 void refuse_forces_before_dashpots(const Beginning& run) {
   for (const Fix* fix : fixes_of(run)) {
     if (fix == &run.motion) return;
-    if (run.has_dashpots && replaces_forces(fix->style) && has_bodies(run, fix->groupbit | run.motion.groupbit))
+    const bool is_replacing = replaces_forces(fix->style) && std::string_view(fix->style) != "freeze";
+    if (run.has_dashpots && is_replacing && has_bodies(run, fix->groupbit | run.motion.groupbit))
       refuse(run, *fix, "must stand after fix plumb/nve, which adds dashpots to the forces before it");
   }
 }

@@ -71,6 +71,16 @@ TEST_F(InLammpsFeatures, ForcesAreReplacedAfterTheDashpots) {
   }
 }
 
+// Before the dashpots too, as where they are not in the group that moves.
+TEST_F(InLammpsFeatures, FrozenBodiesAreFixed) {
+  put({});
+  const std::string at_rest = "velocity low set 0 0 0\nset group low angmom 0 0 0\n";
+  const auto fixed = last_of({.before_motion = at_rest, .group = "high"}, "run 50\n");
+  EXPECT_EQ(last_of({.before_motion = at_rest + "fix hold low freeze\n"}, "run 50\n"), fixed);
+  EXPECT_EQ(last_of({.before_motion = at_rest}, "fix hold low freeze\nrun 50\n"), fixed);
+  EXPECT_NE(last_of({.before_motion = at_rest}, "run 50\n"), fixed);
+}
+
 TEST_F(InLammpsFeatures, ExcludedPairsDoNotTouch) {
   put({.spacing = 0.8, .types = 2});
   EXPECT_EQ(last_of({}, "neigh_modify exclude group all all\nrun 50\n")[0], 0);

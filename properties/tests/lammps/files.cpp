@@ -1,11 +1,10 @@
 // The input that is written for LAMMPS, and the arguments of pair_style plumb/cn; no LAMMPS is needed.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "corpus/lammps/lammps_files.hpp"
 #include "corpus/scene/scene_file.hpp"
 #include "properties/tests/corpus/programs.hpp"
+#include "properties/tests/lammps/words.hpp"
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/crowded_box.hpp"
 #include "solver/lammps/pair_arguments.hpp"
@@ -13,23 +12,6 @@
 
 namespace plumb::scene {
 namespace {
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> out;
-  for (std::string word; in >> word;) out.push_back(word);
-  return out;
-}
-
-template <class Parse>
-std::string refusal_by(const Parse& parse, const std::string& text) {
-  try {
-    (void)parse(words_of(text));
-  } catch (const SceneError& error) {
-    return error.field + ": " + error.what();
-  }
-  return "none";
-}
 
 std::string refusal(const std::string& text) {
   return refusal_by(parse_pair_arguments, text);

@@ -38,7 +38,7 @@ TEST_F(InLammpsRefused, OtherFixesThatMoveBodies) {
 }
 
 TEST_F(InLammpsRefused, ForcesReplacedBeforeDashpotsAdd) {
-  for (const char* fix : {"setforce 0 0 0", "freeze", "aveforce 0 0 0", "lineforce 1 0 0", "planeforce 1 0 0"})
+  for (const char* fix : {"setforce 0 0 0", "aveforce 0 0 0", "lineforce 1 0 0", "planeforce 1 0 0"})
     expect_refused({fmt::format("fix other low {}\n", fix).c_str(), "", "must stand after fix plumb/nve"});
   expect_refused({"", "fix other low addforce 1 0 0", "must stand after fix other: dashpots go by all other forces"});
 }

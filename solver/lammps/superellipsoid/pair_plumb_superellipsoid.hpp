@@ -1,0 +1,33 @@
+// pair_style plumb/superellipsoid: contacts and forces of plumb/cn, in the words of LAMMPS's own pair_style granular/superellipsoid.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/lammps/pair_plumb_cn.hpp"
+#include "solver/lammps/superellipsoid/coefficients.hpp"
+
+namespace plumb::lammps {
+
+class PairPlumbSuperellipsoid : public PairPlumbCn {
+ public:
+  using PairPlumbCn::PairPlumbCn;
+
+  /// [cutoff] [no_bounding_box] [curvature_gaussian] [geometric], which are about LAMMPS's way to a contact and change nothing here.
+  void settings(int count, char** words) override;
+  void coeff(int count, char** words) override;
+  void init_style() override;
+
+ private:
+  using Coefficients = scene::SuperellipsoidCoefficients;
+
+  [[nodiscard]] std::optional<Coefficients>& given(int type1, int type2);
+  [[nodiscard]] Coefficients between(int type1, int type2);
+  /// Exponents that were not set are 2. A density that was not set is the mass's.
+  void complete_shapes() const;
+  void give_effects();
+
+  std::vector<std::optional<Coefficients>> given_;
+};
+
+}  // namespace plumb::lammps
