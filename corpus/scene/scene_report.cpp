@@ -156,10 +156,13 @@ Json materials_json(const Scene& scene, const Plan& plan) {
   return out;
 }
 
+/// The last ones left out where they are 0, but for the first.
 std::string numbers_of(const Json& effect) {
+  std::vector<double> numbers;
+  for (const auto& [field, value] : effect.items()) numbers.push_back(value.get<double>());
+  while (numbers.size() > 1 && numbers.back() == 0) numbers.pop_back();
   std::string out;
-  for (const auto& [field, value] : effect.items())
-    out += (out.empty() ? "" : " ") + fmt::format("{:.6g}", value.get<double>());
+  for (const double number : numbers) out += (out.empty() ? "" : " ") + fmt::format("{:.6g}", number);
   return out;
 }
 
