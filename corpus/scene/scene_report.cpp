@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "corpus/scene/scene_file.hpp"
 #include "corpus/scene/scene_view.hpp"
@@ -156,13 +157,16 @@ Json materials_json(const Scene& scene, const Plan& plan) {
   return out;
 }
 
-/// The last ones left out where they are 0, but for the first.
-std::string numbers_of(const Json& effect) {
-  std::vector<double> numbers;
-  for (const auto& [field, value] : effect.items()) numbers.push_back(value.get<double>());
-  while (numbers.size() > 1 && numbers.back() == 0) numbers.pop_back();
-  std::string out;
-  for (const double number : numbers) out += (out.empty() ? "" : " ") + fmt::format("{:.6g}", number);
+/// The first, and the others up to the last that is not as where nothing is said.
+std::string numbers_of(const std::string& name, const Json& effect) {
+  Effects neutral;
+  find_effect(name)->ask(neutral);
+  const Json unsaid = effects_json(neutral)[name];
+  std::string out, rest;
+  for (const auto& [field, value] : effect.items()) {
+    rest += (out.empty() ? "" : " ") + fmt::format("{:.6g}", value.get<double>());
+    if (out.empty() || value != unsaid[field]) out += std::exchange(rest, "");
+  }
   return out;
 }
 
@@ -172,7 +176,7 @@ std::string material_rows(const Scene& scene, const Plan& plan) {
     out += pair["between"][0].get<std::string>() + " and " + pair["between"][1].get<std::string>() + ": ";
     std::vector<std::string> words;
     for (const auto& [name, effect] : pair["effects"].items())
-      words.push_back(name + " " + numbers_of(effect) + (pair["given"].contains(name) ? " (given)" : ""));
+      words.push_back(name + " " + numbers_of(name, effect) + (pair["given"].contains(name) ? " (given)" : ""));
     out += (words.empty() ? "nothing" : joined(words)) + "\n";
   }
   return out;

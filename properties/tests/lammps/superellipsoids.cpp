@@ -20,13 +20,16 @@ TEST(SuperellipsoidCoefficients, AreEffectsOfAScene) {
   EXPECT_EQ(hooke.linear.value().stiffness, 1000);
   EXPECT_EQ(hooke.damping.value().mass_velocity, 50);
   EXPECT_EQ(hooke.damping.value().viscoelastic, 0);
+  EXPECT_EQ(hooke.damping.value().pull, 1);
   EXPECT_EQ(hooke.friction.value().stiffness, 285);
   EXPECT_EQ(hooke.friction.value().normal_share, 0.5);
   EXPECT_EQ(hooke.friction.value().coefficient, 0.4);
-  const Effects hertz = effects_of(coefficients("hertz 1000 50 cutoff 2 tangential linear_history 285 0 0"));
+  const Effects hertz =
+      effects_of(coefficients("hertz 1000 50 limit_damping cutoff 2 tangential linear_history 285 0 0"));
   EXPECT_FALSE(hertz.linear);
   EXPECT_NEAR(4.0 / 3 * hertz.hertz.value().contact_modulus(), 1000, 1e-12);
   EXPECT_EQ(hertz.damping.value().viscoelastic, 50);
+  EXPECT_EQ(hertz.damping.value().pull, 0);
   EXPECT_EQ(hertz.friction.value().coefficient, 0);
 }
 
@@ -42,8 +45,7 @@ TEST(SuperellipsoidCoefficients, AreRefusedWithNameAndReason) {
   EXPECT_EQ(refusal("hooke 1 0 tangential linear_history 0 1 0.5"),
             "linear_history: friction needs a stiffness above 0");
   EXPECT_EQ(refusal("hooke 1 0 damping tsuji"), "damping: must be mass_velocity or viscoelastic");
-  EXPECT_EQ(refusal("hooke 1 0 limit_damping"), "limit_damping: is not supported: a dashpot may pull as bodies part");
-  EXPECT_EQ(refusal("hooke 1 0 rolling sds 1 1 1"), "rolling: must be tangential, damping or cutoff");
+  EXPECT_EQ(refusal("hooke 1 0 rolling sds 1 1 1"), "rolling: must be tangential, damping, limit_damping or cutoff");
 }
 
 TEST(SuperellipsoidCoefficients, OfTwoTypesAreGeometricMeans) {
@@ -193,6 +195,7 @@ TEST_F(InLammpsSuperellipsoids, BallsPartAsByPairStyleGranular) {
         {"hooke 1e6 0 tangential linear_history 3e5 0 0.1", 5e-5},
         {"hooke 1e6 1000 tangential linear_history 3e5 0.5 10 damping viscoelastic", 5e-5},
         {"hooke 1e6 300 tangential linear_history 3e5 1 10 damping mass_velocity", 1e-3},
+        {"hooke 1e6 300 tangential linear_history 3e5 0 0.1 damping mass_velocity limit_damping", 1e-3},
         {"hertz 1e7 3000 tangential linear_history 1e6 0 0", 5e-6},
         {"hertz 1e7 3000 tangential linear_history 1e6 1 0.05 damping viscoelastic", 2e-4},
         {"hertz 1e7 100 tangential linear_history 1e6 0 0 damping mass_velocity", 5e-4}}) {
@@ -211,8 +214,8 @@ TEST_F(InLammpsSuperellipsoids, RefusesInOneLineWhatItCannotDo) {
   };
   EXPECT_NE(refused("pair_style plumb/superellipsoid smooth\n").find("cutoff: 'smooth' is no number"),
             std::string::npos);
-  EXPECT_NE(refused("pair_style plumb/superellipsoid\npair_coeff * * hooke 1 0 limit_damping\n")
-                .find("pair_coeff * *: limit_damping: is not supported"),
+  EXPECT_NE(refused("pair_style plumb/superellipsoid\npair_coeff * * hooke 1 0 tangential classic 1 0 0.5\n")
+                .find("pair_coeff * *: tangential: 'classic' is not in LAMMPS's manual"),
             std::string::npos);
 }
 

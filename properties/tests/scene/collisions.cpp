@@ -231,6 +231,23 @@ TEST(Restitution, OfADashpotByTheMassIsThatOfADampedSpring) {
   }
 }
 
+// Until the force would pull: e = exp(-b/w (pi - atan(2 b w / (w^2 - b^2)))), b half the rate and w what is left of the frequency (Schwager
+// & Poschel 2007, Granular Matter 9, 465).
+TEST(Restitution, OfADashpotThatDoesNotPullIsGreater) {
+  const double frequency = std::sqrt(1e7 / ball_mass()), lasts = std::numbers::pi / frequency;
+  for (const double share : {0.2, 1.0}) {
+    Scene scene;
+    scene.effects.linear = Linear{1e7};
+    scene.effects.damping = Damping{.mass_velocity = share * frequency, .pull = 0};
+    const double half_rate = share * frequency / 2, left = std::sqrt(frequency * frequency - half_rate * half_rate);
+    const double angle = std::numbers::pi - std::atan2(2 * half_rate * left, left * left - half_rate * half_rate);
+    const double expected = std::exp(-half_rate / left * angle);
+    for (const double accuracy : {1e-3, 1e-5})
+      EXPECT_NEAR(ball_restitution(scene, lasts, lasts * std::sqrt(accuracy)) / expected, 1, 10 * accuracy)
+          << share << ' ' << accuracy;
+  }
+}
+
 /// Velocity after / before of x'' = -spring x^(3/2) - rate sqrt(x) x', by Runge and Kutta's method of order four.
 double restitution_of_ode(double spring, double rate, double speed, double step) {
   const auto slope = [&](const Eigen::Vector2d& s) -> Eigen::Vector2d {

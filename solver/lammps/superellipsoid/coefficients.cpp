@@ -60,9 +60,9 @@ SuperellipsoidCoefficients parse_superellipsoid_coefficients(std::span<const std
     else if (name == "cutoff")
       (void)words.number(name);
     else if (name == "limit_damping")
-      throw SceneError(name, "is not supported: a dashpot may pull as bodies part");
+      out.is_limited = true;
     else
-      throw SceneError(name, "must be tangential, damping or cutoff");
+      throw SceneError(name, "must be tangential, damping, limit_damping or cutoff");
   }
   return out;
 }
@@ -71,6 +71,7 @@ SuperellipsoidCoefficients mixed(const SuperellipsoidCoefficients& first, const 
   if (first.is_hertz != second.is_hertz || first.is_by_mass != second.is_by_mass)
     throw SceneError("types", "have different models: say by pair_coeff I J what is between them");
   SuperellipsoidCoefficients out = first;
+  out.is_limited = first.is_limited || second.is_limited;
   for (double SuperellipsoidCoefficients::* field :
        {&SuperellipsoidCoefficients::stiffness, &SuperellipsoidCoefficients::damping,
         &SuperellipsoidCoefficients::tangential_stiffness, &SuperellipsoidCoefficients::damping_share,
@@ -86,7 +87,7 @@ Effects effects_of(const SuperellipsoidCoefficients& of) {
     out.hertz = Hertz{.youngs_modulus = 1.5 * of.stiffness, .poissons_ratio = 0};  // E* = E / 2
   else
     out.linear = Linear{of.stiffness};
-  out.damping = Damping{};
+  out.damping = Damping{.pull = of.is_limited ? 0.0 : 1.0};
   (of.is_by_mass ? out.damping->mass_velocity : out.damping->viscoelastic) = of.damping;
   out.friction =
       Friction{.coefficient = of.friction, .stiffness = of.tangential_stiffness, .normal_share = of.damping_share};

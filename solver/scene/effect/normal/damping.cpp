@@ -6,6 +6,7 @@
 #include "solver/scene/contact/dashpot.hpp"
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
+#include "solver/scene/material/by_pair.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -53,6 +54,12 @@ Vec3<double> couple_of(const World& world, std::size_t c, double viscous) {
   return couple;
 }
 
+/// Of a dashpot's force beside one that pushes: what of it is more than that, and pulls, times `pull`.
+double with_pull(double force, double pushing, double pull) {
+  const double excess = force + std::max(pushing, 0.0);
+  return excess < 0 ? force - (1 - pull) * excess : force;
+}
+
 /// What the dashpots do.
 struct Damped {
   Column& phases;
@@ -61,7 +68,7 @@ struct Damped {
 };
 
 /// The dashpots' forces act when all are known.
-void damp(const Dashpots& dashpots, const Damped& out, World& world) {
+void damp(const Dashpots& dashpots, const ByPair<double>& pulls, const Damped& out, World& world) {
   const Contacts& contacts = world.contacts;
   const double step = world.time_step;
   for (const std::uint32_t c : contacts.pressing) {
@@ -71,7 +78,7 @@ void damp(const Dashpots& dashpots, const Damped& out, World& world) {
     const double now = damped(ahead, step / 2, inverse_mass, viscous);
     Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(out.phases[c])};
     const double steps = steps_of(sample);
-    out.forces[c] = -viscous * now * steps;
+    out.forces[c] = with_pull(-viscous * now * steps, (*contacts.normal_force)[c], pulls.at(c));
     if (out.couples != nullptr) out.couples->vector(c) = steps * couple_of(world, c, viscous);
     out.phases[c] = sample.phase;
   }
@@ -97,12 +104,14 @@ Role role(const Damping& damping, const Scene& scene) {
 
 void install(const Damping& damping, World& world) {
   const Dashpots dashpots(world, damping);
+  const ByPair<double> pulls(world, damping, &Effects::damping, [](const Damping& of_pair) { return of_pair.pull; });
   Column& phases = world.columns.add("damping_phase", Damping::name, history(1));
   Column& forces = world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1});
   const bool tilts = world.contacts.patch_arms != nullptr && world.has_turning();
   Column* couples = tilts ? &world.columns.add("damping_couple", Damping::name, {ColumnKind::pair, 3}) : nullptr;
-  world.closing_passes.push_back(
-      {Damping::name, [dashpots, out = Damped{phases, forces, couples}, &world] { damp(dashpots, out, world); }});
+  world.closing_passes.push_back({Damping::name, [dashpots, pulls, out = Damped{phases, forces, couples}, &world] {
+                                    damp(dashpots, pulls, out, world);
+                                  }});
 }
 
 }  // namespace plumb::scene

@@ -10,7 +10,7 @@
 // Of a patch (volume, foundation) the dashpots are spread as its volume is: tilting by w turns each axis's ends by +-w.arm along the
 // normal, and the couple -viscous sum (w.arm) arm resists it: that of flat faces, which
 // slows a curved body that turns where it is, too; 0 of a ball. At the centre alone they would let a die rock from edge to edge for seconds.
-// The force may pull at the end of a collision: it is what makes e exact.
+// The force may pull at the end of a collision: it is what makes e exact. `pull` says how much of that is left.
 // Dashpots act from the first moment of a contact with all their force, and a leapfrog that takes it for whole steps errs by a tenth
 // of e at 30 steps a collision. Here the first and the last kick count the part of their steps that the bodies touch, and the
 // velocity is that of the moment, to which all other forces lead: e errs by a few times the run's accuracy.
@@ -26,12 +26,14 @@ struct Damping {
   double restitution = 1;    ///< normal velocity after / before a collision, by the dashpot of its own
   double mass_velocity = 0;  ///< 1 / time
   double viscoelastic = 0;   ///< 1 / (length time)
+  double pull = 1;           ///< of what a dashpot pulls beyond the force that pushes the bodies apart
 
   template <class Self, class Visit>
   static void each_field(Self& self, Visit&& visit) {
     visit("restitution", self.restitution, Range::restitution);
     visit("mass_velocity", self.mass_velocity, Range::not_negative);
     visit("viscoelastic", self.viscoelastic, Range::not_negative);
+    visit("pull", self.pull, Range::fraction);
   }
 
   /// Geometric means of what two materials say each for itself.
