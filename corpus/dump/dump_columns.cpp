@@ -13,7 +13,7 @@ namespace {
 /// property/atom: they do not say what it computes, so that whoever reads them is told.
 struct Role {
   std::string_view name;
-  std::array<std::string_view, 3> others;
+  std::array<std::string_view, 4> others;
 };
 constexpr std::array<Role, 24> roles{{{"id", {}},
                                       {"x", {}},
@@ -33,10 +33,10 @@ constexpr std::array<Role, 24> roles{{{"id", {}},
                                       {"shapez", {"c_shape[3]", "c_diameter[3]"}},
                                       {"block1", {"blockiness1", "c_block[1]"}},
                                       {"block2", {"blockiness2", "c_block[2]"}},
-                                      {"quatw", {"quat1", "c_q[1]", "c_quat[1]"}},
-                                      {"quati", {"quat2", "c_q[2]", "c_quat[2]"}},
-                                      {"quatj", {"quat3", "c_q[3]", "c_quat[3]"}},
-                                      {"quatk", {"quat4", "c_q[4]", "c_quat[4]"}},
+                                      {"quatw", {"quat1", "c_q[1]", "c_quat[1]", "c_orient[1]"}},
+                                      {"quati", {"quat2", "c_q[2]", "c_quat[2]", "c_orient[2]"}},
+                                      {"quatj", {"quat3", "c_q[3]", "c_quat[3]", "c_orient[3]"}},
+                                      {"quatk", {"quat4", "c_q[4]", "c_quat[4]", "c_orient[4]"}},
                                       {"radius", {}},
                                       {"diameter", {}}}};
 
@@ -124,8 +124,8 @@ DumpFormat format_of(const Finder& finder, const DumpOptions& options, bool has_
   constexpr std::array<std::string_view, 6> liggghts{"quat1", "quat2", "quat3", "quat4", "blockiness1", "blockiness2"};
   if (std::ranges::any_of(liggghts, [&](std::string_view name) { return finder.uses(name); }))
     return DumpFormat::liggghts;
-  constexpr std::array<std::string_view, 6> lammps{"quatw",     "block1",     "c_q[1]",
-                                                   "c_quat[1]", "c_block[1]", "c_shape[1]"};
+  constexpr std::array<std::string_view, 7> lammps{"quatw",       "block1",     "c_q[1]",    "c_quat[1]",
+                                                   "c_orient[1]", "c_block[1]", "c_shape[1]"};
   const bool is_lammps = std::ranges::any_of(lammps, [&](std::string_view name) { return finder.uses(name); });
   if (is_lammps || !has_shape) return DumpFormat::lammps;
   throw FieldError("shapex", "a diameter in LAMMPS's dumps and a semi-axis in LIGGGHTS's: --format says which");

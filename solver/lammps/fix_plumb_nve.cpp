@@ -25,10 +25,13 @@ constexpr const char* of_plumb = "^plumb/";
 /// In the place of an atom's ID before what it remembers: it has remembered nothing yet.
 constexpr double new_atom = 0;
 
-/// Which fixes act before atoms move between processes, in their order.
-struct BeforeExchange : LAMMPS_NS::Modify {
-  static std::span<int> of(LAMMPS_NS::Modify& modify) {
-    return {modify.*(&BeforeExchange::list_pre_exchange), static_cast<std::size_t>(modify.n_pre_exchange)};
+/// Which fixes act at a place of a step, in their order.
+struct OrderOf : LAMMPS_NS::Modify {
+  static std::span<int> before_exchange(LAMMPS_NS::Modify& modify) {
+    return {modify.*(&OrderOf::list_pre_exchange), static_cast<std::size_t>(modify.n_pre_exchange)};
+  }
+  static std::span<int> after_forces(LAMMPS_NS::Modify& modify) {
+    return {modify.*(&OrderOf::list_post_force), static_cast<std::size_t>(modify.n_post_force)};
   }
 };
 
@@ -96,7 +99,7 @@ void FixPlumbNve::init() {
   if (pair_ == nullptr)
     error->all(FLERR, std::string("fix plumb/nve: needs pair_style plumb/cn or plumb/superellipsoid, one of them"));
   comm_forward = std::max(sent_of_ghosts, static_cast<int>(pair_->row_width()));
-  refuse_order();
+  if (!pair_->puts_motion_last()) refuse_order();
 }
 
 void FixPlumbNve::refuse_order() const {
@@ -159,9 +162,16 @@ void FixPlumbNve::setup(int vflag) {
 
 /// Fixes that move, make or delete atoms, as they do then, come after what takes contacts from where atoms are.
 void FixPlumbNve::setup_pre_exchange() {
-  const auto order = BeforeExchange::of(*modify);
-  const auto self = std::ranges::find_if(order, [&](int k) { return modify->fix[k] == this; });
+  const auto is_self = [&](int k) { return modify->fix[k] == this; };
+  const auto order = OrderOf::before_exchange(*modify);
+  const auto self = std::ranges::find_if(order, is_self);
   std::rotate(order.begin(), self, self + 1);
+  if (!pair_->puts_motion_last()) return;
+  const auto forces = OrderOf::after_forces(*modify);
+  const auto motion = std::ranges::find_if(forces, is_self);
+  const auto behind =
+      std::stable_partition(motion + 1, forces.end(), [&](int k) { return !replaces_forces(modify->fix[k]->style); });
+  std::rotate(motion, motion + 1, behind);
 }
 
 void FixPlumbNve::pre_exchange() {

@@ -10,7 +10,7 @@ void PairPlumbCn::settings(int count, char** words) {
   try {
     arguments_ = scene::parse_pair_arguments(std::vector<std::string>(words, words + count));
   } catch (const scene::SceneError& refusal) {
-    error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
+    error->all(FLERR, said(fmt::format("{}: {}", refusal.field, refusal.what())));
   }
 }
 

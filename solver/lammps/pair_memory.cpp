@@ -43,8 +43,7 @@ void PairPlumbCn::recall() {
     const std::uint32_t mine = is_owned(a) ? a : b;
     const std::vector<double>& memory = motion_->memory_of(atom_of_body_[mine]);
     if (!memory.empty() && memory[0] != key_of(mine))
-      error->one(FLERR,
-                 std::string("pair_style plumb/cn: atoms have other IDs than in the run before, by which contacts "
+      error->one(FLERR, said("atoms have other IDs than in the run before, by which contacts "
                              "are known: use `delete_atoms .. compress no`"));
     const auto row = find_row(rows_of(memory), key_of(mine == a ? b : a, place_of(c)), row_width());
     if (!row.empty()) part_->set_history(c, row);

@@ -56,8 +56,12 @@ PairPlumbCn::~PairPlumbCn() {
   memory->destroy(cutsq);
 }
 
+std::string PairPlumbCn::said(const std::string& reason) const {
+  return fmt::format("pair_style {}: {}", name(), reason);
+}
+
 void PairPlumbCn::require(bool holds, const char* reason) const {
-  if (!holds) error->all(FLERR, fmt::format("pair_style plumb/cn: {}", reason));
+  if (!holds) error->all(FLERR, said(reason));
 }
 
 void PairPlumbCn::init_style() {
@@ -75,12 +79,10 @@ void PairPlumbCn::init_style() {
   require(motions.size() == 1, "needs one fix plumb/nve");
   motion_ = motions.front();
   find_shapes();
-  frozen_ = 0;
-  for (int k = 0; k < modify->nfix; ++k)
-    if (std::string_view(modify->fix[k]->style) == "freeze") frozen_ |= modify->fix[k]->groupbit;
+  find_frozen();
   make_part();
-  refuse_what_goes_wrong(
-      {*lmp, *motion_, has_closing(), [&](int i) { return is_body(i); }, [&](int i) { return is_ellipsoid(i); }});
+  refuse_what_goes_wrong({*lmp, name(), *motion_, frozen_, has_closing(), [&](int i) { return is_body(i); },
+                          [&](int i) { return is_ellipsoid(i); }});
   weigh_atoms();
   measure_types();
   neighbor->request(this, instance_me);
@@ -120,7 +122,7 @@ void PairPlumbCn::make_part() {
   try {
     part_ = std::make_unique<scene::Part>(settings);
   } catch (const scene::SceneError& refusal) {
-    error->all(FLERR, fmt::format("pair_style plumb/cn: {}: {}", refusal.field, refusal.what()));
+    error->all(FLERR, said(fmt::format("{}: {}", refusal.field, refusal.what())));
   }
   motion_->keep_only(part_->history_names(), walls, row_width());
   is_stale_ = true;
@@ -141,8 +143,7 @@ void PairPlumbCn::weigh_atoms() {
   }
   MPI_Allreduce(&here, &all, 1, MPI_LONG_LONG, MPI_SUM, world);
   if (all > 0 && comm->me == 0)
-    error->warning(FLERR,
-                   fmt::format("pair_style plumb/cn: {} masses were not d_density times the volume, and are now", all));
+    error->warning(FLERR, said(fmt::format("{} masses were not d_density times the volume, and are now", all)));
 }
 
 void PairPlumbCn::measure_types() {
@@ -166,7 +167,7 @@ double PairPlumbCn::init_one(int type1, int type2) {
 
 scene::SceneBody PairPlumbCn::body(int i) const {
   scene::SceneBody out;
-  if (atom->ellipsoid[i] < 0) error->one(FLERR, fmt::format("pair_style plumb/cn: atom {} has no shape", atom->tag[i]));
+  if (atom->ellipsoid[i] < 0) error->one(FLERR, said(fmt::format("atom {} has no shape", atom->tag[i])));
   const auto axes = shapes_.semi_axes(i);
   out.body.shape = {vector_at(axes.data()), atom->dvector[n1_][i], atom->dvector[n2_][i]};
   out.density = atom->dvector[density_][i];
@@ -174,10 +175,10 @@ scene::SceneBody PairPlumbCn::body(int i) const {
   if (!materials_.empty()) out.material = index(atom->type[i]) - 1;
   const plumb::Pair alone{out.body, out.body};
   if (const InputError wrong = find_input_error(alone); !wrong.reason.empty())
-    error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: {}: {}{}", atom->tag[i], wrong.field, wrong.reason,
-                                  i < atom->nlocal ? "" : "; fix property/atom needs `ghost yes`"));
+    error->one(FLERR, said(fmt::format("atom {}: {}: {}{}", atom->tag[i], wrong.field, wrong.reason,
+                                       i < atom->nlocal ? "" : "; fix property/atom needs `ghost yes`")));
   if (!(std::isfinite(out.density) && out.density > 0))
-    error->one(FLERR, fmt::format("pair_style plumb/cn: atom {}: d_density must be a positive number", atom->tag[i]));
+    error->one(FLERR, said(fmt::format("atom {}: d_density must be a positive number", atom->tag[i])));
   return out;
 }
 
@@ -188,11 +189,19 @@ Vec3<double> PairPlumbCn::inverse_inertia(int i) const {
 }
 
 bool PairPlumbCn::is_fixed(int i) const {
-  return (atom->mask[i] & motion_->groupbit) == 0 || is_frozen(i);
+  return (atom->mask[i] & motion_->groupbit) == 0 || (atom->mask[i] & frozen_) != 0;
 }
 
-bool PairPlumbCn::is_frozen(int i) const {
-  return (atom->mask[i] & frozen_) != 0;
+void PairPlumbCn::find_frozen() {
+  frozen_ = frozen_before_ = 0;
+  bool is_before = true;
+  for (int k = 0; k < modify->nfix; ++k) {
+    const LAMMPS_NS::Fix& fix = *modify->fix[k];
+    is_before = is_before && &fix != motion_;
+    if (std::string_view(fix.style) != "freeze") continue;
+    if (is_before) frozen_before_ |= fix.groupbit;
+    if (is_before || puts_motion_last()) frozen_ |= fix.groupbit;
+  }
 }
 
 bool PairPlumbCn::is_owned(std::uint32_t body) const {
@@ -202,8 +211,7 @@ bool PairPlumbCn::is_owned(std::uint32_t body) const {
 /// Whether bonds of the kind that special_bonds numbers so leave a pair out.
 bool PairPlumbCn::is_bonded_apart(int kind) const {
   const double factor = force->special_lj[kind];
-  if (factor != 0 && factor != 1)
-    error->one(FLERR, std::string("pair_style plumb/cn: a contact is there or not: special_bonds must be 0 or 1"));
+  if (factor != 0 && factor != 1) error->one(FLERR, said("a contact is there or not: special_bonds must be 0 or 1"));
   return factor == 0;
 }
 
@@ -258,9 +266,7 @@ void PairPlumbCn::refuse_two_images() const {
   }
   std::ranges::sort(seen);
   if (std::ranges::adjacent_find(seen) != seen.end())
-    error->one(
-        FLERR,
-        std::string("pair_style plumb/cn: an atom and two images of another are neighbours: the box is too small"));
+    error->one(FLERR, said("an atom and two images of another are neighbours: the box is too small"));
 }
 
 /// What ghosts of `fix property/atom` without `ghost yes` have is left over from other atoms. On all processes.
@@ -274,10 +280,9 @@ void PairPlumbCn::refuse_left_over_shapes() const {
   motion_->share(rows, width);
   for (const int i : atom_of_body_)
     if (rows[index(i)] != row_of(i))
-      error->one(FLERR,
-                 fmt::format("pair_style plumb/cn: atom {} has not its shape as a ghost: fix property/atom needs "
-                             "`ghost yes`",
-                             atom->tag[i]));
+      error->one(FLERR, said(fmt::format("atom {} has not its shape as a ghost: fix property/atom needs "
+                                         "`ghost yes`",
+                                         atom->tag[i])));
 }
 
 void PairPlumbCn::renew() {
@@ -287,10 +292,8 @@ void PairPlumbCn::renew() {
   for (const int i : atom_of_body_) {
     bodies.push_back(body(i));
     if (scene::bounding_radius(bodies.back().body.shape) > radius_[index(atom->type[i])])
-      error->one(
-          FLERR,
-          fmt::format("pair_style plumb/cn: atom {} is larger than those of its type were at the start of the run",
-                      atom->tag[i]));
+      error->one(FLERR, said(fmt::format("atom {} is larger than those of its type were at the start of the run",
+                                         atom->tag[i])));
   }
   if (update->setupflag != 0) refuse_left_over_shapes();
   part_->renew(bodies, contact_pairs(listed));
@@ -323,7 +326,7 @@ void PairPlumbCn::compute(int eflag, int vflag) {
   // As a run begins LAMMPS asks for it whether or not anything reads it.
   if (vflag_either != 0 && update->setupflag == 0 && part_->world().bodies.walls > 0 &&
       !std::exchange(has_warned_, true) && comm->me == 0)
-    error->warning(FLERR, std::string("pair_style plumb/cn: pressures are without the forces of walls"));
+    error->warning(FLERR, said("pressures are without the forces of walls"));
   part_->keep_contact_forces(vflag_either != 0);
   place_bodies();
   const double step = update->setupflag != 0 ? 0 : update->dt;
@@ -363,7 +366,7 @@ void PairPlumbCn::close() {
   }
   part_->close();
   for (std::size_t k = 0; k < atom_of_body_.size(); ++k) {
-    if (!is_owned(static_cast<std::uint32_t>(k)) || is_frozen(atom_of_body_[k])) continue;
+    if (!is_owned(static_cast<std::uint32_t>(k)) || (atom->mask[atom_of_body_[k]] & frozen_before_) != 0) continue;
     Eigen::Map<Vec3<double>>(atom->f[atom_of_body_[k]]) = state.force->vector(k);
     Eigen::Map<Vec3<double>>(atom->torque[atom_of_body_[k]]) = state.torque->vector(k);
   }

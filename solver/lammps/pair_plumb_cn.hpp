@@ -36,6 +36,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   /// Forces of bodies and dashpots, onto the atoms; those of the ghosts have been sent.
   void close();
   [[nodiscard]] bool is_ready() const { return part_ != nullptr; }
+  /// Whether fix plumb/nve goes to the end of all forces by itself; else it must stand there.
+  [[nodiscard]] virtual bool puts_motion_last() const { return false; }
   [[nodiscard]] bool has_closing() const { return part_->has_closing(); }
   /// Once all forces of contacts are there.
   void tally_virial();
@@ -59,6 +61,10 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
     std::array<int, 2> low{}, high{};
   };
 
+  /// As a script has it.
+  [[nodiscard]] virtual const char* name() const { return "plumb/cn"; }
+  /// What an error says of this style.
+  [[nodiscard]] std::string said(const std::string& reason) const;
   /// Of pair_coeff's words, of which the first has made room.
   [[nodiscard]] TypeRanges types_of(int count, char** words);
   /// Whether it is of a type that this style has. With pair_style hybrid others may be there.
@@ -91,7 +97,7 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   void share_energy();
   void add_virial_to(Pair& all) const;
   [[nodiscard]] bool is_fixed(int atom) const;
-  [[nodiscard]] bool is_frozen(int atom) const;
+  void find_frozen();
   [[nodiscard]] bool is_owned(std::uint32_t body) const;
   /// The atom's ID, or for a wall -1, -2, .., less a part of 1 for each place of it before.
   [[nodiscard]] double key_of(std::uint32_t body, std::size_t place = 0) const;
@@ -107,7 +113,8 @@ class PairPlumbCn : public LAMMPS_NS::Pair {
   FixPlumbNve* motion_ = nullptr;
   EllipsoidBonus shapes_;
   int n1_ = -1, n2_ = -1, density_ = -1;  ///< which of the atoms' custom vectors
-  int frozen_ = 0;                        ///< the groups that a fix freeze holds
+  int frozen_ = 0;                        ///< the groups that a fix freeze makes fixed bodies
+  int frozen_before_ = 0;                 ///< those of them whose forces were replaced before dashpots add theirs
   std::vector<double> radius_;            ///< of each type, from 1
   std::vector<int> atom_of_body_, body_of_atom_;
   bool is_stale_ = true, has_warned_ = false;

@@ -2,7 +2,9 @@
 // its own styles. Takes LAMMPS's own arguments.
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -30,6 +32,15 @@ template <class Style>
 LAMMPS_NS::Compute* make_compute(LAMMPS* lammps, int count, char** words) {
   return new Style(lammps, count, words);  // NOLINT: LAMMPS deletes it
 }
+
+/// What a restart file has for fixes that are still to be made.
+struct RestartFile : LAMMPS_NS::Modify {
+  static bool has_of_atoms(const LAMMPS_NS::Modify& modify, std::string_view id) {
+    const std::span ids(modify.*(&RestartFile::id_restart_peratom),
+                        static_cast<std::size_t>(modify.nfix_restart_peratom));
+    return std::ranges::find(ids, id) != ids.end();
+  }
+};
 
 void add_styles(const LAMMPS& lammps) {
   using namespace plumb::lammps;
@@ -59,18 +70,25 @@ void LAMMPS_NS::LAMMPS::post_create() {
 
 /// LAMMPS calls it for each command of a script.
 int LAMMPS_NS::Input::execute_command() {
-  static bool is_translated = false;
-  if (!is_translated) {
-    const bool has_superellipsoids = modify->find_fix(plumb::lammps::superellipsoids_fix) >= 0;
-    const auto lines =
-        plumb::lammps::in_older_words(command, std::vector<std::string>(arg, arg + narg), has_superellipsoids);
-    is_translated = true;
+  using namespace plumb::lammps;
+  static bool is_of_ours = false;
+  const auto of_library = reinterpret_cast<int (*)(Input*)>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS5Input15execute_commandEv"));
+  if (is_of_ours) return of_library(this);
+  const auto do_all = [&](const std::vector<std::string>& lines) {
+    is_of_ours = true;
     for (const std::string& line : lines) one(line);
-    is_translated = false;
-    if (!lines.empty()) return 0;
-  }
-  void* const of_library = dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS5Input15execute_commandEv");
-  return reinterpret_cast<int (*)(Input*)>(of_library)(this);
+    is_of_ours = false;
+  };
+  const std::string name = command;
+  const std::vector<std::string> words(arg, arg + narg);
+  if (name == "pair_style" && !words.empty() && words.front() == "granular/superellipsoid")
+    error->all(FLERR, fmt::format("pair_style {}: is not in this LAMMPS: use plumb/superellipsoid", words.front()));
+  const auto lines = in_older_words(name, words, modify->find_fix(superellipsoids_fix) >= 0);
+  do_all(lines);
+  const int is_unknown = lines.empty() ? of_library(this) : 0;
+  if (name == "read_restart" && RestartFile::has_of_atoms(*modify, superellipsoids_fix))
+    do_all(shapes_of_superellipsoids());
+  return is_unknown;
 }
 
 int main(int argc, char** argv) {

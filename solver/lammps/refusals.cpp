@@ -33,7 +33,7 @@ std::span<Fix*> fixes_of(const Beginning& run) {
 }
 
 [[noreturn]] void refuse(const Beginning& run, const Fix& fix, std::string_view reason) {
-  refuse(run, fmt::format("pair_style plumb/cn: fix {}: {} {}", fix.id, fix.style, reason));
+  refuse(run, fmt::format("pair_style {}: fix {}: {} {}", run.style, fix.id, fix.style, reason));
 }
 
 /// Over all processes.
@@ -51,7 +51,7 @@ bool has_bodies(const Beginning& run, int groups) {
 void refuse_settings(const Beginning& run) {
   const LAMMPS_NS::Force& force = *run.lammps.force;
   const auto require = [&](bool holds, const char* reason) {
-    if (!holds) refuse(run, fmt::format("pair_style plumb/cn: {}", reason));
+    if (!holds) refuse(run, fmt::format("pair_style {}: {}", run.style, reason));
   };
   require(run.lammps.domain->dimension == 3, "needs three dimensions");
   require(GhostsOf::is_all(*run.lammps.comm), "needs the ghosts of all atoms: no `comm_modify group`");
@@ -83,6 +83,18 @@ void refuse_forces_before_dashpots(const Beginning& run) {
   }
 }
 
+/// A fixed body has no motion of its own, but what its surface does where it turns would be felt.
+void refuse_frozen_that_turn(const Beginning& run) {
+  const auto turns = [&](int i) {
+    const double* const angmom = run.lammps.atom->angmom[i];
+    const int mask = run.lammps.atom->mask[i];
+    const bool is_held = (mask & run.frozen) != 0 && (mask & run.motion.groupbit) != 0;
+    return is_held && run.is_body(i) && (angmom[0] != 0 || angmom[1] != 0 || angmom[2] != 0);
+  };
+  if (run.frozen != 0 && is_any_atom(run, turns))
+    refuse(run, fmt::format("pair_style {}: fix freeze holds bodies that turn: set their angmom to 0", run.style));
+}
+
 /// LAMMPS's formulas for ellipsoids, from semi-axes and mass.
 void refuse_formulas_of_ellipsoids(const Beginning& run) {
   constexpr std::array<std::string_view, 2> computes{"erotate/asphere", "temp/asphere"};
@@ -92,9 +104,9 @@ void refuse_formulas_of_ellipsoids(const Beginning& run) {
   for (const LAMMPS_NS::Compute* compute :
        std::span(run.lammps.modify->compute, static_cast<std::size_t>(run.lammps.modify->ncompute)))
     if (is_one_of(compute->style, computes))
-      refuse(run, fmt::format("pair_style plumb/cn: compute {}: {} takes bodies for ellipsoids: f_{} is their energy "
+      refuse(run, fmt::format("pair_style {}: compute {}: {} takes bodies for ellipsoids: f_{} is their energy "
                               "of turning",
-                              compute->id, compute->style, run.motion.id));
+                              run.style, compute->id, compute->style, run.motion.id));
 }
 
 /// A body at the other side of the box does not meet it.
@@ -140,6 +152,7 @@ void refuse_what_goes_wrong(const Beginning& run) {
   refuse_settings(run);
   refuse_integrators(run);
   refuse_forces_before_dashpots(run);
+  refuse_frozen_that_turn(run);
   refuse_formulas_of_ellipsoids(run);
   refuse_walls(run);
 }

@@ -11,9 +11,11 @@ namespace plumb::lammps {
 /// A run as it begins.
 struct Beginning {
   LAMMPS_NS::LAMMPS& lammps;
+  std::string_view style;        ///< of the pair style
   const LAMMPS_NS::Fix& motion;  ///< fix plumb/nve
+  int frozen;                    ///< groups that a fix freeze holds
   bool has_dashpots;
-  std::function<bool(int atom)> is_body;       ///< of this process: whether pair_style plumb/cn has its type
+  std::function<bool(int atom)> is_body;       ///< of this process: whether the pair style has its type
   std::function<bool(int atom)> is_ellipsoid;  ///< of a body
 };
 

@@ -144,8 +144,7 @@ bool can_touch(const Scene& scene) {
   return false;
 }
 
-bool has_elastic_force(const Scene& scene) {
-  const Effects& effects = scene.effects;
+bool has_elastic_force(const Effects& effects) {
   return (effects.linear && effects.linear->stiffness > 0) || (effects.hertz && effects.hertz->youngs_modulus > 0) ||
          (effects.volume && effects.volume->stiffness > 0) || (effects.foundation && effects.foundation->stiffness > 0);
 }

@@ -20,7 +20,7 @@ namespace plumb::scene {
 [[nodiscard]] int elastic_laws(const Scene& scene);
 inline constexpr const char* names_of_elastic_laws = "linear, hertz, volume or foundation";
 /// One that is not 0.
-[[nodiscard]] bool has_elastic_force(const Scene& scene);
+[[nodiscard]] bool has_elastic_force(const Effects& effects);
 /// Throws SceneError where the scene asks for none; `effect` needs one.
 void require_elastic_force(const Scene& scene, std::string_view effect, const char* why);
 /// Throws SceneError where there is another than `effect`, an elastic law.

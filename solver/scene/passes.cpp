@@ -10,7 +10,7 @@ namespace {
 void clear_forces(World& world) {
   world.state.force->fill(0);
   if (world.state.torque != nullptr) world.state.torque->fill(0);
-  for (Column* column : {world.contacts.normal_force, world.contacts.force})
+  for (Column* column : {world.contacts.normal_force, world.contacts.stiffness, world.contacts.force})
     if (column != nullptr) column->fill(0);
 }
 

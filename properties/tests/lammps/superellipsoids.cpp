@@ -69,13 +69,16 @@ TEST(SuperellipsoidWords, AreThoseOfThisLammps) {
   EXPECT_EQ(after("atom_style ellipsoid superellipsoid", false),
             "atom_style ellipsoid | fix plumb_superellipsoids all property/atom d_n1 d_n2 d_density ghost yes | "
             "neigh_modify every 1 delay 0 check yes");
-  EXPECT_EQ(after("set type 2 shape 2 1 1 block 4 v_n"), "set type 2 shape 2 1 1 d_n1 4 d_n2 v_n");
+  EXPECT_EQ(after("set type 2 shape 2 1 1 block 4 v_n"),
+            "set type 2 shape 2 1 1 d_density 0 d_n1 4 d_n2 v_n d_density 0");
   EXPECT_EQ(after("set group mass mass 2"), "set group mass mass 2 d_density 0");
   EXPECT_EQ(after("set group all density 2600"), "set group all density 2600 d_density 2600");
   EXPECT_EQ(after("fix 3 all nve/asphere"), "fix 3 all plumb/nve");
   EXPECT_EQ(after("compute b all property/atom block1 block2"), "compute b all property/atom d_n1 d_n2");
   EXPECT_EQ(after("compute e all erotate/asphere"), "compute e all plumb/erotate");
-  for (const char* same : {"set group all shape 1 1 1", "fix 1 all nve", "run 100", "atom_style ellipsoid"})
+  EXPECT_EQ(after("compute block1 block2 property/atom block1"), "compute block1 block2 property/atom d_n1");
+  EXPECT_EQ(after("read_restart r.rst"), "unfix plumb_superellipsoids | read_restart r.rst");
+  for (const char* same : {"set group all x 1", "fix 1 all nve", "run 100", "atom_style ellipsoid"})
     EXPECT_EQ(after(same), "") << same;
   for (const char* line : {"set group all block 4 4", "fix 3 all nve/asphere", "compute e all erotate/asphere"})
     EXPECT_EQ(after(line, false), "") << line;
@@ -162,6 +165,72 @@ TEST_F(InLammpsSuperellipsoids, MassesAreThoseOfTheScript) {
   EXPECT_EQ(mass("set group all mass 3\n"), 3);
   EXPECT_NEAR(mass("set group all density 2\n"), 2 * volume, 1e-5 * volume);
   EXPECT_EQ(mass("set group all density 2\nset group all mass 3\n"), 3);
+  EXPECT_EQ(mass("set group all mass 3\nset group all shape 1 1 1 block 2 2\n"), 3);
+  const auto between_runs =
+      table_of(above_each_other("set group all shape 1 1 1\n", forces) +
+               "thermo_style custom step v_mass\nrun 1\nset group all shape 2 1 1 block 6 6\nrun 1\n");
+  EXPECT_EQ(between_runs.back().at(1), 1);
+}
+
+// With atom_style in the script that reads it, or without: LAMMPS needs none there.
+TEST_F(InLammpsSuperellipsoids, ARestartGoesOnToTheBit) {
+  const std::string pair = "pair_style plumb/superellipsoid\n"
+                           "pair_coeff * * hertz 10000 20 tangential linear_history 2000 0.5 0.5\n";
+  const std::string computes = "compute exponents all property/atom block1 block2\n"
+                               "dump all all custom 100 dump.txt id x y z vx vy vz c_exponents[1] c_exponents[2]\n"
+                               "dump_modify all sort id format float %.17g\n";
+  const std::string first =
+      above_each_other("set group all shape 2 1 1 block 4 3\nset group all quat/random 7\n", pair);
+  (void)table_of(first + computes + "run 300\nrun 300\n");
+  const std::string dump = read("dump.txt"), last = dump.substr(dump.rfind("ITEM: TIMESTEP"));
+  ASSERT_NE(last.find(" 4 3\n"), std::string::npos) << last;
+  (void)table_of(first + "run 300\nwrite_restart r.rst\n");
+  for (const char* const style : {"atom_style ellipsoid superellipsoid\n", ""}) {
+    (void)table_of(std::string("units si\n") + style + "newton off\ncomm_modify vel yes\nread_restart r.rst\n" + pair +
+                   "fix hold lower freeze\nfix fall upper gravity 9.81 vector 0 0 -1\nfix motion all nve/asphere\n" +
+                   "timestep 0.001\n" + computes + "run 300\n");
+    const std::string again = read("dump.txt");
+    EXPECT_EQ(again.substr(again.rfind("ITEM: TIMESTEP")), last) << style;
+  }
+}
+
+// LAMMPS's own integrator may stand anywhere.
+TEST_F(InLammpsSuperellipsoids, FixesStandInAnyOrder) {
+  const std::string before = "units si\natom_style ellipsoid superellipsoid\nnewton off\ncomm_modify vel yes\n"
+                             "region box block 0 10 0 10 0 10\ncreate_box 1 box\ncreate_atoms 1 single 5 5 4.5\n"
+                             "create_atoms 1 single 5 5.1 5.4\ngroup lower id 1\ngroup upper id 2\n"
+                             "set group all mass 1 shape 1 1 1 block 3 3\npair_style plumb/superellipsoid\n"
+                             "pair_coeff * * hooke 1000 0 tangential linear_history 300 0 0.4\n";
+  const std::string motion = "fix motion all nve/asphere\n",
+                    forces = "fix fall upper gravity 9.81 vector 0 0 -1\nfix hold lower setforce 0 0 0\n";
+  const std::string after =
+      "thermo_style custom step ke pe\nthermo_modify format float %.17g\ntimestep 1e-3\nrun 200\n";
+  const auto table = table_of(before + motion + forces + after);
+  EXPECT_GT(table.back().at(1), 0.01);
+  EXPECT_EQ(table_of(before + "fix fall upper gravity 9.81 vector 0 0 -1\n" + motion +
+                     "fix hold lower setforce 0 0 0\n" + after),
+            table);
+}
+
+// A pair's coefficients are the same in either order, and its law its own.
+TEST_F(InLammpsSuperellipsoids, EachPairOfTypesHasItsLaw) {
+  const auto energy = [&](const std::string& coefficients) {
+    return table_of(
+               "units si\natom_style ellipsoid superellipsoid\nnewton off\ncomm_modify vel yes\n"
+               "region box block 0 10 0 10 0 10\ncreate_box 2 box\ncreate_atoms 1 single 5 5 5\n"
+               "create_atoms 2 single 5 5 5.98\ncreate_atoms 1 single 2 2 2\ncreate_atoms 1 single 2 2 2.98\n"
+               "set group all shape 1 1 1\npair_style plumb/superellipsoid\n" +
+               coefficients +
+               "fix motion all nve/asphere\nthermo_style custom step pe\nthermo_modify norm no format float %.10g\n"
+               "variable f atom fz\ncompute least all reduce min v_f\nthermo_style custom step pe c_least\nrun 0\n")
+        .back();
+  };
+  const double overlap = 0.02, soft = 1000 * overlap * overlap / 2;
+  EXPECT_NEAR(energy("pair_coeff 1 1 hooke 1000 0\npair_coeff 2 2 hooke 1000 0\npair_coeff 2 1 hooke 5000 0\n").at(1),
+              6 * soft, 1e-9);
+  const auto mixed = energy("pair_coeff 1 1 hooke 1000 0\npair_coeff 2 2 hertz 3000 0\npair_coeff 1 2 hooke 5000 0\n");
+  EXPECT_NEAR(mixed.at(1), 6 * soft, 1e-9);
+  EXPECT_NEAR(mixed.at(2), -5000 * overlap, 1e-8);
 }
 
 /// Two balls of radius 1/2 that meet off centre, and at what velocities they part, by LAMMPS's pair_style granular or this one.
@@ -216,6 +285,11 @@ TEST_F(InLammpsSuperellipsoids, RefusesInOneLineWhatItCannotDo) {
             std::string::npos);
   EXPECT_NE(refused("pair_style plumb/superellipsoid\npair_coeff * * hooke 1 0 tangential classic 1 0 0.5\n")
                 .find("pair_coeff * *: tangential: 'classic' is not in LAMMPS's manual"),
+            std::string::npos);
+  EXPECT_NE(refused("pair_style granular/superellipsoid\n").find("is not in this LAMMPS: use plumb/superellipsoid"),
+            std::string::npos);
+  EXPECT_NE(refused("pair_style plumb/superellipsoid\npair_coeff * * hooke 1 0\nset group lower angmom 0 0 1\n")
+                .find("fix freeze holds bodies that turn: set their angmom to 0"),
             std::string::npos);
 }
 

@@ -136,6 +136,29 @@ TEST(Materials, EachPairHasItsOwnRestitution) {
   EXPECT_TRUE(run->plan().is_on("damping"));
 }
 
+// A linear and a Hertz contact in one scene: each pushes, and damps, by its own.
+TEST(Materials, EachPairHasItsOwnElasticLaw) {
+  Scene scene;
+  Material spring{.name = "spring", .density = {}, .is_rigid = false, .effects = {}}, steel = spring, floor = spring;
+  spring.effects.linear = Linear{1e5};
+  steel.name = "steel";
+  steel.effects.hertz = Hertz{.youngs_modulus = 1e6};
+  floor.name = "floor";
+  floor.is_rigid = true;
+  scene.materials = {spring, steel, floor};
+  scene.material_pairs = {{{0, 1}, spring.effects}};  // they never meet
+  scene.effects.damping = Damping{0.5};
+  for (const double x : {0.0, 5.0}) scene.bodies.push_back(ball(1, Vec(x, 0, 1.01), Vec(0, 0, -1)));
+  scene.bodies[1].material = 1;
+  scene.walls = {made::floor_at()};
+  scene.walls[0].material = 2;
+  scene.run.duration = 0.2;
+  scene.run.accuracy = 1e-4;
+  const auto run = ended(scene);
+  EXPECT_NEAR(made::velocity(*run, 0).z(), 0.5, 1e-3);
+  EXPECT_NEAR(made::velocity(*run, 1).z(), 0.5, 1e-3);
+}
+
 TEST(Materials, AnEffectThatNoPairAsksForIsAbsent) {
   Scene scene = two_balls(glass(), steel());
   scene.bodies.pop_back();

@@ -64,6 +64,7 @@ SuperellipsoidCoefficients parse_superellipsoid_coefficients(std::span<const std
     else
       throw SceneError(name, "must be tangential, damping, limit_damping or cutoff");
   }
+  if (out.stiffness == 0 && out.damping > 0) throw SceneError(model, "a dashpot needs a stiffness above 0");
   return out;
 }
 

@@ -16,7 +16,7 @@ void PairPlumbSuperellipsoid::settings(int count, char** words) {
       if (std::ranges::find(without_effect, words[k]) == without_effect.end())
         (void)scene::number_of("cutoff", words[k]);
   } catch (const scene::SceneError& refusal) {
-    error->all(FLERR, fmt::format("pair_style plumb/superellipsoid: {}: {}", refusal.field, refusal.what()));
+    error->all(FLERR, said(fmt::format("{}: {}", refusal.field, refusal.what())));
   }
 }
 
@@ -26,7 +26,11 @@ std::optional<scene::SuperellipsoidCoefficients>& PairPlumbSuperellipsoid::given
 }
 
 void PairPlumbSuperellipsoid::coeff(int count, char** words) {
-  const TypeRanges types = types_of(count, words);
+  TypeRanges types = types_of(count, words);
+  if (types.low == types.high && types.low[0] > types.low[1]) {  // 2 1 is 1 2
+    std::swap(types.low[0], types.low[1]);
+    types.high = types.low;
+  }
   given_.resize(static_cast<std::size_t>((atom->ntypes + 1) * (atom->ntypes + 1)));
   try {
     const Coefficients coefficients =
@@ -36,15 +40,18 @@ void PairPlumbSuperellipsoid::coeff(int count, char** words) {
         given(i, j) = coefficients;
         setflag[i][j] = 1;
       }
+    if (types.low[0] > types.high[1]) throw scene::SceneError("types", "are none: the lower ones come first");
   } catch (const scene::SceneError& refusal) {
     error->all(FLERR, fmt::format("pair_coeff {} {}: {}: {}", words[0], words[1], refusal.field, refusal.what()));
   }
 }
 
-scene::SuperellipsoidCoefficients PairPlumbSuperellipsoid::between(int type1, int type2) {
-  if (const auto& own = given(type1, type2)) return *own;
+std::optional<scene::SuperellipsoidCoefficients> PairPlumbSuperellipsoid::between(int type1, int type2) {
+  if (const auto& own = given(type1, type2)) return own;
+  const auto &first = given(type1, type1), &second = given(type2, type2);
+  if (!first || !second) return {};
   try {
-    return mixed(given(type1, type1).value_or(Coefficients{}), given(type2, type2).value_or(Coefficients{}));
+    return mixed(*first, *second);
   } catch (const scene::SceneError& refusal) {
     error->all(FLERR, fmt::format("pair_coeff {} {}: {}: {}", type1, type2, refusal.field, refusal.what()));
   }
@@ -53,8 +60,8 @@ scene::SuperellipsoidCoefficients PairPlumbSuperellipsoid::between(int type1, in
 
 void PairPlumbSuperellipsoid::complete_shapes() const {
   const int n1 = vector_of(*atom, "n1"), n2 = vector_of(*atom, "n2"), density = vector_of(*atom, "density");
-  if (n1 < 0 || n2 < 0 || density < 0) return;  // find_shapes() says what is missing
   const EllipsoidBonus shapes(*atom);
+  if (!shapes.is_there() || n1 < 0 || n2 < 0 || density < 0) return;  // what is missing is said later
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!is_body(i) || atom->ellipsoid[i] < 0) continue;
     for (const int exponent : {n1, n2})
@@ -68,7 +75,8 @@ void PairPlumbSuperellipsoid::complete_shapes() const {
 
 void PairPlumbSuperellipsoid::give_effects() {
   for (int i = 1; i <= atom->ntypes; ++i)
-    for (int j = i; j <= atom->ntypes; ++j) give(i, j, {effects_of(between(i, j)), false}, true);
+    for (int j = i; j <= atom->ntypes; ++j)
+      if (const auto coefficients = between(i, j)) give(i, j, {effects_of(*coefficients), false}, true);
 }
 
 void PairPlumbSuperellipsoid::init_style() {

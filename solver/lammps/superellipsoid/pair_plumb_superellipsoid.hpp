@@ -17,12 +17,15 @@ class PairPlumbSuperellipsoid : public PairPlumbCn {
   void settings(int count, char** words) override;
   void coeff(int count, char** words) override;
   void init_style() override;
+  [[nodiscard]] const char* name() const override { return "plumb/superellipsoid"; }
+  [[nodiscard]] bool puts_motion_last() const override { return true; }
 
  private:
   using Coefficients = scene::SuperellipsoidCoefficients;
 
   [[nodiscard]] std::optional<Coefficients>& given(int type1, int type2);
-  [[nodiscard]] Coefficients between(int type1, int type2);
+  /// Nothing of a type that is another style's.
+  [[nodiscard]] std::optional<Coefficients> between(int type1, int type2);
   /// Exponents that were not set are 2. A density that was not set is the mass's.
   void complete_shapes() const;
   void give_effects();

@@ -17,15 +17,18 @@ std::string line_of(std::string_view command, const Words& words) {
   return out;
 }
 
-/// set STYLE ID ..: exponents and densities are custom vectors. A mass that is given is no density's any more.
+/// set STYLE ID ..: exponents and densities are custom vectors. A mass stays, whatever becomes of the shape, but where the density is set.
 Words set_in_older_words(const Words& words) {
   Words out;
   for (std::size_t k = 0; k < words.size(); ++k) {
     const std::string& name = words[k];
     const std::size_t after = k < 2 ? 0 : words.size() - k - 1;
     if (name == "block" && after >= 2) {
-      out.insert(out.end(), {"d_n1", words[k + 1], "d_n2", words[k + 2]});
+      out.insert(out.end(), {"d_n1", words[k + 1], "d_n2", words[k + 2], "d_density", "0"});
       k += 2;
+    } else if (name == "shape" && after >= 3) {
+      out.insert(out.end(), {name, words[k + 1], words[k + 2], words[k + 3], "d_density", "0"});
+      k += 3;
     } else if (name == "mass" && after >= 1) {
       out.insert(out.end(), {name, words[k + 1], "d_density", "0"});
       k += 1;
@@ -48,21 +51,29 @@ Words with_style(Words words, std::string_view from, const char* to) {
 Words compute_in_older_words(const Words& words) {
   Words out = with_style(words, "erotate/asphere", "plumb/erotate");
   if (out.size() < 3 || out[2] != "property/atom") return out;
-  std::ranges::replace(out, "block1", "d_n1");
-  std::ranges::replace(out, "block2", "d_n2");
+  std::replace(out.begin() + 3, out.end(), std::string("block1"), std::string("d_n1"));
+  std::replace(out.begin() + 3, out.end(), std::string("block2"), std::string("d_n2"));
   return out;
 }
 
 }  // namespace
 
+std::vector<std::string> shapes_of_superellipsoids() {
+  return {"fix " + std::string(superellipsoids_fix) + " all property/atom d_n1 d_n2 d_density ghost yes",
+          "neigh_modify every 1 delay 0 check yes"};  // as of 2026 where nothing is said
+}
+
 std::vector<std::string> in_older_words(std::string_view command, std::span<const std::string> all,
                                         bool has_superellipsoids) {
   const Words words(all.begin(), all.end());
-  if (command == "atom_style" && words == Words{"ellipsoid", "superellipsoid"})
-    return {"atom_style ellipsoid",
-            "fix " + std::string(superellipsoids_fix) + " all property/atom d_n1 d_n2 d_density ghost yes",
-            "neigh_modify every 1 delay 0 check yes"};  // as of 2026 where nothing is said
+  if (command == "atom_style" && words == Words{"ellipsoid", "superellipsoid"}) {
+    std::vector<std::string> out = shapes_of_superellipsoids();
+    out.insert(out.begin(), "atom_style ellipsoid");
+    return out;
+  }
   if (!has_superellipsoids) return {};
+  if (command == "read_restart")  // what atoms have comes to a fix that is made after it
+    return {"unfix " + std::string(superellipsoids_fix), line_of(command, words)};
   Words out = words;
   if (command == "set") out = set_in_older_words(words);
   if (command == "fix") out = with_style(words, "nve/asphere", "plumb/nve");

@@ -89,7 +89,6 @@ struct Contacts {
   Column* force = nullptr;         ///< 3: all of it, on body 2
   Column* life = nullptr;          ///< of lives.hpp
   Column* stiffness = nullptr;     ///< 1: slope of the elastic force by the overlap
-  double damping_factor = 1;       ///< of the elastic law in use: damping.hpp
 
   /// How far from its centre a patch is, across the normal: the root of the mean square.
   [[nodiscard]] double patch_radius(std::size_t contact) const;

@@ -9,6 +9,13 @@
 
 namespace plumb::scene {
 
+namespace {
+
+/// sqrt(5/6): what the damping of a force that grows as overlap^(3/2) is short of a linear one's.
+constexpr double of_hertz = 0.912870929175276855;
+
+}  // namespace
+
 double damping_ratio(double restitution) {
   const double log = std::log(restitution);
   return -log / std::hypot(std::numbers::pi, log);
@@ -23,11 +30,15 @@ double dashpot_time(const Damping& damping, const Scene& scene) {
   return std::min(of_stiffness, std::numbers::pi / (off_centre * rate));
 }
 
-Dashpots::Dashpots(const World& world, const Damping& damping)
-    : world_(&world), laws_(world, damping, &Effects::damping, [&](const Damping& of_pair) -> Law {
-        return {2 * damping_ratio(of_pair.restitution) * world.contacts.damping_factor, of_pair.mass_velocity,
-                of_pair.viscoelastic};
-      }) {}
+Dashpots::Law Dashpots::law_of(const Effects& effects) {
+  if (!has_elastic_force(effects) || !effects.damping) return {};
+  const Damping& damping = *effects.damping;
+  const bool is_hertz = effects.hertz && effects.hertz->youngs_modulus > 0;
+  return {2 * damping_ratio(damping.restitution) * (is_hertz ? of_hertz : 1), damping.mass_velocity,
+          damping.viscoelastic};
+}
+
+Dashpots::Dashpots(const World& world) : world_(&world), laws_(world, law_of) {}
 
 double Dashpots::at(std::size_t c) const {
   const Contacts& contacts = world_->contacts;

@@ -14,18 +14,19 @@ namespace plumb::scene {
 
 class Dashpots {
  public:
-  /// Of a world whose elastic law is installed. `damping`: that of a scene without materials.
-  Dashpots(const World& world, const Damping& damping);
+  explicit Dashpots(const World& world);
 
   /// Force / normal velocity of a contact that presses, once the elastic force is there.
   [[nodiscard]] double at(std::size_t contact) const;
 
  private:
-  /// Of a pair of materials.
+  /// Of a pair of materials; nothing where it has no elastic force.
   struct Law {
-    double of_stiffness;  ///< 2 beta'
-    double mass_velocity, viscoelastic;
+    double of_stiffness = 0;  ///< 2 beta'
+    double mass_velocity = 0, viscoelastic = 0;
   };
+
+  static Law law_of(const Effects& effects);
 
   const World* world_;
   ByPair<Law> laws_;

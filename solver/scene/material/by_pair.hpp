@@ -20,6 +20,13 @@ class ByPair {
       values_.push_back(value_of((effects.*slot).value_or(Parameters{})));
   }
 
+  /// `value_of` makes one of all that a pair has.
+  template <class Make>
+  ByPair(const World& world, const Make& value_of) : world_(&world) {
+    if (world.pair_effects.of.empty()) values_ = {value_of(world.effects)};
+    for (const Effects& effects : world.pair_effects.of) values_.push_back(value_of(effects));
+  }
+
   [[nodiscard]] const Value& at(std::size_t contact) const {
     if (values_.size() == 1) return values_.front();
     const auto [i, j] = world_->contacts.pairs[contact];

@@ -56,7 +56,7 @@ template <class Part>
 [[nodiscard]] Role couple_role(const Couple<Part>& couple, const Scene& scene) {
   Role out;
   require_elastic_force(scene, Part::name, "is a share of a normal force");
-  if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
+  if (!has_elastic_force(scene.effects)) out.off = "the elastic force is 0";
   if (couple.coefficient == 0) out.off = "the coefficient is 0";
   out.needs = {
       .contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true, .radius = true};

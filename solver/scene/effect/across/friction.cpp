@@ -46,7 +46,7 @@ Laws laws_of(const Friction& friction, const World& world) {
   Laws out{by_pair(world, friction, &Effects::friction), {}};
   const auto has_share = [](const Effects& effects) { return effects.friction && effects.friction->normal_share > 0; };
   if (has_share(world.effects) || std::ranges::any_of(world.pair_effects.of, has_share))
-    out.dashpots.emplace(world, world.effects.damping.value_or(Damping{}));
+    out.dashpots.emplace(world);
   return out;
 }
 
@@ -101,7 +101,7 @@ double stored(const Laws& laws, const Column& springs, const Column* angles, con
 Role role(const Friction& friction, const Scene& scene) {
   Role out;
   require_elastic_force(scene, Friction::name, "is a share of a normal force");
-  if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
+  if (!has_elastic_force(scene.effects)) out.off = "the elastic force is 0";
   if (friction.coefficient == 0) out.off = "the coefficient is 0";
   out.needs = {.contacts = true, .points = true, .spin = true, .normal_force = true, .normal_mass = true};
   // Against the period of a ball's sliding, whose mass is 2/7 of the normal one's, and against the decay of many dashpots at once.

@@ -26,7 +26,7 @@ Role role(const Cohesion& cohesion, const Scene& scene) {
   require_elastic_force(scene, Cohesion::name, "pulls bodies into each other until an elastic force stops them");
   if (cohesion.pull_off == 0)
     out.off = "the pull is 0";
-  else if (!has_elastic_force(scene))
+  else if (!has_elastic_force(scene.effects))
     throw SceneError("effects.cohesion", "pulls bodies into each other, and the elastic force is 0");
   out.needs = {.contacts = true, .normal_force = true, .range = cohesion.pull_off > 0 ? cohesion.range : 0};
   return out;

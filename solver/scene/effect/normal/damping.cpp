@@ -94,7 +94,7 @@ void damp(const Dashpots& dashpots, const ByPair<double>& pulls, const Damped& o
 Role role(const Damping& damping, const Scene& scene) {
   Role out;
   require_elastic_force(scene, Damping::name, "damps an elastic force");
-  if (!has_elastic_force(scene)) out.off = "the elastic force is 0";
+  if (!has_elastic_force(scene.effects)) out.off = "the elastic force is 0";
   if (damping.restitution == 1 && damping.mass_velocity == 0 && damping.viscoelastic == 0)
     out.off = "the restitution is 1";
   out.needs = {.contacts = true, .curvature = damping.viscoelastic > 0, .normal_force = true, .normal_mass = true};
@@ -103,7 +103,7 @@ Role role(const Damping& damping, const Scene& scene) {
 }
 
 void install(const Damping& damping, World& world) {
-  const Dashpots dashpots(world, damping);
+  const Dashpots dashpots(world);
   const ByPair<double> pulls(world, damping, &Effects::damping, [](const Damping& of_pair) { return of_pair.pull; });
   Column& phases = world.columns.add("damping_phase", Damping::name, history(1));
   Column& forces = world.columns.add("damping_force", Damping::name, {ColumnKind::pair, 1});

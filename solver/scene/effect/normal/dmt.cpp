@@ -34,7 +34,7 @@ Role role(const Dmt& dmt, const Scene& scene) {
   require_elastic_force(scene, Dmt::name, "pulls bodies into each other until an elastic force stops them");
   if (dmt.work_of_adhesion == 0)
     out.off = "the work of adhesion is 0";
-  else if (!has_elastic_force(scene))
+  else if (!has_elastic_force(scene.effects))
     throw SceneError("effects.dmt", "pulls bodies into each other, and the elastic force is 0");
   out.needs = {.contacts = true, .curvature = true, .normal_force = true};
   return out;

@@ -9,12 +9,10 @@
 namespace plumb::scene {
 namespace {
 
-/// sqrt(5/6): what the damping of a force that grows as overlap^(3/2) is short of a linear one's.
-constexpr double hertz_damping = 0.912870929175276855;
-
-/// `factors`: hertz_contact's, of each contact's life; 0 of one that has just begun.
+/// Of pairs that have the law. `factors`: hertz_contact's, of each contact's life; 0 of one that has just begun.
 void press_hertz(const ByPair<double>& moduli, Column& factors, Contacts& contacts) {
   for (const std::uint32_t c : contacts.pressing) {
+    if (moduli.at(c) == 0) continue;
     if (!(factors[c] > 0)) {
       const auto curvature = contacts.curvature->entry(c);
       factors[c] = hertz_contact(curvature[0], curvature[1]).force_factor;
@@ -37,7 +35,6 @@ Role role(const Hertz& hertz, const Scene& scene) {
 }
 
 void install(const Hertz& hertz, World& world) {
-  world.contacts.damping_factor = hertz_damping;
   const ByPair<double> moduli(world, hertz, &Effects::hertz,
                               [](const Hertz& of_pair) { return of_pair.contact_modulus(); });
   Column& factors = world.columns.add("hertz_factor", Hertz::name, history(1));
