@@ -129,7 +129,7 @@ def main(arguments=None):
         print("--aspects: between 0.2 and 5", file=sys.stderr)
         return 2
     asked.command = f"reports/bulk/run hopper --aspects {' '.join(f'{aspect:g}' for aspect in asked.aspects)} --bodies {asked.bodies} --seeds {asked.seeds}"
-    return runs.study("hopper", asked, HEAD, asked.aspects, lambda aspect, seed: emptied(aspect, asked.bodies, seed, asked.out), row_of)
+    return runs.study(asked, HEAD, asked.aspects, lambda aspect, seed: emptied(aspect, asked.bodies, seed, asked.out), row_of)
 
 
 if __name__ == "__main__":

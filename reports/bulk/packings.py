@@ -77,12 +77,15 @@ def main(arguments=None):
     parser = runs.options("packings", __doc__.splitlines()[0], 2000, 5)
     names = [shape.name for shape in SHAPES]
     parser.add_argument("--shapes", nargs="+", choices=names, default=names, metavar="NAME", help=", ".join(names))
+    parser.add_argument("--protocols", nargs="+", choices=list(PROTOCOLS), default=list(PROTOCOLS), metavar="NAME", help=", ".join(PROTOCOLS))
     asked = parser.parse_args(arguments)
     asked.command = f"reports/bulk/run packings --shapes {' '.join(asked.shapes)} --bodies {asked.bodies} --seeds {asked.seeds}"
-    kinds = [(shape, protocol) for shape in SHAPES if shape.name in asked.shapes for protocol in shape.protocols]
+    if asked.protocols != list(PROTOCOLS):
+        asked.command += f" --protocols {' '.join(asked.protocols)}"
+    kinds = [(shape, protocol) for shape in SHAPES if shape.name in asked.shapes for protocol in shape.protocols if protocol in asked.protocols]
     def run(kind, seed):
         return packed(kind[0], asked.bodies, seed, kind[1], asked.out)
-    return runs.study("packings", asked, HEAD, kinds, run, lambda kind, ends: row_of(*kind, ends))
+    return runs.study(asked, HEAD, kinds, run, lambda kind, ends: row_of(*kind, ends))
 
 
 if __name__ == "__main__":

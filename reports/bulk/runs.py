@@ -53,11 +53,11 @@ def options(name, about, bodies, seeds):
     parser.add_argument("--seeds", type=int, default=seeds)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--out", type=pathlib.Path, default=TOP / "build" / name)
-    parser.add_argument("--record", action="store_true", help=f"and reports/results/{name}.txt")
+    parser.add_argument("--record", nargs="?", const=name, metavar="NAME", help=f"and reports/results/NAME.txt ({name})")
     return parser
 
 
-def study(name, asked, head, kinds, run, row):
+def study(asked, head, kinds, run, row):
     """The table, a line for each kind: `row(kind, [run(kind, seed) of each seed])`. The exit code."""
     if asked.bodies < 30 or asked.seeds < 1 or asked.jobs < 1:
         print("--bodies: at least 30; --seeds and --jobs: at least 1", file=sys.stderr)
@@ -81,6 +81,6 @@ def study(name, asked, head, kinds, run, row):
         return 130
     text = f"commit {os.environ.get('PLUMB_COMMIT', 'unknown')}\ncommand {asked.command}\n" + "\n".join(lines) + "\n"
     if asked.record:
-        (TOP / "reports/results" / f"{name}.txt").write_text(text)
+        (TOP / "reports/results" / f"{asked.record}.txt").write_text(text)
     print(text, end="")
     return 0

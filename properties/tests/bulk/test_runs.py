@@ -43,7 +43,7 @@ class Study(unittest.TestCase):
         said = io.StringIO()
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
             asked.out, asked.command = pathlib.Path(folder), "x"
-            code = runs.study("packings", asked, "head", ["a", "b"], run, lambda kind, ends: f"{kind} {sum(ends)}")
+            code = runs.study(asked, "head", ["a", "b"], run, lambda kind, ends: f"{kind} {sum(ends)}")
         return code, said.getvalue()
 
     def test_seeds_begin_at_one_and_each_kind_has_a_line(self):
