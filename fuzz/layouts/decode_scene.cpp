@@ -29,6 +29,19 @@ constexpr std::array<double, 16> kDensities{1, 2, 0.5, 10, 0.1, 100, 1e-2, 1e3, 
 constexpr std::array<double, 16> kDurations{1, 0.1, 10, 1e-2, 1e-3, 100, 1e-4, 0.5, 2, 5, 0.2, 0.3, 20, 50, 3, 0.7};
 
 constexpr std::array<double, 4> kTiltRatios{1, 1.4, 8.0 / 3, 0};
+constexpr std::array<double, 4> kRates{0, 1, 100, 0.1}, kPulls{1, 0, 0.5, 0.9}, kStiffnesses{0, 1, 1e3, 0.1},
+    kShares{0, 1, 0.5, 3};
+
+/// What effects have had since the layout was fixed: drawn from bytes that were unused.
+struct LaterField {
+  std::string_view effect, name;
+};
+constexpr std::array<LaterField, 6> kLaterFields{{{"foundation", "tilt_ratio"},
+                                                  {"damping", "mass_velocity"},
+                                                  {"damping", "viscoelastic"},
+                                                  {"damping", "pull"},
+                                                  {"friction", "stiffness"},
+                                                  {"friction", "normal_share"}}};
 
 /// Numbers one after the other.
 class Cursor {
@@ -58,13 +71,16 @@ double in_range(std::uint32_t v, Range range) {
   return 0;
 }
 
-/// Fills the fields of an effect; what one has had since the layout was fixed keeps its own value.
+/// Fills the fields of an effect, but for later ones.
 struct FillField {
+  std::string_view effect;
   Cursor& numbers;
   std::size_t walls;
 
   void operator()(std::string_view name, double& value, Range range) const {
-    if (name != "tilt_ratio") value = in_range(numbers.next(), range);
+    const bool is_later = std::ranges::any_of(
+        kLaterFields, [&](const LaterField& later) { return later.effect == effect && later.name == name; });
+    if (!is_later) value = in_range(numbers.next(), range);
   }
   void operator()(std::string_view /*name*/, int& /*the motion's own wall*/, Range /*range*/) const {}
   void operator()(std::string_view name, Vec3<double>& value, Range range) const {
@@ -106,13 +122,28 @@ void keep_one_elastic_law(Effects& effects) {
   if (elastic == 0 || !effects.hertz) effects.jkr.reset();
 }
 
+void fill_later(Bytes bytes, Effects& effects) {
+  const std::uint32_t dashpots = read(bytes, kFirstWall + 14, 1), across = read(bytes, kFirstWall + 15, 1);
+  if (effects.foundation) effects.foundation->tilt_ratio = kTiltRatios[read(bytes, kPeriodicBox, 1) >> 6];
+  if (effects.damping) {
+    effects.damping->mass_velocity = kRates[dashpots & 3];
+    effects.damping->viscoelastic = kRates[dashpots >> 2 & 3];
+    effects.damping->pull = kPulls[dashpots >> 4 & 3];
+  }
+  if (effects.friction) {
+    effects.friction->stiffness = kStiffnesses[across & 3];
+    effects.friction->normal_share = kShares[across >> 2 & 3];
+  }
+}
+
 Effects read_scene_effects(Bytes bytes, std::size_t walls) {
   Effects effects;
   Cursor numbers(bytes, kEffects);
   std::uint32_t asked = read(bytes, 8, 2);
   const auto fill = [&](auto& slot) {
     auto& parameters = slot.emplace();
-    std::remove_cvref_t<decltype(parameters)>::each_field(parameters, FillField{numbers, walls});
+    using Parameters = std::remove_cvref_t<decltype(parameters)>;
+    Parameters::each_field(parameters, FillField{Parameters::name, numbers, walls});
     if ((asked & 1) == 0) slot.reset();
     asked >>= 1;
   };
@@ -126,7 +157,7 @@ Effects read_scene_effects(Bytes bytes, std::size_t walls) {
   });
   fill(effects.volume);
   fill(effects.foundation);
-  if (effects.foundation) effects.foundation->tilt_ratio = kTiltRatios[read(bytes, kPeriodicBox, 1) >> 6];
+  fill_later(bytes, effects);
   fill(effects.dmt);
   fill(effects.jkr);
   keep_one_elastic_law(effects);

@@ -47,7 +47,8 @@
 //   11   1  bit 0: the body is so far from it, not in it; bit 1: it touches it
 //   12   1  temperature: 250 + v
 //   13   1  its material, as a body's
-//   14   2  unused
+//   14   2  of wall 1, there or not: damping's mass_velocity (bits 0, 1: 0, 1, 100, 0.1), viscoelastic (2, 3: the same) and pull (4, 5: 1, 0,
+//           0.5, 0.9); of the second byte friction's stiffness (bits 0, 1: 0, 1, 1000, 0.1) and normal_share (2, 3: 0, 1, 0.5, 3)
 #pragma once
 
 #include <cstdint>
