@@ -167,11 +167,14 @@ void FixPlumbNve::setup_pre_exchange() {
   const auto self = std::ranges::find_if(order, is_self);
   std::rotate(order.begin(), self, self + 1);
   if (!pair_->puts_motion_last()) return;
+  // To the end of what adds forces: up to what replaces them, or tells them.
   const auto forces = OrderOf::after_forces(*modify);
   const auto motion = std::ranges::find_if(forces, is_self);
-  const auto behind =
-      std::stable_partition(motion + 1, forces.end(), [&](int k) { return !replaces_forces(modify->fix[k]->style); });
-  std::rotate(motion, motion + 1, behind);
+  const auto stop = std::find_if(motion + 1, forces.end(), [&](int k) {
+    const std::string_view style = modify->fix[k]->style;
+    return replaces_forces(style) || style == "store/force";
+  });
+  std::rotate(motion, motion + 1, stop);
 }
 
 void FixPlumbNve::pre_exchange() {

@@ -85,6 +85,7 @@ int LAMMPS_NS::Input::execute_command() {
     error->all(FLERR, fmt::format("pair_style {}: is not in this LAMMPS: use plumb/superellipsoid", words.front()));
   const auto lines = in_older_words(name, words, modify->find_fix(superellipsoids_fix) >= 0);
   do_all(lines);
+  if (name == "set" && !lines.empty() && std::ranges::find(words, "density") != words.end()) weigh_by_density(*atom);
   const int is_unknown = lines.empty() ? of_library(this) : 0;
   if (name == "read_restart" && RestartFile::has_of_atoms(*modify, superellipsoids_fix))
     do_all(shapes_of_superellipsoids());

@@ -166,6 +166,7 @@ TEST_F(InLammpsSuperellipsoids, MassesAreThoseOfTheScript) {
   EXPECT_NEAR(mass("set group all density 2\n"), 2 * volume, 1e-5 * volume);
   EXPECT_EQ(mass("set group all density 2\nset group all mass 3\n"), 3);
   EXPECT_EQ(mass("set group all mass 3\nset group all shape 1 1 1 block 2 2\n"), 3);
+  EXPECT_NEAR(mass("set group all density 2\nset group all shape 1 1 1 block 2 2\n"), 2 * volume, 1e-5 * volume);
   const auto between_runs =
       table_of(above_each_other("set group all shape 1 1 1\n", forces) +
                "thermo_style custom step v_mass\nrun 1\nset group all shape 2 1 1 block 6 6\nrun 1\n");
@@ -210,6 +211,9 @@ TEST_F(InLammpsSuperellipsoids, FixesStandInAnyOrder) {
   EXPECT_EQ(table_of(before + "fix fall upper gravity 9.81 vector 0 0 -1\n" + motion +
                      "fix hold lower setforce 0 0 0\n" + after),
             table);
+  const auto pushed =
+      table_of(before + motion + "fix hold all setforce 0 0 0\nfix push upper addforce 0 0 -3\n" + after);
+  EXPECT_NEAR(pushed.back().at(1), 0.6 * 0.6 / 2, 0.01) << "what is added after forces were replaced stays";
 }
 
 // A pair's coefficients are the same in either order, and its law its own.

@@ -2,11 +2,27 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "solver/scene/body/mass.hpp"
 
 namespace plumb::lammps {
+namespace {
+
+/// Of an atom whose shape is one. Exponents are 2 where none were set.
+std::optional<double> volume_of(LAMMPS_NS::Atom& atom, int i) {
+  if (atom.ellipsoid[i] < 0) return {};
+  const auto [a, b, c] = EllipsoidBonus(atom).semi_axes(i);
+  const double n1 = atom.dvector[vector_of(atom, "n1")][i], n2 = atom.dvector[vector_of(atom, "n2")][i];
+  const bool is_unset = n1 == 0 && n2 == 0;
+  const Body body{{{a, b, c}, is_unset ? 2 : n1, is_unset ? 2 : n2}};
+  if (!find_input_error({body, body}).reason.empty()) return {};
+  return scene::mass_properties(body.shape).volume;
+}
+
+}  // namespace
 
 void PairPlumbSuperellipsoid::settings(int count, char** words) {
   using std::string_view_literals::operator""sv;
@@ -60,16 +76,23 @@ std::optional<scene::SuperellipsoidCoefficients> PairPlumbSuperellipsoid::betwee
 
 void PairPlumbSuperellipsoid::complete_shapes() const {
   const int n1 = vector_of(*atom, "n1"), n2 = vector_of(*atom, "n2"), density = vector_of(*atom, "density");
-  const EllipsoidBonus shapes(*atom);
-  if (!shapes.is_there() || n1 < 0 || n2 < 0 || density < 0) return;  // what is missing is said later
+  if (!EllipsoidBonus(*atom).is_there() || n1 < 0 || n2 < 0 || density < 0) return;  // what is missing is said later
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (!is_body(i) || atom->ellipsoid[i] < 0) continue;
-    for (const int exponent : {n1, n2})
-      if (atom->dvector[exponent][i] == 0) atom->dvector[exponent][i] = 2;
-    if (atom->dvector[density][i] != 0) continue;
-    const auto [a, b, c] = shapes.semi_axes(i);
-    const Superellipsoid<double> shape{{a, b, c}, atom->dvector[n1][i], atom->dvector[n2][i]};
-    atom->dvector[density][i] = atom->rmass[i] / scene::mass_properties(shape).volume;
+    const auto volume = is_body(i) ? volume_of(*atom, i) : std::nullopt;
+    if (!volume) continue;
+    double &own1 = atom->dvector[n1][i], &own2 = atom->dvector[n2][i], &own_density = atom->dvector[density][i];
+    if (own1 == 0 && own2 == 0) own1 = own2 = 2;
+    if (own_density == 0) own_density = atom->rmass[i] / *volume;
+  }
+}
+
+void weigh_by_density(LAMMPS_NS::Atom& atom) {
+  constexpr double rounding = 1e-12;
+  const int density = vector_of(atom, "density");
+  for (int i = 0; i < atom.nlocal; ++i) {
+    const auto volume = volume_of(atom, i);
+    const double mass = atom.dvector[density][i] * volume.value_or(0);
+    if (mass > 0 && std::abs(mass - atom.rmass[i]) > rounding * mass) atom.rmass[i] = mass;
   }
 }
 

@@ -9,6 +9,9 @@
 
 namespace plumb::lammps {
 
+/// As LAMMPS does when `set density` is done: the masses of atoms whose density was set, of their shapes of now.
+void weigh_by_density(LAMMPS_NS::Atom& atom);
+
 class PairPlumbSuperellipsoid : public PairPlumbCn {
  public:
   using PairPlumbCn::PairPlumbCn;
@@ -26,7 +29,7 @@ class PairPlumbSuperellipsoid : public PairPlumbCn {
   [[nodiscard]] std::optional<Coefficients>& given(int type1, int type2);
   /// Nothing of a type that is another style's.
   [[nodiscard]] std::optional<Coefficients> between(int type1, int type2);
-  /// Exponents that were not set are 2. A density that was not set is the mass's.
+  /// Exponents that were not set are 2. A density that was not set, or the shape since, is the mass's.
   void complete_shapes() const;
   void give_effects();
 
