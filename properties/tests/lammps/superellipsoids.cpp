@@ -17,20 +17,20 @@ SuperellipsoidCoefficients coefficients(const std::string& text) {
 TEST(SuperellipsoidCoefficients, AreEffectsOfAScene) {
   const Effects hooke =
       effects_of(coefficients("hooke 1000 50 tangential linear_history 285 0.5 0.4 damping mass_velocity"));
-  EXPECT_EQ(hooke.linear.value().stiffness, 1000);
-  EXPECT_EQ(hooke.damping.value().mass_velocity, 50);
-  EXPECT_EQ(hooke.damping.value().viscoelastic, 0);
-  EXPECT_EQ(hooke.damping.value().pull, 1);
-  EXPECT_EQ(hooke.friction.value().stiffness, 285);
-  EXPECT_EQ(hooke.friction.value().normal_share, 0.5);
-  EXPECT_EQ(hooke.friction.value().coefficient, 0.4);
+  EXPECT_EQ(hooke.linear.value_or(Linear{}).stiffness, 1000);
+  EXPECT_EQ(hooke.damping.value_or(Damping{}).mass_velocity, 50);
+  EXPECT_EQ(hooke.damping.value_or(Damping{}).viscoelastic, 0);
+  EXPECT_EQ(hooke.damping.value_or(Damping{}).pull, 1);
+  EXPECT_EQ(hooke.friction.value_or(Friction{}).stiffness, 285);
+  EXPECT_EQ(hooke.friction.value_or(Friction{}).normal_share, 0.5);
+  EXPECT_EQ(hooke.friction.value_or(Friction{}).coefficient, 0.4);
   const Effects hertz =
       effects_of(coefficients("hertz 1000 50 limit_damping cutoff 2 tangential linear_history 285 0 0"));
   EXPECT_FALSE(hertz.linear);
-  EXPECT_NEAR(4.0 / 3 * hertz.hertz.value().contact_modulus(), 1000, 1e-12);
-  EXPECT_EQ(hertz.damping.value().viscoelastic, 50);
-  EXPECT_EQ(hertz.damping.value().pull, 0);
-  EXPECT_EQ(hertz.friction.value().coefficient, 0);
+  EXPECT_NEAR(4.0 / 3 * hertz.hertz.value_or(Hertz{}).contact_modulus(), 1000, 1e-12);
+  EXPECT_EQ(hertz.damping.value_or(Damping{}).viscoelastic, 50);
+  EXPECT_EQ(hertz.damping.value_or(Damping{}).pull, 0);
+  EXPECT_EQ(hertz.friction.value_or(Friction{}).coefficient, 0);
 }
 
 TEST(SuperellipsoidCoefficients, AreRefusedWithNameAndReason) {

@@ -38,7 +38,7 @@ void PairPlumbSuperellipsoid::settings(int count, char** words) {
 
 std::optional<scene::SuperellipsoidCoefficients>& PairPlumbSuperellipsoid::given(int type1, int type2) {
   const auto [low, high] = std::minmax(type1, type2);
-  return given_[static_cast<std::size_t>(low * (atom->ntypes + 1) + high)];
+  return given_[static_cast<std::size_t>(low) * row_of_types() + static_cast<std::size_t>(high)];
 }
 
 void PairPlumbSuperellipsoid::coeff(int count, char** words) {
@@ -47,7 +47,7 @@ void PairPlumbSuperellipsoid::coeff(int count, char** words) {
     std::swap(types.low[0], types.low[1]);
     types.high = types.low;
   }
-  given_.resize(static_cast<std::size_t>((atom->ntypes + 1) * (atom->ntypes + 1)));
+  given_.resize(row_of_types() * row_of_types());
   try {
     const Coefficients coefficients =
         scene::parse_superellipsoid_coefficients(std::vector<std::string>(words + 2, words + count));

@@ -26,6 +26,8 @@ class PairPlumbSuperellipsoid : public PairPlumbCn {
  private:
   using Coefficients = scene::SuperellipsoidCoefficients;
 
+  /// Types are counted from 1.
+  [[nodiscard]] std::size_t row_of_types() const { return static_cast<std::size_t>(atom->ntypes) + 1; }
   [[nodiscard]] std::optional<Coefficients>& given(int type1, int type2);
   /// Nothing of a type that is another style's.
   [[nodiscard]] std::optional<Coefficients> between(int type1, int type2);
