@@ -309,7 +309,8 @@ TEST_F(SceneCommand, ThePlanSaysWhatEachPairOfMaterialsHas) {
   (void)file("m.json", sample_with_materials());
   const std::string table = plumb("scene m.json --plan").out;
   EXPECT_NE(table.find("\nglass and glass: linear 10000, damping 0.5, friction 0.4\n"), std::string::npos) << table;
-  EXPECT_NE(table.find("\nglass and floor: linear 20000, damping 0.5, friction 0.2 (given)\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("\nglass and floor: linear 20000, damping 0.5, friction 0.2 (given)\n"), std::string::npos)
+      << table;
   const Json plan = lines_of(plumb("scene m.json --plan --json").out).at(0);
   EXPECT_EQ(plan["materials"].size(), 2U);
   EXPECT_EQ(plumb("scene m.json --out m").code, 0);

@@ -37,7 +37,7 @@ struct Laws {
     const Friction& friction = of_pairs.at(c);
     const double stiffness = stiffness_of(friction, contacts, c);
     const double critical = 2 * std::sqrt(stiffness / (*contacts.inverse_mass)[c]);
-    const double share = friction.normal_share > 0 ? friction.normal_share * dashpots->at(c) : 0;
+    const double share = dashpots ? friction.normal_share * dashpots->at(c) : 0;
     return {stiffness, friction.damping * critical + share, friction.coefficient * (*contacts.normal_force)[c]};
   }
 };
@@ -45,8 +45,7 @@ struct Laws {
 Laws laws_of(const Friction& friction, const World& world) {
   Laws out{by_pair(world, friction, &Effects::friction), {}};
   const auto has_share = [](const Effects& effects) { return effects.friction && effects.friction->normal_share > 0; };
-  if (has_share(world.effects) || std::ranges::any_of(world.pair_effects.of, has_share))
-    out.dashpots.emplace(world);
+  if (has_share(world.effects) || std::ranges::any_of(world.pair_effects.of, has_share)) out.dashpots.emplace(world);
   return out;
 }
 
