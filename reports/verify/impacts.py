@@ -112,32 +112,32 @@ def sticking(name, material, angle):
                 lambda ran: {"e_t": velocity(ran.last)[0] / (speed * math.sin(theta)), "spin": spin_of(ran, radius, material["rho"])})
 
 
-def linear(restitution=1.0):
-    radius, speed, stiffness = 1.0, 1.0, 1e9
-    mass = exact.ball_mass(radius, 1)
-    spring = exact.Spring(stiffness, mass / 2, 2 * speed)
+def on_a_spring():
+    """Two balls that meet, each at speed 1, by a linear force: the collision, the bodies, the effects and how long it takes."""
+    speed, stiffness = 1.0, 1e9
+    spring = exact.Spring(stiffness, exact.ball_mass(1, 1) / 2, 2 * speed)
     gap, lasts = before(spring, 2 * speed)
-    bodies = [ball(radius, (-1 - gap / 2, 0, 0), (speed, 0, 0)), ball(radius, (1 + gap / 2, 0, 0), (-speed, 0, 0))]
-    effects = {"linear": {"stiffness": stiffness}}
+    bodies = [ball(1.0, (-1 - gap / 2, 0, 0), (speed, 0, 0)), ball(1.0, (1 + gap / 2, 0, 0), (-speed, 0, 0))]
+    return spring, bodies, {"linear": {"stiffness": stiffness}}, lasts
+
+
+def linear(restitution=1.0):
+    spring, bodies, effects, lasts = on_a_spring()
     if restitution == 1:
         return Case("linear", "linear force, two balls", "Schwager & Poschel 2007", scene(bodies, effects, lasts), of(spring), life)
     effects["damping"] = {"restitution": restitution}
     return Case(f"linear-{restitution}", "linear force and dashpot", "Schwager & Poschel 2007", scene(bodies, effects, 2 * lasts),
-                {f"e = {restitution}": restitution}, lambda ran: {f"e = {restitution}": velocity(ran.last, 1)[0] / speed})
+                {f"e = {restitution}": restitution}, lambda ran: {f"e = {restitution}": velocity(ran.last, 1)[0]})
 
 
 def by_mass(share):
     """Two balls and a dashpot by their mass: so much of the frequency a unit of time."""
-    radius, speed, stiffness = 1.0, 1.0, 1e9
-    mass = exact.ball_mass(radius, 1)
-    spring = exact.Spring(stiffness, mass / 2, 2 * speed)
-    gap, lasts = before(spring, 2 * speed)
+    spring, bodies, effects, lasts = on_a_spring()
     rate = share * float(exact.pi / spring.duration)
-    bodies = [ball(radius, (-1 - gap / 2, 0, 0), (speed, 0, 0)), ball(radius, (1 + gap / 2, 0, 0), (-speed, 0, 0))]
-    effects = {"linear": {"stiffness": stiffness}, "damping": {"restitution": 1, "mass_velocity": rate}}
+    effects["damping"] = {"restitution": 1, "mass_velocity": rate}
     name = f"e, mass_velocity {share} of the frequency"
     return Case(f"by-mass-{share}", "linear force, dashpot by mass", "Schwager & Poschel 2007", scene(bodies, effects, 3 * lasts),
-                {name: exact.damped(rate / 2, exact.pi / spring.duration)}, lambda ran: {name: velocity(ran.last, 1)[0] / speed})
+                {name: exact.damped(rate / 2, exact.pi / spring.duration)}, lambda ran: {name: velocity(ran.last, 1)[0]})
 
 
 def viscoelastic(share):
