@@ -8,18 +8,18 @@
 #include "solver/scene/facts.hpp"
 
 namespace plumb::scene {
-
 namespace {
 
 /// sqrt(5/6): what the damping of a force that grows as overlap^(3/2) is short of a linear one's.
 constexpr double of_hertz = 0.912870929175276855;
 
-}  // namespace
-
+/// beta of a coefficient of restitution: what of the critical damping gives it.
 double damping_ratio(double restitution) {
   const double log = std::log(restitution);
   return -log / std::hypot(std::numbers::pi, log);
 }
+
+}  // namespace
 
 double dashpot_time(const Damping& damping, const Scene& scene) {
   // The decay of a body's many contacts at once.

@@ -6,9 +6,6 @@
 
 namespace plumb::scene {
 
-/// beta of a coefficient of restitution: what of the critical damping gives it.
-[[nodiscard]] double damping_ratio(double restitution);
-
 /// The shortest time in which the dashpots of a scene do something.
 [[nodiscard]] double dashpot_time(const Damping& damping, const Scene& scene);
 
