@@ -12,10 +12,9 @@ ComputePlumbErotate::ComputePlumbErotate(LAMMPS_NS::LAMMPS* lammps, int count, c
 
 double ComputePlumbErotate::compute_scalar() {
   invoked_scalar = update->ntimestep;
-  for (int k = 0; k < modify->nfix; ++k)
-    if (auto* motion = dynamic_cast<FixPlumbNve*>(modify->fix[k])) return scalar = motion->energy_of_turning(groupbit);
-  error->all(FLERR, fmt::format("compute plumb/erotate: c_{} needs fix plumb/nve", id));
-  return 0;
+  const auto motions = fixes_of<FixPlumbNve>(*modify);
+  if (motions.empty()) error->all(FLERR, fmt::format("compute plumb/erotate: c_{} needs fix plumb/nve", id));
+  return scalar = motions.front()->energy_of_turning(groupbit);
 }
 
 }  // namespace plumb::lammps

@@ -26,3 +26,18 @@ auto make_args_checked(const Format& /*format*/, const std::remove_reference_t<A
 #include <pair.h>
 #include <update.h>
 #include <utils.h>
+
+#include <vector>
+
+namespace plumb::lammps {
+
+/// All fixes of a kind, in the order of the script.
+template <class Kind>
+[[nodiscard]] std::vector<Kind*> fixes_of(const LAMMPS_NS::Modify& modify) {
+  std::vector<Kind*> out;
+  for (int k = 0; k < modify.nfix; ++k)
+    if (auto* fix = dynamic_cast<Kind*>(modify.fix[k])) out.push_back(fix);
+  return out;
+}
+
+}  // namespace plumb::lammps

@@ -28,15 +28,6 @@ struct CommandOf : LAMMPS_NS::Input {
   }
 };
 
-/// All fixes of a kind, in the order of the script.
-template <class Kind>
-std::vector<Kind*> fixes_of(const LAMMPS_NS::Modify& modify) {
-  std::vector<Kind*> out;
-  for (int k = 0; k < modify.nfix; ++k)
-    if (auto* fix = dynamic_cast<Kind*>(modify.fix[k])) out.push_back(fix);
-  return out;
-}
-
 Vec3<double> vector_at(const double* x) {
   return {x[0], x[1], x[2]};
 }
@@ -88,24 +79,6 @@ void PairPlumbCn::init_style() {
   neighbor->request(this, instance_me);
 }
 
-bool PairPlumbCn::is_body(int i) const {
-  const int type = atom->type[i];
-  for (int other = 1; other <= atom->ntypes; ++other)
-    if (setflag[std::min(type, other)][std::max(type, other)] != 0) return true;
-  return false;
-}
-
-bool PairPlumbCn::is_ellipsoid(int i) const {
-  return atom->dvector[n1_][i] == 2 && atom->dvector[n2_][i] == 2;
-}
-
-void PairPlumbCn::find_shapes() {
-  n1_ = vector_of(*atom, "n1");
-  n2_ = vector_of(*atom, "n2");
-  density_ = vector_of(*atom, "density");
-  require(n1_ >= 0 && n2_ >= 0 && density_ >= 0, "needs fix property/atom d_n1 d_n2 d_density ghost yes");
-}
-
 void PairPlumbCn::make_part() {
   scene::PartSettings settings{arguments_.effects, {}, update->dt, arguments_.accuracy, counted_materials(),
                                material_pairs_};
@@ -128,64 +101,8 @@ void PairPlumbCn::make_part() {
   is_stale_ = true;
 }
 
-/// A body's mass follows from its shape. Others are said to be replaced, but for what LAMMPS gives an ellipsoid or an atom that is new.
-void PairPlumbCn::weigh_atoms() {
-  constexpr double rounding = 1e-12, of_new_atom = 1;
-  long long here = 0, all = 0;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!is_body(i)) continue;
-    const scene::SceneBody one = body(i);
-    const double mass = one.density * scene::mass_properties(one.body.shape).volume;
-    const double ellipsoid = one.density * scene::mass_properties({one.body.shape.semi_axes, 2, 2}).volume;
-    const double was = std::exchange(atom->rmass[i], mass);
-    const auto is_like = [was](double m) { return std::abs(was - m) <= rounding * m; };
-    here += is_like(mass) || is_like(ellipsoid) || was == of_new_atom ? 0 : 1;
-  }
-  MPI_Allreduce(&here, &all, 1, MPI_LONG_LONG, MPI_SUM, world);
-  if (all > 0 && comm->me == 0)
-    error->warning(FLERR, said(fmt::format("{} masses were not d_density times the volume, and are now", all)));
-}
-
-void PairPlumbCn::measure_types() {
-  std::vector<double> here(index(atom->ntypes) + 1);
-  for (int i = 0; i < atom->nlocal; ++i) {
-    if (!is_body(i)) continue;
-    double& radius = here[index(atom->type[i])];
-    radius = std::max(radius, scene::bounding_radius(body(i).body.shape));
-  }
-  for (const NewBody& one : motion_->new_bodies()) {
-    double& radius = here[index(one.type)];
-    radius = std::max(radius, scene::bounding_radius(one.shape));
-  }
-  radius_.resize(here.size());
-  MPI_Allreduce(here.data(), radius_.data(), static_cast<int>(here.size()), MPI_DOUBLE, MPI_MAX, world);
-}
-
 double PairPlumbCn::init_one(int type1, int type2) {
   return radius_[index(type1)] + radius_[index(type2)] + part_->range();
-}
-
-scene::SceneBody PairPlumbCn::body(int i) const {
-  scene::SceneBody out;
-  if (atom->ellipsoid[i] < 0) error->one(FLERR, said(fmt::format("atom {} has no shape", atom->tag[i])));
-  const auto axes = shapes_.semi_axes(i);
-  out.body.shape = {vector_at(axes.data()), atom->dvector[n1_][i], atom->dvector[n2_][i]};
-  out.density = atom->dvector[density_][i];
-  out.is_fixed = is_fixed(i);
-  if (!materials_.empty()) out.material = index(atom->type[i]) - 1;
-  const plumb::Pair alone{out.body, out.body};
-  if (const InputError wrong = find_input_error(alone); !wrong.reason.empty())
-    error->one(FLERR, said(fmt::format("atom {}: {}: {}{}", atom->tag[i], wrong.field, wrong.reason,
-                                       i < atom->nlocal ? "" : "; fix property/atom needs `ghost yes`")));
-  if (!(std::isfinite(out.density) && out.density > 0))
-    error->one(FLERR, said(fmt::format("atom {}: d_density must be a positive number", atom->tag[i])));
-  return out;
-}
-
-Vec3<double> PairPlumbCn::inverse_inertia(int i) const {
-  scene::Bodies alone;
-  scene::add_body(alone, body(i), true);
-  return alone.inverse_inertia[0];
 }
 
 bool PairPlumbCn::is_fixed(int i) const {

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <span>
 #include <string_view>
-#include <utility>
 
 #include "solver/lammps/compute_plumb_erotate.hpp"
 #include "solver/lammps/fix_plumb_nve.hpp"
@@ -72,7 +71,8 @@ void LAMMPS_NS::LAMMPS::post_create() {
 int LAMMPS_NS::Input::execute_command() {
   using namespace plumb::lammps;
   static bool is_of_ours = false;
-  const auto of_library = reinterpret_cast<int (*)(Input*)>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS5Input15execute_commandEv"));
+  static const auto of_library =
+      reinterpret_cast<int (*)(Input*)>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS5Input15execute_commandEv"));
   if (is_of_ours) return of_library(this);
   const auto do_all = [&](const std::vector<std::string>& lines) {
     is_of_ours = true;

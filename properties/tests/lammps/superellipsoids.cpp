@@ -219,14 +219,13 @@ TEST_F(InLammpsSuperellipsoids, FixesStandInAnyOrder) {
 // A pair's coefficients are the same in either order, and its law its own.
 TEST_F(InLammpsSuperellipsoids, EachPairOfTypesHasItsLaw) {
   const auto energy = [&](const std::string& coefficients) {
-    return table_of(
-               "units si\natom_style ellipsoid superellipsoid\nnewton off\ncomm_modify vel yes\n"
-               "region box block 0 10 0 10 0 10\ncreate_box 2 box\ncreate_atoms 1 single 5 5 5\n"
-               "create_atoms 2 single 5 5 5.98\ncreate_atoms 1 single 2 2 2\ncreate_atoms 1 single 2 2 2.98\n"
-               "set group all shape 1 1 1\npair_style plumb/superellipsoid\n" +
-               coefficients +
-               "fix motion all nve/asphere\nthermo_style custom step pe\nthermo_modify norm no format float %.10g\n"
-               "variable f atom fz\ncompute least all reduce min v_f\nthermo_style custom step pe c_least\nrun 0\n")
+    return table_of("units si\natom_style ellipsoid superellipsoid\nnewton off\ncomm_modify vel yes\n"
+                    "region box block 0 10 0 10 0 10\ncreate_box 2 box\ncreate_atoms 1 single 5 5 5\n"
+                    "create_atoms 2 single 5 5 5.98\ncreate_atoms 1 single 2 2 2\ncreate_atoms 1 single 2 2 2.98\n"
+                    "set group all shape 1 1 1\npair_style plumb/superellipsoid\n" +
+                    coefficients +
+                    "fix motion all nve/asphere\nvariable f atom fz\ncompute least all reduce min v_f\n"
+                    "thermo_style custom step pe c_least\nthermo_modify norm no format float %.10g\nrun 0\n")
         .back();
   };
   const double overlap = 0.02, soft = 1000 * overlap * overlap / 2;
