@@ -133,12 +133,15 @@ class EllipsoidPack {
   [[gnu::always_inline]] void take_last_steps() {
     const Lanes lanes = last_step_.x == last_step_.x;
     if (none_of(lanes)) return;
+    const DirectionPoint<P> before = at_;
+    follow(pair_, at_, last_step_);
     const Mask<P> both_lanes(lanes, lanes);
-    const Vector3<P> n = at_.n;
-    const PerBody<P> h = at_.touch.h;
-    follow(at_, last_step_);
-    at_.n = blend(lanes, at_.n, n);
-    at_.touch.h = blend(both_lanes, at_.touch.h, h);
+    at_.n = blend(lanes, at_.n, before.n);
+    at_.touch.h = blend(both_lanes, at_.touch.h, before.touch.h);
+    at_.touch.u = blend(both_lanes, at_.touch.u, before.touch.u);
+    at_.touch.p = blend(both_lanes, at_.touch.p, before.touch.p);
+    at_.ratio = blend(lanes, at_.ratio, before.ratio);
+    at_.error = blend(lanes, at_.error, before.error);
   }
 
   /// Newton on the points, of the lanes that need it.

@@ -74,7 +74,7 @@ class EllipsoidNewton {
     Vector3<S> step = has_axis_ ? newton_step(without_rotation(sum(h), out.at, axis_), out.at, tolerance::tie_on_circle)
                                 : newton_step(sum(h), out.at);
     S turn = squared_turn(pair_, out.at, step);
-    if (turn < last_turn<S>() * last_turn<S>() && lands(sum(h), out.at, step)) return follow(out.at, step), true;
+    if (turn < last_turn<S>() * last_turn<S>() && lands(sum(h), out.at, step)) return follow(pair_, out.at, step), true;
     const S longest = S(tolerance::longest_turn * tolerance::longest_turn);
     if (turn > longest) {
       step = step * sqrt(longest / turn);

@@ -60,11 +60,15 @@ template <class S>
   return largest(at.slope + h * step - step * at.ratio);
 }
 
-/// A last step, so short that h follows it linearly. The points have yet to settle.
+/// A last step, so short that h and the points follow it linearly.
 template <class S>
-[[gnu::always_inline]] inline void follow(DirectionPoint<S>& at, const Vector3<S>& step) {
-  at.n = at.n + step;
+[[gnu::always_inline]] inline void follow(const EllipsoidPair<S>& pair, DirectionPoint<S>& at, const Vector3<S>& step) {
+  const Vector3<PerBody<S>> d = pair.map * for_each_body(step) * at.touch.inverse_h, u = at.touch.u;
   at.touch.h += dot(at.touch.p, for_each_body(step));
+  at.touch.u = u + d - u * dot(u, d);
+  at.touch.p = pair.map.transposed_times(at.touch.u);
+  at.n = at.n + step;
+  set_slope(pair, at);
 }
 
 /// How far the points u1 and u2 are from a common normal; n1 + d = n2 + d + twist is the new normal of both.

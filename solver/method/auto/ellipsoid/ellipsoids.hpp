@@ -70,6 +70,15 @@ struct DirectionPoint {
   S error;           ///< largest component of the slope
 };
 
+/// From n and the points.
+template <class S>
+[[gnu::always_inline]] inline void set_slope(const EllipsoidPair<S>& pair, DirectionPoint<S>& at) {
+  const Vector3<S> gradient = sum(at.touch.p) - pair.c;
+  at.ratio = dot(at.n, gradient) * at.inverse_square;
+  at.slope = gradient - at.n * at.ratio;
+  at.error = largest(at.slope);
+}
+
 template <class S>
 [[nodiscard, gnu::always_inline]] inline DirectionPoint<S> direction_point(const EllipsoidPair<S>& pair,
                                                                            const Vector3<S>& n) {
@@ -77,10 +86,7 @@ template <class S>
   out.n = n;
   out.touch = touch(pair, n);
   out.inverse_square = S(1) / dot(n, n);
-  const Vector3<S> gradient = sum(out.touch.p) - pair.c;
-  out.ratio = dot(n, gradient) * out.inverse_square;
-  out.slope = gradient - n * out.ratio;
-  out.error = largest(out.slope);
+  set_slope(pair, out);
   return out;
 }
 
