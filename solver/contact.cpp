@@ -2,6 +2,7 @@
 #include "solver/standard_arithmetic.hpp"
 
 #include <cmath>
+#include <cstring>
 
 namespace plumb {
 namespace {
@@ -30,18 +31,19 @@ InputError find_body_error(const Body& body, int index) {
   return {};
 }
 
-/// Zero for finite numbers, NaN otherwise.
-double zero_if_finite(const Body& body) {
-  const auto& q = body.quaternion;
-  const Vec3<double> axes = body.shape.semi_axes * 0;
-  const double sum = axes.sum() + body.shape.n1 * 0 + body.shape.n2 * 0;
-  const Vec3<double> position = body.position * 0;
-  return sum + position.sum() + q[0] * 0 + q[1] * 0 + q[2] * 0 + q[3] * 0;
+/// A body's numbers side by side: two in a register.
+using Numbers = Eigen::Array<double, 12, 1>;
+static_assert(sizeof(Body) == sizeof(Numbers));
+
+bool are_finite(const Body& body) {
+  Numbers numbers;
+  std::memcpy(numbers.data(), &body, sizeof(body));
+  return (numbers * 0).sum() == 0;
 }
 
 bool is_valid(const Body& body) {
   const auto& [w, x, y, z] = body.quaternion;
-  return zero_if_finite(body) == 0 && body.shape.semi_axes.minCoeff() > 0 && body.shape.n1 > 1 && body.shape.n2 > 1 &&
+  return are_finite(body) && body.shape.semi_axes.minCoeff() > 0 && body.shape.n1 > 1 && body.shape.n2 > 1 &&
          (w != 0 || x != 0 || y != 0 || z != 0);
 }
 
