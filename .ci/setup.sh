@@ -5,7 +5,7 @@
 # The one list of Debian 12 packages, by what needs them.
 declare -A plumb_packages=(
   [build]="g++ cmake ninja-build libeigen3-dev libboost-dev libmpfi-dev libmpfr-dev libgmp-dev nlohmann-json3-dev libcli11-dev
-    libfmt-dev libsleef-dev libgtest-dev librapidcheck-dev libccd-dev libfcl-dev libbenchmark-dev valgrind pkg-config dpkg-dev file help2man"
+    libfmt-dev libgtest-dev librapidcheck-dev libccd-dev libfcl-dev libbenchmark-dev valgrind pkg-config dpkg-dev file help2man"
   [mpi]="libopenmpi-dev openmpi-bin"
   [lammps]="liblammps-dev libopenmpi-dev openmpi-bin"
   [slurm]="munge slurmctld slurmd slurm-client"

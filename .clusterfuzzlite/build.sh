@@ -24,5 +24,5 @@ for fuzzer in "$WORK"/build/bin/fuzz-*; do
   if [[ $target == files ]]; then  # the words of effects too, which the schema has
     grep -oE '"[a-z_0-9]+": \{' corpus/scene/scene-1.schema.json | sed -E 's/"(.*)": \{/"\\"\1\\""/' | sort -u >>"$OUT/$name.dict"
   fi
-  ldd "$fuzzer" | sed -nE 's/.* => (.*\/lib(gmp|mpfi|mpfr|sleef)\.so[^ ]*) .*/\1/p' | xargs -r cp -L -t "$OUT/lib"
+  ldd "$fuzzer" | sed -nE 's/.* => (.*\/lib(gmp|mpfi|mpfr)\.so[^ ]*) .*/\1/p' | xargs -r cp -L -t "$OUT/lib"
 done

@@ -9,24 +9,12 @@
 #include <bit>
 #include <cstdint>
 
-#include "solver/method/elementary.hpp"
 #include "solver/method/per_body.hpp"
 
 namespace plumb {
 
 template <int width>
 using Pack = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, width>>;
-
-template <class P>
-  requires(!has_one_pair<P>)
-[[nodiscard, gnu::always_inline]] inline TwoNumbers<P> exp(const TwoNumbers<P>& x) {
-  return {exp_of(x.a), exp_of(x.b)};
-}
-template <class P>
-  requires(!has_one_pair<P>)
-[[nodiscard, gnu::always_inline]] inline TwoNumbers<P> log(const TwoNumbers<P>& x) {
-  return {log_of(x.a), log_of(x.b)};
-}
 
 /// The largest power of two that is not above x, for normal x > 0.
 template <class P>

@@ -25,6 +25,10 @@ namespace plumb {
 template <class S>
 inline constexpr bool has_one_pair = std::numeric_limits<S>::is_specialized;
 
+/// Whether S is a double, or a register of them.
+template <class S>
+inline constexpr bool is_of_doubles = std::is_same_v<S, double> || !has_one_pair<S>;
+
 template <class S>
 struct TwoNumbers;
 

@@ -52,7 +52,7 @@ class Meridians {
   };
   [[nodiscard, gnu::always_inline]] Ray ray(const P& latitude) const {
     using std::sqrt;
-    const P one(1.0), sine = sin_of(latitude), cosine = sqrt((one - sine) * (one + sine));
+    const P one(1.0), sine = sin_of_quarter(latitude), cosine = sqrt((one - sine) * (one + sine));
     return {cosine, across_ * cosine + for_all<P>(lens_.e3) * sine};
   }
   /// By how much body 1's surface is nearer than body 2's, in 1 / t.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "solver/method/elementary.hpp"
 #include "solver/method/per_body.hpp"
 #include "solver/pose.hpp"
 
@@ -46,25 +47,32 @@ struct Exponent {
 };
 
 /// N = (x^p + y^p)^(1/p) of x, y >= 0, and its derivatives. With t = (small/large)^p the exponential's error, |log t| epsilon, comes into
-/// N times t/p: no digit of it is lost, and exp and log cost half of pow.
+/// N times t/p: no digit of it is lost.
 template <class P>
 struct PairNorm {
   P value, by_x, by_y;
 
   [[nodiscard, gnu::always_inline]] static PairNorm of(const P& x, const P& y, const Exponent<P>& n) {
-    using std::exp;
-    using std::log;
     using std::max;
     using std::min;
     using std::sqrt;
     const P one(1.0), none(0.0), large = max(x, y);
     const P ratio = blend(large > none, min(x, y) / large, none);
-    const P power = n.is_two ? ratio * ratio : exp(n.p * log(ratio));
-    const P root = n.is_two ? sqrt(one + power) : exp(log(one + power) * n.inverse);
+    const P power = n.is_two ? ratio * ratio : power_of(ratio, n.p);
+    const P root = n.is_two ? sqrt(one + power) : detail::exp_to_normal(P(detail::log_above_1(power) * n.inverse));
     // (large/N)^(p-1) = root / sum, and (small/N)^(p-1) is (small/large)^(p-1) times that.
     const P by_large = root / (one + power), by_small = blend(ratio > none, by_large * (power / ratio), none);
     const auto is_x_larger = x >= y;
     return {large * root, blend(is_x_larger, by_large, by_small), blend(is_x_larger, by_small, by_large)};
+  }
+
+ private:
+  /// Of a ratio up to 1; 0 where the power is no normal number.
+  [[nodiscard, gnu::always_inline]] static P power_of(const P& ratio, const P& exponent) {
+    using std::max;
+    const P least(std::numeric_limits<double>::min()), lowest(-700.0), none(0.0);
+    const P logarithm = detail::log_of_normal(P(max(ratio, least))) * exponent;
+    return blend(logarithm > lowest, detail::exp_to_normal(P(max(logarithm, lowest))), none);
   }
 };
 

@@ -89,12 +89,12 @@ TEST(SuperellipseArc, IsTheUnitCurveWithItsGradientAndCurvature) {
   });
 }
 
-/// Whole exponents of both bodies are taken by products and square roots, where the point is not told by its gradient.
+/// Whole exponents of both bodies are taken by products, where the point is not told by its gradient.
 TEST(SuperellipseArc, WholeExponentsAreTheSamePowers) {
   for (int n = 3; n <= 10; ++n) {
     const Arc<double> arc = arc_of_exponents<double>(PerBody<double>(n));
     Arc<double> general = arc;
-    general.multiplied = general.rooted = 0;
+    general.multiplied = 0;
     EXPECT_EQ(arc.multiplied, n - 1);
     Stream stream("whole exponents", static_cast<std::uint64_t>(n), 0);
     for (int k = 0; k < 200; ++k) {
@@ -116,7 +116,6 @@ TEST(SuperellipseArc, WholeExponentsAreTheSamePowers) {
   EXPECT_EQ(arc_of_exponents<double>(PerBody<double>(11)).multiplied, 0);
   EXPECT_EQ(arc_of_exponents<double>(PerBody<double>(2.5)).multiplied, 0);
   EXPECT_EQ(arc_of_exponents<double>(per_body<double>(3, 4)).multiplied, 0);
-  EXPECT_EQ(arc_of_exponents<double>(PerBody<double>(8)).rooted, 3);
 }
 
 /// |g| has the dual norm 1, so that an exponent below 2 has its points there.

@@ -18,6 +18,7 @@
 #include <concepts>
 
 #include "solver/method/auto/tolerances.hpp"
+#include "solver/method/elementary.hpp"
 #include "solver/method/per_body.hpp"
 
 namespace plumb {
@@ -31,10 +32,25 @@ struct SuperellipseArc {
   // Never of several pairs: which of two forms a pair takes is not to depend on its neighbours.
   bool all_two;
   int multiplied;  ///< nu - 1 where both bodies have the same whole number, at most 9: u is then a product; else 0
-  int rooted;      ///< log2(nu) where both bodies have nu = 4 or 8: the norm is then so many square roots; else 0
 };
 
 namespace detail {
+
+/// Of normal numbers.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline PerBody<S> log_of(const PerBody<S>& x) {
+  if constexpr (is_of_doubles<S>)
+    return log_of_normal(x);
+  else
+    return log(x);
+}
+template <class S>
+[[nodiscard, gnu::always_inline]] inline PerBody<S> exp_of(const PerBody<S>& x) {
+  if constexpr (is_of_doubles<S>)
+    return exp_to_normal(x);
+  else
+    return exp(x);
+}
 
 /// x^n, n >= 1.
 template <class T>
@@ -47,7 +63,7 @@ template <class T>
   return out;
 }
 
-/// `multiplied` and `rooted`, of exponents that people use; built-in scalars alone.
+/// `multiplied`, of exponents that people use; built-in scalars alone.
 template <class S>
 inline void choose_powers(SuperellipseArc<S>& arc) {
   if constexpr (std::floating_point<S>) {
@@ -55,7 +71,6 @@ inline void choose_powers(SuperellipseArc<S>& arc) {
     const int whole = nu < S(11) ? static_cast<int>(nu) : 0;
     if (!all_of(arc.nu == S(whole))) return;
     arc.multiplied = whole - 1;
-    arc.rooted = arc.multiplied == 3 ? 2 : arc.multiplied == 7 ? 3 : 0;
   }
 }
 
@@ -63,14 +78,14 @@ inline void choose_powers(SuperellipseArc<S>& arc) {
 
 template <class S>
 [[nodiscard]] inline SuperellipseArc<S> superellipse_arc(const PerBody<S>& nu, const Mask<S>& dual) {
-  SuperellipseArc<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false, 0, 0};
+  SuperellipseArc<S> out{nu, nu - S(1), S(1) / (nu - S(1)), S(1) / nu, S(0), S(0), dual, nu == S(2), false, 0};
   out.all_two = has_one_pair<S> && all_of(out.is_two);
   if (out.all_two) return out;
   detail::choose_powers(out);
   // (nu-1) t^(nu-2) = 1; the limit for nu -> 2 is 1/e.
   const PerBody<S> above = nu - S(2);
   const Mask<S> near = above < tolerance::near_two.of<S>();
-  const PerBody<S> t = exp(-log(out.nu_minus_1) / select<S>(near, S(1), above));
+  const PerBody<S> t = detail::exp_of<S>(-detail::log_of<S>(out.nu_minus_1) / select<S>(near, S(1), above));
   out.switch_t = select<S>(out.is_two, S(0), select<S>(near, S(0.36787944117144233), t));
   out.switch_u = out.switch_t * out.inverse;
   return out;
@@ -108,18 +123,16 @@ template <class S>
     if (arc.multiplied > 0 && none_of(is_u))
       return max(whole_power(ratio, arc.multiplied), PerBody<S>(tolerance::least_power.of<S>()));
   const PerBody<S> power = select<S>(is_u, arc.inverse, arc.nu_minus_1);
-  return exp(max(log(ratio) * power, PerBody<S>(tolerance::least_logarithm.of<S>())));
+  return exp_of<S>(max(log_of<S>(ratio) * power, PerBody<S>(tolerance::least_logarithm.of<S>())));
 }
 
-/// x^(-1/nu), 1 <= x <= 2.
+/// (1 + e)^(-1/nu), 0 <= e <= 1.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline PerBody<S> inverse_norm(const SuperellipseArc<S>& arc, const PerBody<S>& x) {
-  if constexpr (has_one_pair<S>)
-    if (arc.rooted > 0) {
-      PerBody<S> out = sqrt(sqrt(S(1) / x));
-      return arc.rooted == 3 ? sqrt(out) : out;
-    }
-  return exp(-log(x) * arc.inverse_nu);
+[[nodiscard, gnu::always_inline]] inline PerBody<S> inverse_norm(const SuperellipseArc<S>& arc, const PerBody<S>& e) {
+  if constexpr (is_of_doubles<S>)
+    return inverse_root(e, arc.inverse_nu);
+  else
+    return exp(-log(S(1) + e) * arc.inverse_nu);
 }
 
 /// Sets the rest from the ratio: of g where `is_u`, of c elsewhere. Signs and `b_is_larger` are set.
@@ -137,7 +150,7 @@ template <class S>
     const PerBody<S> other = other_ratio<S>(arc, ratio, is_u);
     out.t = select<S>(is_u && !arc.is_two, other, ratio);
     out.u = select<S>(is_u || arc.is_two, ratio, other);
-    larger = inverse_norm<S>(arc, S(1) + out.t * out.u);
+    larger = inverse_norm<S>(arc, out.t * out.u);
   }
   const PerBody<S> gradient = S(1) / ((S(1) + out.t * out.u) * larger), slope = arc.nu_minus_1 * gradient / larger;
   const PerBody<S> c_small = out.t * larger, g_small = out.u * gradient, k_small = slope * out.u / out.t;
