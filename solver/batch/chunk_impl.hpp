@@ -19,7 +19,8 @@ class ChunkSolver {
 
   [[nodiscard]] Unsettled solve() {
     for (std::size_t i = 0; i < ellipsoids_.count; i += width) solve_ellipsoids(ellipsoids_.index(i, chunk_.first));
-    for (std::size_t i = 0; i < surfaces_.count; i += width) solve_surfaces(surfaces_.index(i, chunk_.first));
+    for (std::size_t i = 0; i < surfaces_.count; i += width) solve_surfaces<false>(surfaces_.index(i, chunk_.first));
+    for (std::size_t i = 0; i < duals_.count; i += width) solve_surfaces<true>(duals_.index(i, chunk_.first));
     return unsettled_;
   }
 
@@ -44,7 +45,9 @@ class ChunkSolver {
     }
   };
 
-  /// By the form that suits them; exponents below 2 are left to `auto`.
+  static constexpr double least_exponent = 1.1;  // nearer to 1 the first attempt often fails: those are left to `auto`
+
+  /// By the form that suits them.
   void sort(std::size_t from) {
     std::array<std::uint8_t, width> offsets;
     for (std::size_t lane = 0; lane < width; ++lane) offsets[lane] = static_cast<std::uint8_t>(from + lane);
@@ -52,16 +55,18 @@ class ChunkSolver {
     const PackIndex<P> index(offsets.data(), count, chunk_.first);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);
     const P most = std::numeric_limits<double>::max();  // an infinite one is `auto`'s to refuse
-    const PerBody<P> two_p = PerBody<P>(P(2.0)), greatest = PerBody<P>(most);
-    const auto two = n.n1 == two_p && n.n2 == two_p,
-               smooth = n.n1 >= two_p && n.n2 >= two_p && n.n1 <= greatest && n.n2 <= greatest;
-    const auto are_ellipsoids = two.a && two.b, are_surfaces = smooth.a && smooth.b && !are_ellipsoids;
+    const PerBody<P> least = PerBody<P>(P(least_exponent)), two_p = PerBody<P>(P(2.0)), greatest = PerBody<P>(most);
+    const auto two = n.n1 == two_p && n.n2 == two_p, above_two = n.n1 >= two_p && n.n2 >= two_p,
+               usual = n.n1 >= least && n.n2 >= least && n.n1 <= greatest && n.n2 <= greatest;
+    const auto are_ellipsoids = two.a && two.b, are_usual = usual.a && usual.b, are_smooth = above_two.a && above_two.b,
+               are_surfaces = are_usual && are_smooth && !are_ellipsoids, are_duals = are_usual && !are_smooth;
     if (all_of(are_ellipsoids)) return ellipsoids_.add(offsets, count);
     for (std::size_t lane = 0; lane < count; ++lane) {
       ellipsoids_.add_if(are_ellipsoids[lane], offsets[lane]);
       surfaces_.add_if(are_surfaces[lane], offsets[lane]);
+      duals_.add_if(are_duals[lane], offsets[lane]);
     }
-    keep_unsettled(index, are_ellipsoids || are_surfaces);
+    keep_unsettled(index, are_ellipsoids || are_usual);
   }
 
   void solve_ellipsoids(const PackIndex<P>& index) {
@@ -70,12 +75,14 @@ class ChunkSolver {
     store(index, placed, EllipsoidPack<P>(ellipsoid_pair<P>(placed), start, chunk_.want).solve());
   }
 
+  /// `any_dual`: with an exponent below 2.
+  template <bool any_dual>
   void solve_surfaces(const PackIndex<P>& index) {
     const PackPair<P> placed = load_pair(index, chunk_.pairs);
     const Exponents<P> n = load_exponents(index, chunk_.pairs);
     const SuperellipsoidPair<P> pair = superellipsoid_pair<P>(placed, n.n1, n.n2);
     const PackStart<P> start = load_start(index, chunk_.pairs);
-    store(index, placed, SurfacePack<P>(pair, start, chunk_.want).solve());
+    store(index, placed, SurfacePack<P, any_dual>(pair, start, chunk_.want).solve());
   }
 
   [[gnu::always_inline]] void store(const PackIndex<P>& index, const PackPair<P>& placed, const PackContact<P>& found) {
@@ -93,7 +100,7 @@ class ChunkSolver {
   }
 
   const Chunk& chunk_;
-  List ellipsoids_, surfaces_;
+  List ellipsoids_, surfaces_, duals_;
   Unsettled unsettled_ = 0;
 };
 

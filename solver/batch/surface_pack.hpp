@@ -1,5 +1,6 @@
 // Newton's iteration of method/auto/surface/surface_newton.hpp, warm or from the first cold start of the attempts, on a pack of
-// pairs with exponents of 2 and more. Lanes that need another attempt or the search over directions are not settled.
+// pairs. Lanes that need another attempt or the search over directions are not settled: with an exponent below 2 those that overlap, for
+// nothing cheap shows there that a common normal is the lowest.
 //
 // A lane's answer is kept when it ends, for a step of zero would not give the same bits again.
 #pragma once
@@ -12,7 +13,7 @@
 
 namespace plumb {
 
-template <class P>
+template <class P, bool any_dual>
 class SurfacePack {
  public:
   using Lanes = typename P::mask_type;
@@ -54,10 +55,12 @@ class SurfacePack {
       keep_separated(n);
       if (none_of(active_)) return false;
     }
-    const Mask<P> is_warm(start_.is_warm, start_.is_warm);
+    const Mask<P> is_cold(!start_.is_warm, !start_.is_warm);
     const SurfaceRay<P> ray = cold.mixed_ray(n);
-    *here_ = surfaces_at<P>(pair_, pair_.inner, pair_.outer, blend(is_warm, start_.charts, ray.v),
-                            ray.is_normal && !is_warm);
+    detail::set_arc_points<P>(pair_.inner, pair_.outer, blend(is_cold, ray.v, start_.charts),
+                              is_cold && ray.is_normal != pair_.inner.dual,
+                              is_cold && ray.is_normal != pair_.outer.dual, *here_);
+    detail::fill<P, any_dual>(pair_, pair_.inner, pair_.outer, *here_);
     return true;
   }
 
@@ -110,8 +113,8 @@ class SurfacePack {
   [[gnu::always_inline]] void move(const std::array<P, 4>& x) {
     out_.evaluations = blend(active_, out_.evaluations + P(1.0), out_.evaluations);
     const P t = blend(active_, cut_of(x), P(0.0));
-    move_surfaces<P, false>(pair_, pair_.inner, pair_.outer, *here_, per_body<P>(x[0], x[2]) * PerBody<P>(t),
-                            per_body<P>(x[1], x[3]) * PerBody<P>(t), *there_);
+    move_surfaces<P, any_dual>(pair_, pair_.inner, pair_.outer, *here_, per_body<P>(x[0], x[2]) * PerBody<P>(t),
+                               per_body<P>(x[1], x[3]) * PerBody<P>(t), *there_);
     std::swap(here_, there_);
     set_equations(pair_, *here_, f_);
   }

@@ -65,8 +65,7 @@ TEST(Batch, EllipsoidsHaveTheBitsOfAuto) {
   }
 }
 
-/// Exponents: SLEEF's exp and log err by less than 1 unit in the last place, libm's by half of one. Where the overlap is well
-/// conditioned (it is, by 1) that is all there is.
+/// Exponents: whole ones of one pair are products, those of many powers; the rest is rounded alike.
 TEST(Batch, OtherExponentsHaveTheOverlapOfAutoToRounding) {
   const std::vector<Pair> pairs = pairs_of("superquadric", 1000);
   for (const InstructionSet set : available_instruction_sets()) {
@@ -100,6 +99,26 @@ TEST(Batch, AnyNumberOfPairs) {
       const ContactColumns batch = solved(pairs, set);
       for (std::size_t i = 0; i < count; ++i)
         ASSERT_TRUE(same(batch.at(i), solved_alone(pairs[i]))) << count << ' ' << i << ' ' << name(set);
+    }
+  }
+}
+
+/// Exponents below 2: bodies apart are settled side by side, and the others are for the search.
+TEST(Batch, ExponentsBelowTwoThatAreApartAreSettled) {
+  std::vector<Pair> pairs = pairs_of("superquadric", 1000);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].body1.shape.n1 = 1.2 + 0.7 * static_cast<double>(i) / 1000;
+    pairs[i].body2.position += 2 * (pairs[i].body2.position - pairs[i].body1.position);
+  }
+  for (const InstructionSet set : available_instruction_sets()) {
+    ContactColumns out(pairs.size());
+    const PairColumns columns(pairs);
+    EXPECT_LT(solve_batch(columns.arrays(), {}, out.arrays(), set).alone, 100U) << name(set);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const Contact<double> alone = solved_alone(pairs[i]);
+      ASSERT_EQ(out.verdict[i], alone.verdict) << i;
+      const double reach = std::max(size_of(pairs[i]), (pairs[i].body2.position - pairs[i].body1.position).norm());
+      ASSERT_NEAR(out.overlap[i], alone.overlap, 8 * std::numeric_limits<double>::epsilon() * reach) << i;
     }
   }
 }
