@@ -128,6 +128,16 @@ struct Patch {
   double error = std::numeric_limits<double>::infinity();
 };
 
+/// Pairs of points, one inside each body, that show how deep the bodies reach into one another along many directions. They move with the bodies:
+/// what proved that one contact is the lowest is where the proof for the next one begins.
+template <class S>
+struct Witnesses {
+  static constexpr std::size_t most = 6;
+  std::size_t count = 0;
+  std::array<std::array<Vec3<S>, most>, 2> points;  ///< of body 1 and of body 2: body axes, in its semi-axes
+  std::array<Superellipsoid<double>, 2> shapes;     ///< whose: of others they may be no points
+};
+
 /// The answer to a pair. Only with Status::converged are its numbers an answer; world frame, the caller's unit.
 template <class S = double>
 struct Contact {
@@ -144,6 +154,8 @@ struct Contact {
   Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
   /// Those of the contact that this one was warm started from: what moves steadily is ahead of where it was.
   Vec3<S> last_chart1 = not_valid<S>(), last_chart2 = not_valid<S>();
+  /// Of `auto`, where it took a search to show that nothing is lower: a warm start from this contact takes less.
+  std::optional<Witnesses<S>> witnesses;
   std::array<PrincipalCurvature<S>, 2> curvature;
   std::optional<std::array<PoseDerivative<S>, 2>> derivatives;  ///< by the pose of body 1 and of body 2
   std::optional<Patch> patch;  ///< of `auto`, where it was asked for and the contact converged

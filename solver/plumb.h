@@ -75,6 +75,12 @@ enum plumb_want {
   PLUMB_WANT_CONTACT = 7 /* overlap, normal and points */
 };
 
+/* What proved that a contact's last answer is the lowest, kept beside its context: where one solve in twenty needs a search (exponents
+ * to 40), moving bodies need it less often. Numbers to be kept and copied, not to be read; all zero: nothing yet. */
+typedef struct plumb_witnesses {
+  double state[48];
+} plumb_witnesses;
+
 /* How a pair is solved; PLUMB_OPTIONS is where to start from. */
 typedef struct plumb_options {
   size_t size;         /* sizeof(plumb_options) */
@@ -84,10 +90,12 @@ typedef struct plumb_options {
   double tolerance; /* residual, relative to the pair's size, at which a method may stop; 0: all that rounding allows */
   double motion[3]; /* of body 2 relative to body 1, any unit and length, for method first_touch; 0, 0, 0: not known */
   double patch_tolerance; /* relative error at which a patch may stop, > 0 */
+  plumb_witnesses*
+      witnesses; /* of this contact, read and written by plumb_solve with a context and `auto`; NULL: none */
 } plumb_options;
 
 /* What a null pointer to options stands for, and where to start from: plumb_options options = PLUMB_OPTIONS; */
-#define PLUMB_OPTIONS {sizeof(plumb_options), NULL, PLUMB_WANT_CONTACT, 100, 0, {0, 0, 0}, 1e-3}
+#define PLUMB_OPTIONS {sizeof(plumb_options), NULL, PLUMB_WANT_CONTACT, 100, 0, {0, 0, 0}, 1e-3, NULL}
 
 /* Where a contact's last solve ended, for the next one to start from when the bodies have moved a little: numbers to be kept and
  * copied, not to be read. All zero: not solved yet. The answer is the same to rounding, cold or warm. */

@@ -47,6 +47,52 @@ inline void keep(const Contact<double>& found, plumb_context& context) {
       has_charts ? found.last_chart2 : found.point2, found.normal;
 }
 
+/// plumb_witnesses::state: how many, the points of body 1 and of body 2, and the bodies' shapes.
+struct WitnessState {
+  static constexpr Eigen::Index most = Witnesses<double>::most;
+  double& count;
+  std::array<Eigen::Map<Eigen::Matrix<double, 3, most>>, 2> points;
+  std::array<Eigen::Map<Eigen::Matrix<double, 5, 1>>, 2> shapes;  ///< semi-axes, exponents
+};
+static_assert(sizeof(plumb_witnesses) >= (1 + 2 * 3 * Witnesses<double>::most + 10) * sizeof(double));
+
+[[nodiscard]] inline WitnessState state_of(plumb_witnesses& witnesses) {
+  double* const points = witnesses.state + 1;
+  double* const shapes = points + 6 * WitnessState::most;
+  return {witnesses.state[0],
+          {Eigen::Map<Eigen::Matrix<double, 3, WitnessState::most>>(points),
+           Eigen::Map<Eigen::Matrix<double, 3, WitnessState::most>>(points + 3 * WitnessState::most)},
+          {Eigen::Map<Eigen::Matrix<double, 5, 1>>(shapes), Eigen::Map<Eigen::Matrix<double, 5, 1>>(shapes + 5)}};
+}
+
+/// Where it holds none, or no number of them, nothing.
+[[nodiscard]] inline std::optional<Witnesses<double>> witnesses_of(plumb_witnesses* from) {
+  if (from == nullptr || !(from->state[0] >= 1 && from->state[0] <= WitnessState::most)) return std::nullopt;
+  const WitnessState state = state_of(*from);
+  Witnesses<double> out;
+  out.count = static_cast<std::size_t>(state.count);
+  for (std::size_t body = 0; body < 2; ++body) {
+    for (std::size_t k = 0; k < out.count; ++k)
+      out.points[body][k] = state.points[body].col(static_cast<Eigen::Index>(k));
+    const auto& shape = state.shapes[body];
+    out.shapes[body] = {shape.head<3>(), shape[3], shape[4]};
+  }
+  return out;
+}
+
+inline void keep(const std::optional<Witnesses<double>>& found, plumb_witnesses* to) {
+  if (to == nullptr) return;
+  WitnessState state = state_of(*to);
+  state.count = found ? static_cast<double>(found->count) : 0;
+  if (!found) return;
+  for (std::size_t body = 0; body < 2; ++body) {
+    for (std::size_t k = 0; k < found->count; ++k)
+      state.points[body].col(static_cast<Eigen::Index>(k)) = found->points[body][k];
+    const Superellipsoid<double>& shape = found->shapes[body];
+    state.shapes[body] << shape.semi_axes, shape.n1, shape.n2;
+  }
+}
+
 /// The charts of a part of a batch, from its contexts and back. A context that another method filled has none: NaN.
 template <std::size_t capacity>
 class ContextColumns {

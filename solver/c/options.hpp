@@ -29,7 +29,8 @@ inline constexpr unsigned all_wants =
 [[nodiscard]] inline bool is_of_a_header(std::size_t size) {
   constexpr std::array ends{offsetof(plumb_options, method),          offsetof(plumb_options, want),
                             offsetof(plumb_options, iteration_limit), offsetof(plumb_options, tolerance),
-                            offsetof(plumb_options, motion),          offsetof(plumb_options, patch_tolerance)};
+                            offsetof(plumb_options, motion),          offsetof(plumb_options, patch_tolerance),
+                            offsetof(plumb_options, witnesses)};
   return size >= sizeof(plumb_options) || std::find(ends.begin(), ends.end(), size) != ends.end();
 }
 

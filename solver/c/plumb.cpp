@@ -227,10 +227,12 @@ int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_cont
   if (method == nullptr) return PLUMB_ERROR_METHOD;
   Pair bodies = door::pair_of(*pair);
   bodies.motion = Vec3<double>::Map(chosen.motion);
-  const std::optional<Contact<double>> last = last_of(context);
+  std::optional<Contact<double>> last = last_of(context);
+  if (last) last->witnesses = witnesses_of(chosen.witnesses);
   const Contact<double> found = method->solve(bodies, want_of(chosen), last ? &*last : nullptr);
   *contact = door::c_contact(found);
   if (context != nullptr) keep(found, *context);
+  keep(found.witnesses, chosen.witnesses);
   if (details != nullptr) write_details(found, *details);
   return PLUMB_OK;
 }

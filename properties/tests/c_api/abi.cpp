@@ -28,6 +28,7 @@ static_assert(sizeof(plumb_abilities) >= 72 && offsetof(plumb_abilities, shapes)
               offsetof(plumb_abilities, name) == 48 && offsetof(plumb_abilities, version) == 56 &&
               offsetof(plumb_abilities, licence) == 64);
 static_assert(sizeof(plumb_context) == 128);
+static_assert(sizeof(plumb_witnesses) == 384);
 static_assert(sizeof(plumb_body_arrays) == 96 && offsetof(plumb_body_arrays, exponents) == 24 &&
               offsetof(plumb_body_arrays, position) == 40 && offsetof(plumb_body_arrays, quaternion_wxyz) == 64);
 static_assert(sizeof(plumb_contact_arrays) == 136 && offsetof(plumb_contact_arrays, verdict) == 8 &&
@@ -45,9 +46,9 @@ static_assert(sizeof(plumb_convex_body) == 176 && offsetof(plumb_convex_body, sw
 static_assert(sizeof(plumb_convex_pair) == 352);
 // These may grow; what they have does not move.
 static_assert(sizeof(plumb_options) >= 64 && offsetof(plumb_options, patch_tolerance) == 56 &&
-              offsetof(plumb_options, method) == 8 && offsetof(plumb_options, want) == 16 &&
-              offsetof(plumb_options, iteration_limit) == 20 && offsetof(plumb_options, tolerance) == 24 &&
-              offsetof(plumb_options, motion) == 32);
+              offsetof(plumb_options, witnesses) == 64 && offsetof(plumb_options, method) == 8 &&
+              offsetof(plumb_options, want) == 16 && offsetof(plumb_options, iteration_limit) == 20 &&
+              offsetof(plumb_options, tolerance) == 24 && offsetof(plumb_options, motion) == 32);
 static_assert(sizeof(plumb_details) >= 816 && offsetof(plumb_details, patch) == 528 &&
               offsetof(plumb_details, method) == 8 && offsetof(plumb_details, radii) == 16 &&
               offsetof(plumb_details, directions) == 48 && offsetof(plumb_details, overlap_by_shift) == 144 &&

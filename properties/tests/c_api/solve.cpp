@@ -54,8 +54,10 @@ TEST_P(CSolve, IsEveryMethodsSolveColdAndWarm) {
     for (std::uint64_t i = 0; i < 40; ++i) {
       const Pair pair = generate(GetParam(), 5, i).pair, next = moved(pair);
       const plumb_pair c_first = door::c_pair(pair), c_next = door::c_pair(next);
-      const plumb_options options = options_for(method.name);
+      plumb_options options = options_for(method.name);
       plumb_context context{};
+      plumb_witnesses witnesses{};
+      options.witnesses = &witnesses;
       plumb_contact found{};
       ASSERT_EQ(plumb_solve(&c_first, &options, &context, &found, nullptr), PLUMB_OK);
       const Contact<double> cold = method.solve(pair, {}, nullptr);
@@ -91,6 +93,36 @@ TEST(CApi, AContextIsTheLastContact) {
   const plumb_pair c_pair = door::c_pair(pair);
   ASSERT_EQ(plumb_solve(&c_pair, nullptr, &context, &found, nullptr), PLUMB_OK);
   EXPECT_EQ(found.overlap, find_method("auto")->solve(pair, {}, nullptr).overlap);
+}
+
+/// What proved the last answer, kept beside the context, does what it does for a Contact.
+TEST(CApi, WitnessesAreTheLastContacts) {
+  int kept = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    Pair pair = generate("superquadric", 5, i).pair;
+    plumb_context context{};
+    plumb_witnesses witnesses{};
+    plumb_options options = PLUMB_OPTIONS;
+    options.witnesses = &witnesses;
+    plumb_contact found;
+    Contact<double> last;
+    for (int step = 0; step < 4; ++step) {
+      pair = moved(pair);
+      const plumb_pair c_pair = door::c_pair(pair);
+      ASSERT_EQ(plumb_solve(&c_pair, &options, &context, &found, nullptr), PLUMB_OK);
+      last = find_method("auto")->solve(pair, {}, step == 0 || last.status != Status::converged ? nullptr : &last);
+      ASSERT_EQ(found.evaluations, last.evaluations) << i << ", step " << step;
+      ASSERT_EQ(witnesses.state[0] > 0, last.witnesses.has_value()) << i << ", step " << step;
+      kept += last.witnesses ? 1 : 0;
+    }
+    for (double& state : witnesses.state) state = 5;  // of no solve
+    const plumb_pair c_pair = door::c_pair(pair);
+    ASSERT_EQ(plumb_solve(&c_pair, &options, &context, &found, nullptr), PLUMB_OK);
+    if (last.status == Status::converged) last.witnesses.reset();
+    ASSERT_EQ(found.evaluations,
+              find_method("auto")->solve(pair, {}, last.status == Status::converged ? &last : nullptr).evaluations);
+  }
+  EXPECT_GT(kept, 10);
 }
 
 plumb_body_arrays c_arrays(const BodyArrays& b) {

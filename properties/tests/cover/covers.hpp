@@ -45,7 +45,17 @@ struct WithoutSolves {
   [[nodiscard]] Vector3<double> centre() const { return of.centre(); }
   [[nodiscard]] double size() const { return of.size(); }
   [[nodiscard]] Vector3<double> farthest(const Vector3<double>& v) const { return of.farthest(v); }
+  [[nodiscard]] Vector3<PerBody<double>> farthest_points(const Vector3<double>& v) const {
+    return of.farthest_points(v);
+  }
   [[nodiscard]] auto support_shapes() const { return of.support_shapes(); }
+  [[nodiscard]] PerBody<double> inner_rolling_radii() const { return of.inner_rolling_radii(); }
+  [[nodiscard]] Vector3<PerBody<double>> to_gauge(const Vector3<PerBody<double>>& p) const { return of.to_gauge(p); }
+  [[nodiscard]] Vector3<PerBody<double>> from_gauge(const Vector3<PerBody<double>>& p) const {
+    return of.from_gauge(p);
+  }
+  [[nodiscard]] Vector3<double> point1(const Answer& found) const { return of.point1(found); }
+  [[nodiscard]] Vector3<double> point2(const Answer& found) const { return of.point2(found); }
   [[nodiscard]] Answer solve(const Vector3<double>& /*start*/, Attempts /*attempts*/) const {
     Answer out;
     out.evaluations = 0;

@@ -15,7 +15,7 @@ using Cover = SectorCover<double, WithoutSolves<Solver>>;
 
 template <class Solver>
 void judge(const Solver& solver, const std::vector<Vector3<double>>& grid, Stream& stream, Tally& tally) {
-  judge_each<Cover<Solver>>(solver, grid, stream, generous, tally);
+  judge_each<Cover<Solver>>(solver, grid, stream, generous, tally, nullptr);
 }
 
 TEST(Sectors, OfEllipsoidsNoLowerOneIsExcluded) {
@@ -64,7 +64,8 @@ TEST(Sectors, OfBlocksThatTouchMostAreProvedByAFewWitnesses) {
     if (first.status != Status::converged || solver.is_surely_lowest(first)) continue;
     first.evaluations = 0;
     ++open;
-    const auto found = proved_by_sectors<double>(solver, first);
+    std::optional<Witnesses<double>> witnesses;
+    const auto found = proved_by_sectors<double>(solver, first, witnesses);
     if (found.status != Status::converged) continue;
     ++proved;
     evaluations += found.evaluations;
@@ -119,7 +120,8 @@ TEST(Sectors, GivesUpWhereItCanNotBegin) {
     const EllipsoidSolver<double> solver{framed, want, {}};
     auto first = solver.solve({0.1, 0.2, 1});
     first.status = status;
-    return what_says<Cover<EllipsoidSolver<double>>>(WithoutSolves<EllipsoidSolver<double>>{solver}, first, generous);
+    return what_says<Cover<EllipsoidSolver<double>>>(WithoutSolves<EllipsoidSolver<double>>{solver}, first, generous,
+                                                     nullptr);
   };
   EXPECT_EQ(says({0.5, 0, 0}, Status::stalled), Said::is_unfinished);
   EXPECT_EQ(says({0, 0, 0}, Status::converged), Said::is_unfinished);

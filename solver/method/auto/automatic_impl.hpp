@@ -80,8 +80,8 @@ template <class S>
 }
 
 template <class S>
-[[nodiscard]] Contact<S> contact_of(const Found<S>& found, const Want& want, const PairFrame<S>& frame, const S& size,
-                                    const Pair& pair) {
+[[nodiscard, gnu::always_inline]] inline Contact<S>
+contact_of(const Found<S>& found, const Want& want, const PairFrame<S>& frame, const S& size, const Pair& pair) {
   Contact<S> out;
   out.method = "auto";
   out.status = has_length<S>(frame, size) ? found.status : Status::not_finite;
@@ -119,14 +119,14 @@ template <class S>
 }
 
 //! [auto]
-/// The common normal of lowest overlap. `solver`: EllipsoidSolver or SurfaceSolver.
+/// The common normal of lowest overlap. `solver`: EllipsoidSolver or SurfaceSolver; `witnesses`: as for lowest_by_search.
 template <class S, class Solver>
 [[nodiscard]] Found<S> lowest_common_normal(const Solver& solver, const Pair& bodies, const Want& want,
-                                            const Contact<S>* last) {
+                                            const Contact<S>* last, std::optional<Witnesses<S>>& witnesses) {
   auto found = solver.local(bodies, last);
   const bool is_answered = want.is_yes_or_no() && share_middle<S>(bodies, solver.point1(found), solver.point2(found));
   if (!is_answered && !solver.is_surely_lowest(found) && !solver.is_asked_to_stop(found))
-    found = solver.searched(bodies, found, last);
+    found = solver.searched(bodies, found, last, witnesses);
   return {is_answered ? Status::converged : found.status,
           found.overlap,
           found.normal,
@@ -142,20 +142,39 @@ template <class S, class Solver>
 
 template <class S>
 [[nodiscard]] Found<S> solve_ellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
-                                        const Contact<S>* last) {
+                                        const Contact<S>* last, std::optional<Witnesses<S>>& witnesses) {
   const EllipsoidPair<S> pair = ellipsoid_pair(framed);
-  return lowest_common_normal<S>(EllipsoidSolver<S>{pair, want}, bodies, want, last);
+  return lowest_common_normal<S>(EllipsoidSolver<S>{pair, want}, bodies, want, last, witnesses);
 }
 
 template <class S>
 [[nodiscard]] Found<S> solve_superellipsoids(const Pair& bodies, const FramedPair<S>& framed, const Want& want,
-                                             const Contact<S>* last) {
+                                             const Contact<S>* last, std::optional<Witnesses<S>>& witnesses) {
   const auto exponents = [&](double Superellipsoid<double>::* n) {
     return per_body<S>(S(bodies.body1.shape.*n), S(bodies.body2.shape.*n));
   };
   const SuperellipsoidPair<S> pair =
       superellipsoid_pair(framed, exponents(&Superellipsoid<double>::n1), exponents(&Superellipsoid<double>::n2));
-  return lowest_common_normal<S>(SurfaceSolver<S>(pair, want), bodies, want, last);
+  return lowest_common_normal<S>(SurfaceSolver<S>(pair, want), bodies, want, last, witnesses);
+}
+
+[[nodiscard]] inline bool is_same(const Superellipsoid<double>& a, const Superellipsoid<double>& b) {
+  return a.semi_axes == b.semi_axes && a.n1 == b.n1 && a.n2 == b.n2;
+}
+
+/// Those of an earlier contact of bodies of the same shapes.
+template <class S>
+[[nodiscard]] std::optional<Witnesses<S>> known_witnesses(const Pair& pair, const Contact<S>* last) {
+  const bool are_known = last != nullptr && last->witnesses && is_same(last->witnesses->shapes[0], pair.body1.shape) &&
+                         is_same(last->witnesses->shapes[1], pair.body2.shape);
+  return are_known ? last->witnesses : std::nullopt;
+}
+
+/// Not inlined: most contacts have none.
+template <class S>
+[[gnu::noinline]] void set_witnesses(Contact<S>& out, const Witnesses<S>& witnesses, const Pair& pair) {
+  out.witnesses = witnesses;
+  out.witnesses->shapes = {pair.body1.shape, pair.body2.shape};
 }
 
 }  // namespace detail
@@ -173,7 +192,9 @@ template <class S>
   const FramedPair<S> framed = framed_pair<S>(pair, frame);
   const bool are_ellipsoids = detail::is_ellipsoid(pair.body1.shape) && detail::is_ellipsoid(pair.body2.shape);
   const auto solve = are_ellipsoids ? detail::solve_ellipsoids<S> : detail::solve_superellipsoids<S>;
-  Contact<S> out = detail::contact_of<S>(solve(pair, framed, want, last), want, frame, framed.size, pair);
+  std::optional<Witnesses<S>> witnesses = detail::known_witnesses(pair, last);
+  Contact<S> out = detail::contact_of<S>(solve(pair, framed, want, last, witnesses), want, frame, framed.size, pair);
+  if (witnesses) detail::set_witnesses(out, *witnesses, pair);
   if (last != nullptr) out.last_chart1 = last->chart1, out.last_chart2 = last->chart2;
   return out;
 }

@@ -25,6 +25,7 @@ inline constexpr double search_noise = 16;   ///< of o; at 64 a tie of 1.6e-14 w
 inline constexpr double behind_centre = 32;  ///< of d.c, by n.c: how far the corners of a sector lie behind its plane
 inline constexpr double squared_tilt = 16;   ///< of axes called parallel, its square: what search_noise takes up
 inline constexpr double small_tilt = 0.05;  ///< of axes that are nearly parallel, its sine; beyond it squares do better
+inline constexpr double mixing = 4;         ///< of a mixture of four points, in semi-axes
 inline constexpr double rotation_noise = 32;  ///< of the derivative of o along a rotation
 inline constexpr double common_axis = 8;      ///< of the axes and centres of bodies on one line
 inline constexpr double same_length = 4;      ///< a step or two of a double: semi-axes of a body of revolution

@@ -111,27 +111,32 @@ template <class S, class Solver>
 }
 
 /// `found`, or the same stalled where sectors do not show that it is the lowest. Solves nothing: the covers that come after
-/// start better. 15 evaluations at most, whatever was spent.
+/// start better. 15 evaluations at most, whatever was spent. `witnesses`: those to begin with, then those of the proof.
 template <class S, class Solver>
-[[nodiscard, gnu::noinline]] typename Solver::Answer proved_by_sectors(const Solver& solver,
-                                                                       const typename Solver::Answer& found) {
+[[nodiscard, gnu::noinline]] typename Solver::Answer
+proved_by_sectors(const Solver& solver, const typename Solver::Answer& found, std::optional<Witnesses<S>>& witnesses) {
   using Sectors = SectorCover<S, Solver>;
   static_assert(Cover<Sectors>);
   Incumbent<S, Solver> incumbent(solver, found, budget::first_search);
-  Sectors sectors(incumbent);
+  Sectors sectors(incumbent, witnesses ? &*witnesses : nullptr);
   sectors.start();
   while (!sectors.is_empty() && !incumbent.is_settled()) sectors.look_at_next();
-  return incumbent.answer(incumbent.is_settled() || !sectors.has_left_out());
+  const bool is_proved = incumbent.is_settled() || !sectors.has_left_out();
+  if (is_proved && sectors.has_seen_more()) witnesses = sectors.witnesses();
+  return incumbent.answer(is_proved);
 }
 
-/// The lowest common normal from `first` on, an answer or not.
+/// The lowest common normal from `first` on, an answer or not. Where sectors prove it, `witnesses` are those of the proof.
 template <class S, class Solver>
-[[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_search(const Solver& solver, const PlacedPair<S>& placed,
-                                                                      const typename Solver::Answer& first) {
+[[nodiscard, gnu::noinline]] typename Solver::Answer lowest_by_search(const Solver& solver, const Pair& bodies,
+                                                                      const typename Solver::Answer& first,
+                                                                      std::optional<Witnesses<S>>& witnesses) {
   using Answer = typename Solver::Answer;
-  const Answer proved = proved_by_sectors<S>(solver, first);
+  const Answer proved = proved_by_sectors<S>(solver, first, witnesses);
   if (proved.status == Status::converged) return proved;
-  Answer out = lowest_by_axes<S>(solver, placed, first);
+  const PlacedPair<S> placed = place<S>(bodies);
+  const Vector3<S> none{S(0), S(0), S(0)};
+  Answer out = lowest_by_axes<S>(solver.without_rotation(common_axis(placed).value_or(none)), placed, first);
   out.evaluations += proved.evaluations - first.evaluations;  // not out of its budget: few pairs need the last of it
   return out;
 }

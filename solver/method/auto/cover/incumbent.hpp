@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "solver/method/auto/cover/curvature_bound.hpp"
+#include "solver/method/per_body.hpp"
 
 namespace plumb {
 
@@ -58,6 +59,11 @@ class Incumbent {
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) {
     count();
     return solver_.farthest(v);
+  }
+  /// The points themselves, each from its body's centre.
+  [[nodiscard]] Vector3<PerBody<S>> farthest_points(const Vector3<S>& v) {
+    count();
+    return solver_.farthest_points(v);
   }
 
   /// From body 1's centre to body 2's, the greatest component 1; none where the centres coincide, or nearly.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "solver/method/auto/tolerances.hpp"
@@ -53,10 +54,23 @@ class MixtureBound {
     return best(corners);
   }
 
-  /// Whether one of them is as high as that at every corner.
-  [[nodiscard]] bool one_reaches(const S& height, const Corners& corners) const {
-    return std::any_of(witnesses_.begin(), witnesses_.begin() + static_cast<std::ptrdiff_t>(count_),
-                       [&](const Vector3<S>& witness) { return plumb::reaches(witness, height, corners); });
+  /// One of them that is as high as that at every corner, by its number.
+  [[nodiscard]] std::optional<std::size_t> one_that_reaches(const S& height, const Corners& corners) const {
+    for (std::size_t j = 0; j < count_; ++j)
+      if (plumb::reaches(witnesses_[j], height, corners)) return j;
+    return std::nullopt;
+  }
+
+  /// How much of each witness is in the mixture that `solve` found last.
+  [[nodiscard]] std::array<S, most_witnesses> shares() const {
+    std::array<S, most_witnesses> out{};
+    S all(0);
+    for (std::size_t k = 0; k < corner_count; ++k)
+      if (of_column_[k] >= corner_count && objective_[k] < S(0))
+        all += out[of_column_[k] - corner_count] = -objective_[k];
+    if (!(all > S(0))) out[0] = all = S(1);
+    for (S& share : out) share = share / all;
+    return out;
   }
 
   /// Whether one of them shows that o along v is as high as that.

@@ -6,12 +6,14 @@
 // face's rim is high all over it.
 //
 // Excluded   by a witness at all four corners, or by a mixture of all that were seen
+// Kept       what excludes the sectors, as points of the bodies: it mostly excludes those of the next step of a motion
 // Divided    by half, across n and along it in turn; the parts of the last divided are looked at first
 // Given up   where o is lower than at n, where n.c <= 0, and where 15 evaluations do not do: other covers do better then
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "solver/method/auto/cover/incumbent.hpp"
 #include "solver/method/auto/cover/mixture_bound.hpp"
@@ -44,7 +46,10 @@ class SectorCover {
  public:
   using Incumbent = plumb::Incumbent<S, Solver>;
 
-  explicit SectorCover(Incumbent& incumbent) : incumbent_(incumbent) {}
+  /// `known`: of an earlier contact, if any.
+  SectorCover(Incumbent& incumbent, const Witnesses<S>* known)
+      : incumbent_(incumbent), known_(known),
+        radii_(incumbent.solver().inner_rolling_radii() * PerBody<S>(S(1) - S(tolerance::touching) * epsilon<S>())) {}
 
   void start() {
     if (!incumbent_.is_found()) return give_up();
@@ -54,7 +59,8 @@ class SectorCover {
     const DirectionSquare<S> square =
         convex_square<S>(incumbent_.solver().support_shapes(), n, incumbent_.bound(), widest_square);
     if (!(square.reach > S(0))) return give_up();
-    witnesses_.add(incumbent_.witness(incumbent_.best()));
+    add(incumbent_.witness(incumbent_.best()), gauge_of(n, points_of(incumbent_.best())));
+    for (std::size_t j = 0; known_ != nullptr && j < known_->count; ++j) add_known(j);
     for (const Corners& corners : sectors_about(square, *c)) push({corners, 0});
   }
   [[nodiscard]] bool is_empty() const { return waiting_count_ == 0; }
@@ -64,17 +70,25 @@ class SectorCover {
   void look_at_next() {
     const Cell cell = waiting_[--waiting_count_];
     const S height = incumbent_.excluded_height();
-    if (witnesses_.one_reaches(height, cell.corners)) return;
+    if (const auto one = witnesses_.one_that_reaches(height, cell.corners)) return keep(*one);
+    if (known_ != nullptr && cell.depth < known_depth) return divide(cell);
     const auto [mixture, place] = witnesses_.solve(cell.corners, height);
-    if (reaches(mixture, height, cell.corners)) return;
+    if (reaches(mixture, height, cell.corners)) return keep(mixture_of(witnesses_.shares()));
     if (witnesses_.is_full()) return give_up();
-    const Vector3<S> g = incumbent_.farthest(place);
+    const Vector3<PerBody<S>> points = incumbent_.farthest_points(place);
+    const Vector3<S> g = difference(points);
     if (incumbent_.sees_lower(place, g)) return give_up();
     const Vector3<S> witness = incumbent_.witness(place, g);
-    witnesses_.add(witness);
-    if (reaches(witness, height, cell.corners)) return;
-    for (const int part : {0, 1}) push(cell.part(part));
+    has_seen_more_ = true;
+    add(witness, gauge_of(unit(place), points));
+    if (reaches(witness, height, cell.corners)) return keep(count_ - 1);
+    divide(cell);
   }
+
+  /// Whether witnesses were missing.
+  [[nodiscard]] bool has_seen_more() const { return has_seen_more_; }
+  /// Those that exclude the cells, or the first of them.
+  [[nodiscard]] const Witnesses<S>& witnesses() const { return kept_; }
 
  private:
   using Corners = typename MixtureBound<S>::Corners;
@@ -96,7 +110,52 @@ class SectorCover {
 
   static constexpr double widest_square = 1.0 / 16;  // wider ones are seldom convex, and save little
 
+  [[nodiscard]] Vector3<S> difference(const Vector3<PerBody<S>>& points) const {
+    return first(points) - second(points) - incumbent_.solver().centre();
+  }
+  [[nodiscard]] Vector3<PerBody<S>> points_of(const typename Solver::Answer& found) const {
+    const Solver& solver = incumbent_.solver();
+    return per_body(solver.point1(found), solver.point2(found) - solver.centre());
+  }
+  /// Points farthest along the unit vector v: of the bodies without the balls that roll inside, in body axes and semi-axes.
+  [[nodiscard]] Vector3<PerBody<S>> gauge_of(const Vector3<S>& v, const Vector3<PerBody<S>>& points) const {
+    return incumbent_.solver().to_gauge(points - per_body(v, v * S(-1)) * radii_);
+  }
+
+  void add(const Vector3<S>& witness, const Vector3<PerBody<S>>& gauge) {
+    witnesses_.add(witness);
+    gauge_[count_++] = gauge;
+  }
+  void add_known(std::size_t j) {
+    const Vector3<PerBody<S>> gauge =
+        per_body(Vector3<S>::of(known_->points[0][j]), Vector3<S>::of(known_->points[1][j]));
+    add(difference(incumbent_.solver().from_gauge(gauge)), gauge);
+  }
+
+  void keep(std::size_t witness) {
+    if (!is_kept_[witness]) keep(gauge_[witness]);
+    is_kept_[witness] = true;
+  }
+  void keep(const Vector3<PerBody<S>>& gauge) {
+    if (kept_.count == Witnesses<S>::most) return;
+    kept_.points[0][kept_.count] = first(gauge).eigen();
+    kept_.points[1][kept_.count++] = second(gauge).eigen();
+  }
+  /// A little nearer to the centres: mixtures of mixtures must not drift out of the bodies.
+  [[nodiscard]] Vector3<PerBody<S>> mixture_of(const std::array<S, MixtureBound<S>::most_witnesses>& shares) const {
+    Vector3<PerBody<S>> out = gauge_[0] * PerBody<S>(shares[0]);
+    for (std::size_t j = 1; j < count_; ++j)
+      if (shares[j] > S(0)) out = out + gauge_[j] * PerBody<S>(shares[j]);
+    return out * PerBody<S>(S(1) - S(tolerance::mixing) * epsilon<S>());
+  }
+
+  /// Of cells that witnesses of an earlier contact may exclude one by one.
+  static constexpr int known_depth = 3;
+
   void push(const Cell& cell) { waiting_[waiting_count_++] = cell; }
+  void divide(const Cell& cell) {
+    for (const int part : {0, 1}) push(cell.part(part));
+  }
 
   void give_up() {
     waiting_count_ = 0;
@@ -104,9 +163,16 @@ class SectorCover {
   }
 
   Incumbent& incumbent_;
-  MixtureBound<S> witnesses_;  ///< all that were seen
-  /// A cell that is divided costs a witness, and is one more.
-  std::array<Cell, 4 + MixtureBound<S>::most_witnesses> waiting_;
+  const Witnesses<S>* known_;
+  PerBody<S> radii_;           ///< of balls that roll inside the bodies
+  MixtureBound<S> witnesses_;  ///< all that were seen, and those known before
+  std::array<Vector3<PerBody<S>>, MixtureBound<S>::most_witnesses> gauge_;  ///< their points
+  std::array<bool, MixtureBound<S>::most_witnesses> is_kept_{};
+  std::size_t count_ = 0;
+  Witnesses<S> kept_;
+  bool has_seen_more_ = false;
+  /// A cell that is divided is one more: it costs a witness, or goes to `known_depth`.
+  std::array<Cell, 4 + known_depth + MixtureBound<S>::most_witnesses> waiting_;
   std::size_t waiting_count_ = 0;
   bool has_given_up_ = false;
 };

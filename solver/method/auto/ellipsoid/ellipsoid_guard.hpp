@@ -21,14 +21,19 @@
 
 namespace plumb {
 
-/// r: of a ball that rolls inside K.
+/// r1 and r2: of balls that roll inside the bodies.
 template <class S>
-[[nodiscard]] inline S inner_rolling_radius(const EllipsoidPair<S>& pair) {
+[[nodiscard]] inline PerBody<S> inner_rolling_radii(const EllipsoidPair<S>& pair) {
   using std::max;
   using std::min;
   const Vector3<PerBody<S>>& a = pair.semi_axes;
   const PerBody<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
-  return sum<S>(least * least / longest);
+  return least * least / longest;
+}
+/// r: of a ball that rolls inside K.
+template <class S>
+[[nodiscard]] inline S inner_rolling_radius(const EllipsoidPair<S>& pair) {
+  return sum<S>(inner_rolling_radii(pair));
 }
 
 template <class S>

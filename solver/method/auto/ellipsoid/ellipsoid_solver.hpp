@@ -22,6 +22,18 @@ struct EllipsoidSolver {
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
   [[nodiscard]] S size() const { return pair.reach; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return sum(touch(pair, v).p) - pair.c; }
+  [[nodiscard]] Vector3<PerBody<S>> farthest_points(const Vector3<S>& v) const {
+    const Vector3<PerBody<S>> p = touch(pair, v).p;
+    return per_body(first(p), second(p) * S(-1));
+  }
+  [[nodiscard]] PerBody<S> inner_rolling_radii() const { return plumb::inner_rolling_radii(pair); }
+  [[nodiscard]] Vector3<PerBody<S>> to_gauge(const Vector3<PerBody<S>>& points) const {
+    const Vector3<PerBody<S>>&q = pair.map * points, &a = pair.semi_axes;
+    return {q.x / (a.x * a.x), q.y / (a.y * a.y), q.z / (a.z * a.z)};
+  }
+  [[nodiscard]] Vector3<PerBody<S>> from_gauge(const Vector3<PerBody<S>>& points) const {
+    return pair.map.transposed_times(points);
+  }
   [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const {
     return {SupportShape<S>{first(pair.map), S(2), S(2)}, SupportShape<S>{second(pair.map), S(2), S(2)}};
   }
@@ -45,13 +57,18 @@ struct EllipsoidSolver {
   [[nodiscard]] bool is_asked_to_stop(const Answer& found) const {
     return found.status != Status::converged && want.iteration_limit < budget::first_steps;
   }
-  /// By the cold start, should `found` be from a warm one, then by a search.
-  [[nodiscard]] Answer searched(const Pair& bodies, Answer found, const Contact<S>* last) const {
+  /// By witnesses of an earlier contact, or by the cold start, should `found` be from a warm one; then by a search.
+  [[nodiscard, gnu::noinline]] Answer searched(const Pair& bodies, Answer found, const Contact<S>* last,
+                                               std::optional<Witnesses<S>>& witnesses) const {
     if (is_direction(warm_direction(last))) {
+      if (witnesses) {
+        const Answer proved = proved_by_sectors<S>(*this, found, witnesses);
+        if (proved.status == Status::converged) return proved;
+      }
       found = or_cold(found);
       if (is_surely_lowest(found)) return found;
     }
-    return searched(bodies, found);
+    return lowest_by_search(*this, bodies, found, witnesses);
   }
 
   [[nodiscard]] static Vector3<S> point1(const Answer& found) { return first(found.at.touch.p); }
@@ -81,12 +98,6 @@ struct EllipsoidSolver {
     if (out.status != Status::converged || (is_found && warm.overlap <= out.overlap)) out = warm;
     out.evaluations = evaluations;
     return out;
-  }
-
-  [[nodiscard, gnu::noinline]] Answer searched(const Pair& bodies, const Answer& found) const {
-    const PlacedPair<S> placed = place<S>(bodies);
-    const EllipsoidSolver solver{pair, want, common_axis(placed).value_or(Vector3<S>{S(0), S(0), S(0)})};
-    return lowest_by_search(solver, placed, found);
   }
 };
 

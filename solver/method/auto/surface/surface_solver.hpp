@@ -23,6 +23,16 @@ class SurfaceSolver {
   [[nodiscard]] Vector3<S> centre() const { return pair.c; }
   [[nodiscard]] S size() const { return pair.reach; }
   [[nodiscard]] Vector3<S> farthest(const Vector3<S>& v) const { return farthest_difference(pair, v); }
+  [[nodiscard]] Vector3<PerBody<S>> farthest_points(const Vector3<S>& v) const {
+    return plumb::farthest_points(pair, v);
+  }
+  [[nodiscard]] PerBody<S> inner_rolling_radii() const { return plumb::inner_rolling_radii(pair); }
+  [[nodiscard]] Vector3<PerBody<S>> to_gauge(const Vector3<PerBody<S>>& points) const {
+    return times(pair.rotation.transposed_times(points), pair.inverse_axes);
+  }
+  [[nodiscard]] Vector3<PerBody<S>> from_gauge(const Vector3<PerBody<S>>& points) const {
+    return pair.rotation * times(pair.semi_axes, points);
+  }
   [[nodiscard]] std::array<SupportShape<S>, 2> support_shapes() const { return plumb::support_shapes(pair); }
 
   /// By the rows of attempts::of_search. Newton's iteration may run away uphill: that is no answer.
@@ -59,11 +69,9 @@ class SurfaceSolver {
     return found.minimum && plumb::is_surely_lowest<S>(pair, found.normal, found.overlap);
   }
   [[nodiscard]] bool is_asked_to_stop(const Answer& found) const { return found.status == Status::iteration_limit; }
-  [[nodiscard, gnu::noinline]] Answer searched(const Pair& bodies, const Answer& found,
-                                               const Contact<S>* /*last*/) const {
-    const PlacedPair<S> placed = place<S>(bodies);
-    const SurfaceSolver solver = without_rotation(common_axis(placed).value_or(Vector3<S>{S(0), S(0), S(0)}));
-    return lowest_by_search(solver, placed, found);
+  [[nodiscard]] Answer searched(const Pair& bodies, const Answer& found, const Contact<S>* /*last*/,
+                                std::optional<Witnesses<S>>& witnesses) const {
+    return lowest_by_search(*this, bodies, found, witnesses);
   }
 
   [[nodiscard]] static const Vector3<S>& point1(const Answer& found) { return found.point1; }

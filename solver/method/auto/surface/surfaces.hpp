@@ -22,21 +22,16 @@ struct SuperellipsoidPair : FramedPair<S> {
   S inner_rolling_radius;  ///< radius of a ball that rolls inside the bodies' Minkowski sum
 };
 
-namespace detail {
-
-/// A lower bound of the radii of curvature, summed over the bodies. H >= (min(m1, m2) - 1) times that of the ellipsoid of
-/// the same semi-axes, m = n/(n-1) <= 2: a p-norm with p <= 2 is curved at least p - 1 times as much as the Euclidean norm.
-/// Exponents below 2 have points where a radius of curvature is 0.
+/// Radii of balls that roll inside the bodies. H >= (min(m1, m2) - 1) times that of the ellipsoid of the same semi-axes,
+/// m = n/(n-1) <= 2: a p-norm with p <= 2 is curved at least p - 1 times as much as the Euclidean norm. Exponents below 2 have points
+/// where a radius of curvature is 0.
 template <class S>
-[[nodiscard]] inline S inner_rolling_radius(const SuperellipsoidPair<S>& pair) {
+[[nodiscard]] inline PerBody<S> inner_rolling_radii(const SuperellipsoidPair<S>& pair) {
   const Vector3<PerBody<S>>& a = pair.semi_axes;
   const PerBody<S> least = min(a.x, min(a.y, a.z)), longest = max(a.x, max(a.y, a.z));
   const PerBody<S> radius = min(pair.outer.inverse, pair.inner.inverse) * least * least / longest;
-  const S touching = S(1) + S(tolerance::touching) * epsilon<S>();
-  return sum<S>(select<S>(pair.outer.dual || pair.inner.dual, S(0), radius)) * touching;
+  return select<S>(pair.outer.dual || pair.inner.dual, S(0), radius);
 }
-
-}  // namespace detail
 
 /// n1, n2: of both bodies.
 template <class S>
@@ -50,7 +45,7 @@ superellipsoid_pair(const FramedPair<S>& framed, const PerBody<S>& n1, const Per
   out.inner = arc_of_exponents<S>(n2);
   out.any_dual = any_of(out.inner.dual) || any_of(out.outer.dual);
   out.greatest_nu = hmax(max(out.inner.nu, out.outer.nu));
-  out.inner_rolling_radius = detail::inner_rolling_radius(out);
+  out.inner_rolling_radius = sum<S>(inner_rolling_radii(out)) * (S(1) + S(tolerance::touching) * epsilon<S>());
   return out;
 }
 
@@ -174,17 +169,22 @@ template <class S>
   return pair.rotation.transposed_times(per_body(n, n * S(-1)));
 }
 
-/// p1(n) - p2(-n) - c: the gradient of o's convex extension.
+/// p1(n) and p2(-n), each from its body's centre.
 template <class S>
-[[nodiscard]] inline Vector3<S> farthest_difference(const SuperellipsoidPair<S>& pair, const Vector3<S>& n) {
+[[nodiscard]] inline Vector3<PerBody<S>> farthest_points(const SuperellipsoidPair<S>& pair, const Vector3<S>& n) {
   const Vector3<PerBody<S>> v = times(to_body_axes(pair, n), pair.semi_axes);
   Surfaces<S> at;
   detail::set_arc_points<S>(pair.inner, pair.outer, v, !pair.inner.dual, !pair.outer.dual, at);
   const auto i = detail::roles<S, true>(pair.inner.dual, at.inner),
              o = detail::roles<S, true>(pair.outer.dual, at.outer);
-  const Vector3<PerBody<S>> p =
-      pair.rotation *
-      times(pair.semi_axes, Vector3<PerBody<S>>{o.point_a * i.point_a, o.point_a * i.point_b, o.point_b});
+  return pair.rotation *
+         times(pair.semi_axes, Vector3<PerBody<S>>{o.point_a * i.point_a, o.point_a * i.point_b, o.point_b});
+}
+
+/// p1(n) - p2(-n) - c: the gradient of o's convex extension.
+template <class S>
+[[nodiscard]] inline Vector3<S> farthest_difference(const SuperellipsoidPair<S>& pair, const Vector3<S>& n) {
+  const Vector3<PerBody<S>> p = farthest_points(pair, n);
   return first(p) - second(p) - pair.c;
 }
 
