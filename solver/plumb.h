@@ -89,9 +89,8 @@ typedef struct plumb_options {
   int iteration_limit; /* of each local solve, > 0 */
   double tolerance; /* residual, relative to the pair's size, at which a method may stop; 0: all that rounding allows */
   double motion[3]; /* of body 2 relative to body 1, any unit and length, for method first_touch; 0, 0, 0: not known */
-  double patch_tolerance; /* relative error at which a patch may stop, > 0 */
-  plumb_witnesses*
-      witnesses; /* of this contact, read and written by plumb_solve with a context and `auto`; NULL: none */
+  double patch_tolerance;     /* relative error at which a patch may stop, > 0 */
+  plumb_witnesses* witnesses; /* of this contact, for plumb_solve with a context and `auto`; NULL: none */
 } plumb_options;
 
 /* What a null pointer to options stands for, and where to start from: plumb_options options = PLUMB_OPTIONS; */
