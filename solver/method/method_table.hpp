@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <tuple>
 
 #include "solver/method/methods.hpp"
 #include "solver/standard_arithmetic.hpp"
@@ -20,12 +22,9 @@ namespace detail {
 /// Takes away what the method found: where it did not converge, that is no answer.
 template <class S>
 void withhold(Contact<S>& answer) {
-  Contact<S> out;
-  out.method = answer.method;
-  out.status = answer.status;
-  out.iterations = answer.iterations;
-  out.evaluations = answer.evaluations;
-  answer = out;
+  const auto kept = std::tuple(answer.method, answer.status, answer.iterations, answer.evaluations);
+  std::construct_at(&answer);  // assigned, g++ 12 takes its empty optionals for read
+  std::tie(answer.method, answer.status, answer.iterations, answer.evaluations) = kept;
 }
 
 template <class S>
