@@ -154,7 +154,7 @@ struct Contact {
   Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
   /// Those of the contact that this one was warm started from: what moves steadily is ahead of where it was.
   Vec3<S> last_chart1 = not_valid<S>(), last_chart2 = not_valid<S>();
-  /// Of `auto`, where it took a search to show that nothing is lower: a warm start from this contact takes less.
+  /// Of `auto`, where a short search showed that nothing is lower, now or at an earlier step: it takes the next one less.
   std::optional<Witnesses<S>> witnesses;
   std::array<PrincipalCurvature<S>, 2> curvature;
   std::optional<std::array<PoseDerivative<S>, 2>> derivatives;  ///< by the pose of body 1 and of body 2

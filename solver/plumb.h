@@ -75,8 +75,8 @@ enum plumb_want {
   PLUMB_WANT_CONTACT = 7 /* overlap, normal and points */
 };
 
-/* What proved that a contact's last answer is the lowest, kept beside its context: where one solve in twenty needs a search (exponents
- * to 40), moving bodies need it less often. Numbers to be kept and copied, not to be read; all zero: nothing yet. */
+/* What proved that a contact's last answer is the lowest, kept beside its context: a proof for the next step mostly needs nothing else. One
+ * to a contact, all zero at first; numbers to be kept and copied, not to be read. What was changed in them is taken for nothing. */
 typedef struct plumb_witnesses {
   double state[48];
 } plumb_witnesses;
@@ -90,7 +90,7 @@ typedef struct plumb_options {
   double tolerance; /* residual, relative to the pair's size, at which a method may stop; 0: all that rounding allows */
   double motion[3]; /* of body 2 relative to body 1, any unit and length, for method first_touch; 0, 0, 0: not known */
   double patch_tolerance;     /* relative error at which a patch may stop, > 0 */
-  plumb_witnesses* witnesses; /* of this contact, for plumb_solve with a context and `auto`; NULL: none */
+  plumb_witnesses* witnesses; /* of this contact, for plumb_solve by `auto` with a context; NULL: none */
 } plumb_options;
 
 /* What a null pointer to options stands for, and where to start from: plumb_options options = PLUMB_OPTIONS; */

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -47,14 +49,22 @@ inline void keep(const Contact<double>& found, plumb_context& context) {
       has_charts ? found.last_chart2 : found.point2, found.normal;
 }
 
-/// plumb_witnesses::state: how many, the points of body 1 and of body 2, and the bodies' shapes.
+/// plumb_witnesses::state: how many, the points of body 1 and of body 2, the bodies' shapes, and a sum of them all.
 struct WitnessState {
-  static constexpr Eigen::Index most = Witnesses<double>::most;
+  static constexpr Eigen::Index most = Witnesses<double>::most, numbers = 1 + 6 * most + 10;
   double& count;
   std::array<Eigen::Map<Eigen::Matrix<double, 3, most>>, 2> points;
   std::array<Eigen::Map<Eigen::Matrix<double, 5, 1>>, 2> shapes;  ///< semi-axes, exponents
 };
-static_assert(sizeof(plumb_witnesses) >= (1 + 2 * 3 * Witnesses<double>::most + 10) * sizeof(double));
+static_assert(sizeof(plumb_witnesses) == (WitnessState::numbers + 1) * sizeof(double));
+
+/// Of all numbers but the last (FNV-1a): what was changed since is taken for nothing, for a proof rests on it.
+[[nodiscard]] inline std::uint64_t check_sum(const plumb_witnesses& of) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (Eigen::Index k = 0; k < WitnessState::numbers; ++k)
+    sum = (sum ^ std::bit_cast<std::uint64_t>(of.state[k])) * 0x100000001b3;
+  return sum;
+}
 
 [[nodiscard]] inline WitnessState state_of(plumb_witnesses& witnesses) {
   double* const points = witnesses.state + 1;
@@ -65,11 +75,12 @@ static_assert(sizeof(plumb_witnesses) >= (1 + 2 * 3 * Witnesses<double>::most + 
           {Eigen::Map<Eigen::Matrix<double, 5, 1>>(shapes), Eigen::Map<Eigen::Matrix<double, 5, 1>>(shapes + 5)}};
 }
 
-/// Where it holds none, or no number of them, nothing.
-[[nodiscard]] inline std::optional<Witnesses<double>> witnesses_of(plumb_witnesses* from) {
-  if (from == nullptr || !(from->state[0] >= 1 && from->state[0] <= WitnessState::most)) return std::nullopt;
+/// Where it holds none, or not what was kept, nothing.
+inline void take_witnesses(Contact<double>& last, plumb_witnesses* from) {
+  if (from == nullptr || !(from->state[0] >= 1 && from->state[0] <= WitnessState::most)) return;
+  if (std::bit_cast<std::uint64_t>(from->state[WitnessState::numbers]) != check_sum(*from)) return;
   const WitnessState state = state_of(*from);
-  Witnesses<double> out;
+  Witnesses<double>& out = last.witnesses.emplace();
   out.count = static_cast<std::size_t>(state.count);
   for (std::size_t body = 0; body < 2; ++body) {
     for (std::size_t k = 0; k < out.count; ++k)
@@ -77,7 +88,6 @@ static_assert(sizeof(plumb_witnesses) >= (1 + 2 * 3 * Witnesses<double>::most + 
     const auto& shape = state.shapes[body];
     out.shapes[body] = {shape.head<3>(), shape[3], shape[4]};
   }
-  return out;
 }
 
 inline void keep(const std::optional<Witnesses<double>>& found, plumb_witnesses* to) {
@@ -91,6 +101,7 @@ inline void keep(const std::optional<Witnesses<double>>& found, plumb_witnesses*
     const Superellipsoid<double>& shape = found->shapes[body];
     state.shapes[body] << shape.semi_axes, shape.n1, shape.n2;
   }
+  to->state[WitnessState::numbers] = std::bit_cast<double>(check_sum(*to));
 }
 
 /// The charts of a part of a batch, from its contexts and back. A context that another method filled has none: NaN.

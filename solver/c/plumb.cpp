@@ -157,9 +157,9 @@ int solve_cold(std::size_t n, const plumb_body_arrays bodies[2], const Want& wan
   return unsettled;
 }
 
-/// One that is left.
-void solve_alone(const plumb_body_arrays bodies[2], const Want& want, plumb_context& context,
-                 const plumb_contact_arrays& contacts, std::size_t i) {
+/// One that is left. Not inlined: a cold batch has no room for its contacts on the stack.
+[[gnu::noinline]] void solve_alone(const plumb_body_arrays bodies[2], const Want& want, plumb_context& context,
+                                   const plumb_contact_arrays& contacts, std::size_t i) {
   const std::optional<Contact<double>> last = last_of(&context);
   const Pair pair{body_at(bodies[0], i), body_at(bodies[1], i)};
   const Contact<double> found = find_method("auto")->solve(pair, want, last ? &*last : nullptr);
@@ -228,11 +228,11 @@ int plumb_solve(const plumb_pair* pair, const plumb_options* options, plumb_cont
   Pair bodies = door::pair_of(*pair);
   bodies.motion = Vec3<double>::Map(chosen.motion);
   std::optional<Contact<double>> last = last_of(context);
-  if (last) last->witnesses = witnesses_of(chosen.witnesses);
+  if (last) take_witnesses(*last, chosen.witnesses);
   const Contact<double> found = method->solve(bodies, want_of(chosen), last ? &*last : nullptr);
   *contact = door::c_contact(found);
   if (context != nullptr) keep(found, *context);
-  keep(found.witnesses, chosen.witnesses);
+  if (context != nullptr && is_auto(chosen)) keep(found.witnesses, chosen.witnesses);
   if (details != nullptr) write_details(found, *details);
   return PLUMB_OK;
 }

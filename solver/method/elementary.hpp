@@ -4,7 +4,7 @@
 // exp(r)       1 + r + r r h(r)
 // sin(x)       x + x x x q(x x)
 // g, h and q are Chebyshev interpolations on the intervals that occur; their own errors are below a sixth of a rounding. The results are
-// good to 2 units in the last place. A library's functions take any argument, and three times as many instructions.
+// good to 3 units in the last place. A library's functions take any argument, and three times as many instructions.
 // Nothing but additions, multiplications and divisions: the same bits on every machine.
 #pragma once
 
@@ -45,7 +45,7 @@ inline constexpr int mantissa_bits = 52;
 /// log(2), the first part of so few bits that its product with an exponent is exact.
 inline constexpr double log2_high = 0.6931467056274414, log2_low = 4.7493250390316726e-07;
 
-/// Of normal numbers above 0.
+/// Of normal numbers above 0; of others it is no logarithm.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T log_of_normal(const T& x) {
   using Bits = typename BitsOf<T>::type;
@@ -62,7 +62,7 @@ template <class T>
   return k * T(log2_high) + (k * T(log2_low) + (s + s) * (T(1.0) + w * polynomial(g, w)));
 }
 
-/// Of numbers whose power is normal.
+/// Of -708 to 709; beyond that it is no power.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T exp_to_normal(const T& x) {
   using Bits = typename BitsOf<T>::type;

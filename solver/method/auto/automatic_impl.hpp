@@ -79,10 +79,10 @@ template <class S>
   return abs(c.overlap) + abs(x[0]) + abs(x[1]) + abs(x[2]) < std::numeric_limits<S>::max() / S(8);
 }
 
+/// All but the witnesses, which are there.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Contact<S>
-contact_of(const Found<S>& found, const Want& want, const PairFrame<S>& frame, const S& size, const Pair& pair) {
-  Contact<S> out;
+[[gnu::always_inline]] inline void set_contact(Contact<S>& out, const Found<S>& found, const Want& want,
+                                               const PairFrame<S>& frame, const S& size, const Pair& pair) {
   out.method = "auto";
   out.status = has_length<S>(frame, size) ? found.status : Status::not_finite;
   out.iterations = found.iterations;
@@ -103,7 +103,6 @@ contact_of(const Found<S>& found, const Want& want, const PairFrame<S>& frame, c
   const bool is_more_wanted = want.curvature || want.derivatives || want.patch;
   if (is_more_wanted && found.status == Status::converged) set_more<S>(out, found, want, pair);
   if (is_more_wanted || !is_surely_finite(out)) finish<S>(out, want);
-  return out;
 }
 
 /// Whether both bodies hold the middle of two of their points: they overlap then, whatever else is true.
@@ -164,17 +163,11 @@ template <class S>
 
 /// Those of an earlier contact of bodies of the same shapes.
 template <class S>
-[[nodiscard]] std::optional<Witnesses<S>> known_witnesses(const Pair& pair, const Contact<S>* last) {
-  const bool are_known = last != nullptr && last->witnesses && is_same(last->witnesses->shapes[0], pair.body1.shape) &&
+void take_witnesses(Contact<S>& out, const Pair& pair, const Contact<S>* last) {
+  const bool are_known = last != nullptr && last->witnesses && last->witnesses->count <= Witnesses<S>::most &&
+                         is_same(last->witnesses->shapes[0], pair.body1.shape) &&
                          is_same(last->witnesses->shapes[1], pair.body2.shape);
-  return are_known ? last->witnesses : std::nullopt;
-}
-
-/// Not inlined: most contacts have none.
-template <class S>
-[[gnu::noinline]] void set_witnesses(Contact<S>& out, const Witnesses<S>& witnesses, const Pair& pair) {
-  out.witnesses = witnesses;
-  out.witnesses->shapes = {pair.body1.shape, pair.body2.shape};
+  if (are_known) out.witnesses = last->witnesses;
 }
 
 }  // namespace detail
@@ -192,9 +185,10 @@ template <class S>
   const FramedPair<S> framed = framed_pair<S>(pair, frame);
   const bool are_ellipsoids = detail::is_ellipsoid(pair.body1.shape) && detail::is_ellipsoid(pair.body2.shape);
   const auto solve = are_ellipsoids ? detail::solve_ellipsoids<S> : detail::solve_superellipsoids<S>;
-  std::optional<Witnesses<S>> witnesses = detail::known_witnesses(pair, last);
-  Contact<S> out = detail::contact_of<S>(solve(pair, framed, want, last, witnesses), want, frame, framed.size, pair);
-  if (witnesses) detail::set_witnesses(out, *witnesses, pair);
+  Contact<S> out;
+  detail::take_witnesses(out, pair, last);
+  detail::set_contact<S>(out, solve(pair, framed, want, last, out.witnesses), want, frame, framed.size, pair);
+  if (out.witnesses) out.witnesses->shapes = {pair.body1.shape, pair.body2.shape};
   if (last != nullptr) out.last_chart1 = last->chart1, out.last_chart2 = last->chart2;
   return out;
 }

@@ -72,7 +72,7 @@ inline constexpr double least_correction = 0.01, most_correction = 100;  ///< of
 inline constexpr double determinant_noise = 16;       ///< of epsilon: below it a determinant of needles has no sign
 inline constexpr ByPrecision short_turn{1e-4, 1e-2};  ///< from here on o is too flat to tell what is lower
 inline constexpr ByPrecision last_turn{1e-9, 1e-4};   ///< its square, the error of the linear step, is below rounding
-inline constexpr double last_turn_of_root = 0.06;     ///< the same beyond x86's long double, of the root of epsilon
+inline constexpr double last_turn_of_root = 0.06;     ///< the same of finer scalars, of the root of epsilon
 inline constexpr ByPrecision near{1e-8, 1e-4};  ///< error, relative to the size, from which its floor is asked for
 
 /// Above the rounding of what proves that a common normal is the lowest, for bodies that are no needles.

@@ -111,7 +111,8 @@ template <class S, class Solver>
 }
 
 /// `found`, or the same stalled where sectors do not show that it is the lowest. Solves nothing: the covers that come after
-/// start better. 15 evaluations at most, whatever was spent. `witnesses`: those to begin with, then those of the proof.
+/// start better. 15 evaluations at most, whatever was spent, fewer by the witnesses to begin with; then `witnesses` are those of the proof,
+/// or none where there is none.
 template <class S, class Solver>
 [[nodiscard, gnu::noinline]] typename Solver::Answer
 proved_by_sectors(const Solver& solver, const typename Solver::Answer& found, std::optional<Witnesses<S>>& witnesses) {
@@ -122,6 +123,7 @@ proved_by_sectors(const Solver& solver, const typename Solver::Answer& found, st
   sectors.start();
   while (!sectors.is_empty() && !incumbent.is_settled()) sectors.look_at_next();
   const bool is_proved = incumbent.is_settled() || !sectors.has_left_out();
+  if (!is_proved) witnesses.reset();
   if (is_proved && sectors.has_seen_more()) witnesses = sectors.witnesses();
   return incumbent.answer(is_proved);
 }
@@ -132,12 +134,16 @@ template <class S, class Solver>
                                                                       const typename Solver::Answer& first,
                                                                       std::optional<Witnesses<S>>& witnesses) {
   using Answer = typename Solver::Answer;
-  const Answer proved = proved_by_sectors<S>(solver, first, witnesses);
-  if (proved.status == Status::converged) return proved;
+  int spent = 0;  // not out of the budget: few pairs need the last of it
+  {
+    const Answer proved = proved_by_sectors<S>(solver, first, witnesses);
+    if (proved.status == Status::converged) return proved;
+    spent = proved.evaluations - first.evaluations;
+  }
   const PlacedPair<S> placed = place<S>(bodies);
   const Vector3<S> none{S(0), S(0), S(0)};
   Answer out = lowest_by_axes<S>(solver.without_rotation(common_axis(placed).value_or(none)), placed, first);
-  out.evaluations += proved.evaluations - first.evaluations;  // not out of its budget: few pairs need the last of it
+  out.evaluations += spent;
   return out;
 }
 

@@ -70,12 +70,9 @@ class DirectionCover {
   static constexpr int last_insisting = 700;  // evaluations: a descent below the first search's budget
   static_assert(2 + last_witnesses + most_cuts <= static_cast<int>(Mixtures::most_witnesses));
 
-  /// A common normal, and where it explains every direction. The bound only falls: s is the more convex for it.
-  struct Known {
-    Vector3<S> normal;
-    DirectionSquare<S> convex{};
-    bool is_measured = false;
-  };
+  /// About a common normal, where it explains every direction. The bound only falls: s is the more convex for it. Of reach -1 until it is
+  /// measured.
+  using Known = DirectionSquare<S>;
 
   /// `above`: a witness of the cell above, none for a face.
   void look_at(const Cell& cell, const Vector3<S>* above) {
@@ -152,11 +149,9 @@ class DirectionCover {
   [[nodiscard]] bool is_in_convex_square(const Corners& corners) {
     for (int k = 0; k < known_count_; ++k) {
       Known& known = known_[static_cast<std::size_t>(k)];
-      if (!known.is_measured)
-        known.convex = convex_square<S>(incumbent_.solver().support_shapes(), known.normal, incumbent_.bound());
-      known.is_measured = true;
-      if (std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return known.convex.holds(v); }))
-        return true;
+      if (known.reach < S(0))
+        known = convex_square<S>(incumbent_.solver().support_shapes(), known.n, incumbent_.bound());
+      if (std::all_of(corners.begin(), corners.end(), [&](const Vector3<S>& v) { return known.holds(v); })) return true;
     }
     return false;
   }
@@ -180,7 +175,7 @@ class DirectionCover {
   [[nodiscard]] bool is_known_near(const Cell& cell, const Vector3<S>& v) const {
     const Vector3<S> n = v * (S(1) / length(v));
     return std::any_of(known_.begin(), known_.begin() + known_count_,
-                       [&](const Known& known) { return largest(known.normal - n) < S(known_reach) * cell.half(); });
+                       [&](const Known& known) { return largest(known.n - n) < S(known_reach) * cell.half(); });
   }
 
   void explore_from(const Vector3<S>& v) {
@@ -191,8 +186,8 @@ class DirectionCover {
 
   void remember(const Answer& found) {
     for (int k = 0; k < known_count_; ++k)
-      if (largest(known_[static_cast<std::size_t>(k)].normal - found.normal) < tolerance::same_normal.of<S>()) return;
-    if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)].normal = found.normal;
+      if (largest(known_[static_cast<std::size_t>(k)].n - found.normal) < tolerance::same_normal.of<S>()) return;
+    if (known_count_ < most_known) known_[static_cast<std::size_t>(known_count_++)] = {found.normal, {}, S(-1)};
   }
 
   Incumbent& incumbent_;

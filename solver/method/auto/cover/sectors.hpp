@@ -8,7 +8,7 @@
 // Excluded   by a witness at all four corners, or by a mixture of all that were seen
 // Kept       what excludes the sectors, as points of the bodies: it mostly excludes those of the next step of a motion
 // Divided    by half, across n and along it in turn; the parts of the last divided are looked at first
-// Given up   where o is lower than at n, where n.c <= 0, and where 15 evaluations do not do: other covers do better then
+// Given up   where o is lower than at n, where n.c <= 0, and where 16 witnesses do not do: other covers do better then
 #pragma once
 
 #include <algorithm>
@@ -48,8 +48,10 @@ class SectorCover {
 
   /// `known`: of an earlier contact, if any.
   SectorCover(Incumbent& incumbent, const Witnesses<S>* known)
-      : incumbent_(incumbent), known_(known),
-        radii_(incumbent.solver().inner_rolling_radii() * PerBody<S>(S(1) - S(tolerance::touching) * epsilon<S>())) {}
+      : incumbent_(incumbent), known_(known), radii_(incumbent.solver().inner_rolling_radii()) {
+    const S both = sum<S>(radii_);
+    if (both > S(0)) radii_ = radii_ * PerBody<S>(incumbent.rolling_radius() / both);
+  }
 
   void start() {
     if (!incumbent_.is_found()) return give_up();
@@ -143,8 +145,8 @@ class SectorCover {
   }
   /// A little nearer to the centres: mixtures of mixtures must not drift out of the bodies.
   [[nodiscard]] Vector3<PerBody<S>> mixture_of(const std::array<S, MixtureBound<S>::most_witnesses>& shares) const {
-    Vector3<PerBody<S>> out = gauge_[0] * PerBody<S>(shares[0]);
-    for (std::size_t j = 1; j < count_; ++j)
+    Vector3<PerBody<S>> out = for_each_body(Vector3<S>{S(0), S(0), S(0)});
+    for (std::size_t j = 0; j < count_; ++j)
       if (shares[j] > S(0)) out = out + gauge_[j] * PerBody<S>(shares[j]);
     return out * PerBody<S>(S(1) - S(tolerance::mixing) * epsilon<S>());
   }

@@ -29,7 +29,7 @@ struct EllipsoidSolver {
   [[nodiscard]] PerBody<S> inner_rolling_radii() const { return plumb::inner_rolling_radii(pair); }
   [[nodiscard]] Vector3<PerBody<S>> to_gauge(const Vector3<PerBody<S>>& points) const {
     const Vector3<PerBody<S>>&q = pair.map * points, &a = pair.semi_axes;
-    return {q.x / (a.x * a.x), q.y / (a.y * a.y), q.z / (a.z * a.z)};
+    return {q.x / a.x / a.x, q.y / a.y / a.y, q.z / a.z / a.z};
   }
   [[nodiscard]] Vector3<PerBody<S>> from_gauge(const Vector3<PerBody<S>>& points) const {
     return pair.map.transposed_times(points);
@@ -64,6 +64,7 @@ struct EllipsoidSolver {
       if (witnesses) {
         const Answer proved = proved_by_sectors<S>(*this, found, witnesses);
         if (proved.status == Status::converged) return proved;
+        found.evaluations = proved.evaluations;
       }
       found = or_cold(found);
       if (is_surely_lowest(found)) return found;

@@ -9,7 +9,7 @@ namespace plumb {
 template <class S>
 [[nodiscard, gnu::always_inline]] inline S last_turn() {
   using std::sqrt;
-  if constexpr (std::numeric_limits<S>::digits > std::numeric_limits<double>::digits + 11)  // beyond x86's long double
+  if constexpr (std::numeric_limits<S>::digits > std::numeric_limits<double>::digits)
     return S(tolerance::last_turn_of_root) * sqrt(epsilon<S>());
   return tolerance::last_turn.of<S>();
 }
