@@ -20,10 +20,12 @@ namespace plumb::detail {
 /// c[0] + c[1] x + .. by pairs: the terms do not wait for each other.
 template <class T, std::size_t n>
 [[nodiscard, gnu::always_inline]] inline T polynomial(const std::array<double, n>& c, const T& x) {
-  static_assert(n >= 7 && n <= 10);
+  static_assert((n >= 7 && n <= 10) || n == 13);
   const auto pair = [&](std::size_t k) { return k + 1 < n ? T(c[k]) + T(c[k + 1]) * x : T(c[k]); };
   const T x2 = x * x, x4 = x2 * x2, low = (pair(0) + pair(2) * x2) + (pair(4) + pair(6) * x2) * x4;
-  if constexpr (n > 8)
+  if constexpr (n == 13)
+    return low + (pair(8) + pair(10) * x2 + pair(12) * x4) * (x4 * x4);
+  else if constexpr (n > 8)
     return low + pair(8) * (x4 * x4);
   else
     return low;
@@ -66,10 +68,21 @@ template <class T>
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T exp_to_normal(const T& x) {
   using Bits = typename BitsOf<T>::type;
-  constexpr std::array h{0.5000000000000001,     0.16666666666666669,    0.041666666666624164,   0.008333333333330065,
-                         0.0013888888917196719,  0.00019841269863040545, 2.4801521322368428e-05, 2.755726848030982e-06,
-                         2.7620075880109014e-07, 2.510037583265786e-08};
-  constexpr double inverse_log2 = 1.4426950408889634, rounds = 0x1.8p52;  // adding it rounds to a whole number
+  constexpr std::array h{0.5,
+                         0.16666666666666663,
+                         0.041666666666666664,
+                         0.008333333333335084,
+                         0.0013888888888889982,
+                         0.00019841269838356894,
+                         2.4801587299767824e-05,
+                         2.7557321302089935e-06,
+                         2.7557320522047146e-07,
+                         2.5051387894002755e-08,
+                         2.0876306914882267e-09,
+                         1.6178874965052724e-10,
+                         1.154561064018458e-11};
+  constexpr double inverse_log2 = 1.4426950408889634,
+                   rounds = 0x1.8p52;  // adding it rounds to a whole number, up or down as the mode says: |r| <= log(2)
   const T sum = x * T(inverse_log2) + T(rounds), k = sum - T(rounds);
   const T r = (x - k * T(log2_high)) - k * T(log2_low);
   const T power = T(1.0) + (r + r * r * polynomial(h, r));
