@@ -7,13 +7,13 @@ brick = plumb.Body((0.8, 0.6, 0.4), (1.5, 0.3, 0.4), quaternion=(0.9, 0.1, 0.3, 
 
 contact = plumb.solve(egg, brick)
 print(contact.status, contact.verdict)
-print("overlap", contact.overlap, "normal", contact.normal)
+print("overlap", round(contact.overlap, 12), "normal", contact.normal)
 print("points", *contact.points)
 
 # The brick moves: the next solve starts where the last one ended.
 brick = brick.moved(position=brick.position + [0.001, 0, 0])
 contact = plumb.solve(egg, brick, last=contact)
-print("overlap", contact.overlap, "after", contact.evaluations, "evaluations")
+print("overlap", round(contact.overlap, 12), "after", contact.evaluations, "evaluations")
 
 # 20 digits that are proved: the overlap lies between the two.
 certificate = plumb.certify(egg, brick, digits=20)
