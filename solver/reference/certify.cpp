@@ -1,8 +1,10 @@
 #include "solver/reference/certify.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "solver/reference/condition/condition.hpp"
 #include "solver/reference/interval/digits.hpp"
@@ -10,6 +12,7 @@
 #include "solver/reference/search/cover_search.hpp"
 #include "solver/reference/search/minimum.hpp"
 #include "solver/reference/search/revolution.hpp"
+#include "solver/reference/search/stationary.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -17,6 +20,9 @@ namespace {
 /// Cells that a search may look at: where the cheaper efforts need many, the digits of the next need few.
 template <class I>
 constexpr int most_cells = std::is_same_v<I, Interval80> ? 60'000 : 4'000;
+
+/// Beyond these a ring is a continuum, or too near to one.
+constexpr int most_cells_of_stationary = 20'000;
 
 /// Of a direction in the frame of a meridian.
 template <class S>
@@ -199,6 +205,7 @@ class Certifier {
     bound(least);
     out_.open = std::move(found.open);
     out_.cover = std::move(found.cover);
+    if (!out_.open.empty() && settle_by_stationary_directions()) return;
     if (found.exhausted)
       out_.reason = "cell budget: directions are left open";
     else if (!out_.open.empty())
@@ -207,6 +214,76 @@ class Certifier {
       find_among(proof.reach.front(), least);
     const auto is_settled = [](const Min& m) { return m.exists || !m.proof.convex; };
     if (out_.open.empty() && std::all_of(minima_.begin(), minima_.end(), is_settled)) out_.unique = Claim::proved;
+  }
+
+  /// Bodies of revolution whose axes all but coincide leave a ring of open cells. Its stationary directions are found one by one; whether
+  /// they are all there are: then the lowest overlap is that of one of them.
+  bool settle_by_stationary_directions() {
+    if (on_.in_doubles || !on_.enclosed.body1.axis || !on_.enclosed.body2.axis) return false;
+    const StationarySet all = find_stationary(pair_, undecided_cells(out_.cover), {most_cells_of_stationary});
+    out_.cells += all.cells;
+    if (!all.complete) return false;
+    out_.open.clear();
+    for (const StationaryPair& each : all.pairs)
+      if (each.kind == StationaryKind::minimum)
+        (void)know(point_from<S>(on_.rough, on_.fine, each.normal.template cast<double>()));
+    I least = value_;
+    std::vector<const Min*> told;
+    bool are_told = true;
+    for (const StationaryPair& each : all.pairs) {
+      least = lower_of(least, to_pair(each.overlap_lower));
+      const Min* minimum = each.kind == StationaryKind::minimum ? locate_by(each) : nullptr;
+      const bool is_new = minimum != nullptr && std::find(told.begin(), told.end(), minimum) == told.end();
+      if (is_new) told.push_back(minimum);
+      are_told &= is_new || each.overlap_lower > to_world(value_, value_).upper;
+    }
+    std::erase_if(minima_, [](const Min& m) { return !m.exists; });
+    for (const Min& m : minima_)
+      if (m.is_tight()) least = lower_of(least, m.least());
+    bound(least);
+    if (are_told) out_.unique = Claim::proved;
+    return true;
+  }
+
+  /// The minimum that a proved stationary direction is, located by it where it is not; null where none is known to be.
+  const Min* locate_by(const StationaryPair& pair) {
+    const double same = 1e-9;
+    const ChartPoint<I> at = chart_point<I, Real50>(on_.frame, pair.normal);
+    for (Min& m : minima_) {
+      if (at.face.axis != m.region.axis || at.face.sign != m.region.sign) continue;
+      const bool is_near = static_cast<double>((m.at.normal.template cast<Real50>() - pair.normal).norm()) < same;
+      if (m.exists ? !holds<I>(m.region, at.face, at.v) : !is_near) continue;
+      if (m.exists) return &m;
+      m.exists = m.proof.located = m.proof.convex = true;
+      m.proof.value = hull<I>(to_pair(pair.overlap_lower), to_pair(pair.overlap_upper));
+      m.proof.deficit = I(0.0);
+      m.box = at.v;
+      m.widen(I(8 * pair.normal_radius));
+      return &m;
+    }
+    return nullptr;
+  }
+
+  /// Cells that hold the leaves which nothing excludes, but for those that a region's minimum bounds well.
+  [[nodiscard]] static DirectionCells undecided_cells(const Cover& cover) {
+    const double smallest = 1.0 / 32;  // another search divides them where it must
+    DirectionCells out{cover.frame, {}};
+    std::size_t next = 0;
+    const std::function<bool(const Cell&)> is_undecided = [&](const Cell& cell) {
+      const Leaf leaf = cover.tree[next++];
+      bool undecided = leaf == Leaf::open || leaf == Leaf::bounded;
+      if (leaf == Leaf::split)
+        for (int i = 0; i < 4; ++i) undecided |= is_undecided(cell.quarter(i));
+      if (!undecided || cell.half < smallest) return undecided;
+      out.cells.push_back(cell);
+      return false;
+    };
+    for (int face = 0; face < 6; ++face) (void)is_undecided(face_of_cube(face));
+    return out;
+  }
+
+  [[nodiscard]] I to_pair(const Real50& world) const {
+    return times_power_of_two<I>(enclosing<I>(world), -on_.enclosed.exponent);
   }
 
   [[nodiscard]] static I lower_of(const I& a, const I& b) { return low_end<I>(is_lower<I>(a, b) ? a : b); }

@@ -1,6 +1,7 @@
 #include "solver/reference/interval/direction_box.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace plumb::reference {
 namespace {
@@ -169,9 +170,13 @@ ChartedPair<I>::ChartedPair(const EnclosedPair<I>& enclosed_pair, const Directio
 EnclosedPair<RoughInterval> rounded(const EnclosedPair<Interval18>& pair) {
   const auto number = [](const Interval18& x) { return RoughInterval((low(x) + high(x)) / 2); };
   const auto body = [&](const EnclosedBody<Interval18>& b) -> EnclosedBody<RoughInterval> {
-    return {
-        b.semi_axes.unaryExpr(number), b.n1, b.n2, DualExponent<RoughInterval>(b.n1), DualExponent<RoughInterval>(b.n2),
-        b.rotation.unaryExpr(number)};
+    return {b.semi_axes.unaryExpr(number),
+            b.n1,
+            b.n2,
+            DualExponent<RoughInterval>(b.n1),
+            DualExponent<RoughInterval>(b.n2),
+            b.rotation.unaryExpr(number),
+            b.axis};
   };
   return {body(pair.body1), body(pair.body2), pair.centre.unaryExpr(number), pair.exponent};
 }
@@ -184,25 +189,28 @@ DirectionBox<I> direction_box(const ChartedPair<I>& pair, const IVec3<I>& v) {
 }
 
 template <class I>
+Functional<I>::Functional(const ChartedPair<I>& pair, std::array<IVec3<I>, 2> along, const IVec3<I>& world)
+    : k(std::move(along)), offset(pair.frame.transpose() * cross_product<I>(world, pair.pair.centre)) {
+  for (std::size_t b = 0; b < 2; ++b)
+    if (const auto axis = pair.body(b).axis) k[b][*axis] = I(0.0);
+}
+
+template <class I>
 Functional<I> functional(const ChartedPair<I>& pair, const Vec3<double>& c) {
   const IVec3<I> along = enclosed<I>(c);
-  Functional<I> out;
-  for (std::size_t b = 0; b < 2; ++b) out.k[b] = pair.from_base[b] * along;
-  const IVec3<I> world =
-      pair.base < 0 ? along : IVec3<I>(pair.body(static_cast<std::size_t>(pair.base)).rotation * along);
-  out.offset = pair.frame.transpose() * cross_product<I>(world, pair.pair.centre);
-  return out;
+  return {pair,
+          {pair.from_base[0] * along, pair.from_base[1] * along},
+          pair.base < 0 ? along : IVec3<I>(pair.body(static_cast<std::size_t>(pair.base)).rotation * along)};
 }
 
 template <class I>
 Functional<I> axis_functional(const ChartedPair<I>& pair, int axis) {
   const auto own = static_cast<std::size_t>(axis / 3), other = 1 - own;
   const IVec3<I> along = pair.body(own).rotation.col(axis % 3);
-  Functional<I> out;
-  out.k[own] = enclosed<I>(Vec3<double>::Unit(axis % 3));
-  out.k[other] = pair.body(other).rotation.transpose() * along;
-  out.offset = pair.frame.transpose() * cross_product<I>(along, pair.pair.centre);
-  return out;
+  std::array<IVec3<I>, 2> k;
+  k[own] = enclosed<I>(Vec3<double>::Unit(axis % 3));
+  k[other] = pair.body(other).rotation.transpose() * along;
+  return {pair, std::move(k), along};
 }
 
 template <class I>
@@ -237,12 +245,11 @@ I slope_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Functio
 
 template <class I>
 I bending_of(const ChartedPair<I>& pair, const DirectionBox<I>& box, const Vec3<double>& c) {
-  const Functional<I> phi = functional<I>(pair, c);
   const IVec3<I> d = pair.columns * box.v, b = cross_product<I>(d, enclosed<I>(c));
   I out(0.0), height = -dot<I>(pair.pair.centre, IVec3<I>(pair.frame * box.v));
   for (std::size_t i = 0; i < 2; ++i) {
     const BodyBox<I>& body = box.bodies[i];
-    const IVec3<I> across = cross_product<I>(body.direction, phi.k[i]);
+    const IVec3<I> across = cross_product<I>(body.direction, IVec3<I>(pair.from_base[i] * enclosed<I>(c)));
     out += dot<I>(across, IVec3<I>(body.hessian * across));
     height += dot<I>(body.point, body.direction);
   }
@@ -275,6 +282,7 @@ bool holds(const ChartedPair<I>& pair, const Cell& cell, const Exclusion& exclus
 
 #define PLUMB_INSTANTIATE_DIRECTION_BOX(I)                                                       \
   template struct ChartedPair<I>;                                                                \
+  template struct Functional<I>;                                                                 \
   template DirectionBox<I> direction_box(const ChartedPair<I>&, const IVec3<I>&);                \
   template Functional<I> functional(const ChartedPair<I>&, const Vec3<double>&);                 \
   template Functional<I> axis_functional(const ChartedPair<I>&, int);                            \

@@ -135,11 +135,14 @@ struct DirectionBox {
 template <class I>
 [[nodiscard]] DirectionBox<I> direction_box(const ChartedPair<I>& pair, const IVec3<I>& v);
 
-/// phi_c.
+/// phi_c. A body of revolution has x.(u x a) = 0 for its axis a: k is without that part, and phi_c of an axis that both bodies all
+/// but share is enclosed to a part of itself, however small.
 template <class I>
 struct Functional {
   std::array<IVec3<I>, 2> k;
   IVec3<I> offset;  ///< F'(c x centre)
+
+  Functional(const ChartedPair<I>& pair, std::array<IVec3<I>, 2> along, const IVec3<I>& world);
 };
 /// c in the axes of the frame's base.
 template <class I>

@@ -2,9 +2,21 @@
 // pose.hpp (origin at body 1, lengths over 2^exponent).
 #pragma once
 
+#include <optional>
+
 #include "solver/reference/interval/vector_interval.hpp"
 
 namespace plumb::reference {
+
+/// The body axis of revolution: z of a superellipsoid, the unequal one of a spheroid.
+[[nodiscard]] inline std::optional<int> axis_of_revolution(const Superellipsoid<double>& shape) {
+  if (shape.n2 != 2) return {};
+  const Vec3<double>& a = shape.semi_axes;
+  if (a[0] == a[1]) return 2;
+  if (shape.n1 != 2) return {};
+  if (a[1] == a[2]) return 0;
+  return a[0] == a[2] ? std::optional(1) : std::nullopt;
+}
 
 /// An exponent of a support function, m = n/(n-1), with m - 1 and m - 2 free of cancellation.
 template <class I>
@@ -21,6 +33,7 @@ struct EnclosedBody {
   double n1, n2;
   DualExponent<I> m1, m2;
   IMat3<I> rotation;
+  std::optional<int> axis;  ///< of revolution, exactly
 
   [[nodiscard]] bool is_ellipsoid() const { return n1 == 2 && n2 == 2; }
 };

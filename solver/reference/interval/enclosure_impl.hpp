@@ -39,7 +39,8 @@ EnclosedBody<I> enclosed_body(const Body& body, int exponent) {
           body.shape.n2,
           DualExponent<I>(body.shape.n1),
           DualExponent<I>(body.shape.n2),
-          enclosed_rotation<I>(body.quaternion)};
+          enclosed_rotation<I>(body.quaternion),
+          axis_of_revolution(body.shape)};
 }
 
 /// |(x, y)|_m for x, y >= 0, and |.|_2 without powers.

@@ -64,6 +64,7 @@ struct InputChange {
   out.m1 = widened(body.n1, by);
   out.m2 = widened(body.n2, by);
   out.n1 = out.n2 = std::numeric_limits<double>::quiet_NaN();
+  out.axis.reset();
   return out;
 }
 

@@ -76,15 +76,6 @@ bool is_sphere(const Superellipsoid<double>& shape) {
   return shape.n1 == 2 && shape.n2 == 2 && a[0] == a[1] && a[1] == a[2];
 }
 
-std::optional<int> axis_of_revolution(const Superellipsoid<double>& shape) {
-  if (shape.n2 != 2) return {};
-  const Vec3<double>& a = shape.semi_axes;
-  if (a[0] == a[1]) return 2;
-  if (shape.n1 != 2) return {};
-  if (a[1] == a[2]) return 0;
-  return a[0] == a[2] ? std::optional(1) : std::nullopt;
-}
-
 template <class I>
 I lowest_overlap_of_spheres(const EnclosedPair<I>& pair) {
   return pair.body1.semi_axes[0] + pair.body2.semi_axes[0] - length_of<I>(pair.centre);

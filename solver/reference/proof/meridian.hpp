@@ -12,9 +12,6 @@ namespace plumb::reference {
 
 [[nodiscard]] bool is_sphere(const Superellipsoid<double>& shape);
 
-/// The body axis of revolution: z of a superellipsoid, the unequal one of a spheroid.
-[[nodiscard]] std::optional<int> axis_of_revolution(const Superellipsoid<double>& shape);
-
 /// o of two spheres is r1 + r2 - n.c: lowest along the line of centres.
 template <class I>
 [[nodiscard]] I lowest_overlap_of_spheres(const EnclosedPair<I>& pair);

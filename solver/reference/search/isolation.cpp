@@ -104,6 +104,32 @@ bool has_one_zero_at_most(const IMat2<I>& j) {
   return is_positive(I(low_end<I>(a) * low_end<I>(d) - square<I>(b)));
 }
 
+/// Whether every matrix within j is regular: phi(x) - phi(y) is such a one times x - y, and phi has one zero at most.
+template <class I>
+bool is_regular(const IMat2<I>& j) {
+  const I determinant = j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0);
+  return low(determinant) > 0 || high(determinant) < 0;
+}
+
+/// The functional of a body's axis of revolution (of axis_functional) in the place of the slope that is the more along its parallel. Where
+/// the other body all but shares that axis o is level along the parallel, which is nothing to these two.
+template <class I>
+PlaneMap<I> map_about(const ChartedPair<I>& pair, const DirectionFrame& frame, int axis) {
+  PlaneMap<I> map(pair, frame);
+  const IVec3<I> line = pair.from_base[static_cast<std::size_t>(axis / 3)].row(axis % 3);
+  const auto along = [&](int column) {
+    return high(magnitude<I>(dot<I>(line, enclosed<I>(Vec3<double>(frame.columns.col(column))))));
+  };
+  map.phi[along(0) < along(1) ? 0 : 1] = axis_functional<I>(pair, axis);
+  return map;
+}
+
+template <class I>
+bool has_one_zero_at_most(const ChartedPair<I>& pair, const DirectionFrame& frame, int axis, double half) {
+  const DirectionBox<I> box = direction_box<I>(pair, square_about_axis<I>(half));
+  return is_regular<I>(map_about<I>(pair, frame, axis).jacobian(pair, box));
+}
+
 template <class I>
 bool has_one_zero_at_most(const ChartedPair<I>& pair, const DirectionFrame& frame, double half) {
   const PlaneMap<I> map(pair, frame);
@@ -115,6 +141,23 @@ double widest_square(const ChartedPair<Look>& look, const ChartedPair<Check>& ch
   for (int level = widest_level; level < narrowest_level; ++level) {
     const double half = std::ldexp(1, -level);
     if (has_one_zero_at_most<Look>(look, frame, half) && has_one_zero_at_most<Check>(check, frame, half)) return half;
+  }
+  return 0;
+}
+
+/// The same above `beyond`, of bodies of revolution by their axes; 0: none.
+double widest_square_about(const ChartedPair<Look>& look, const ChartedPair<Check>& check, const DirectionFrame& frame,
+                           double beyond) {
+  for (int level = widest_level; level < narrowest_level; ++level) {
+    const double half = std::ldexp(1, -level);
+    if (half <= beyond) break;
+    for (int body = 0; body < 2; ++body) {
+      const auto own = check.body(static_cast<std::size_t>(body)).axis;
+      if (!own) continue;
+      const int axis = 3 * body + *own;
+      if (has_one_zero_at_most<Look>(look, frame, axis, half) && has_one_zero_at_most<Check>(check, frame, axis, half))
+        return half;
+    }
   }
   return 0;
 }
@@ -270,7 +313,9 @@ Isolator::Isolator(const Pair& pair)
 
 std::optional<Isolated> Isolator::isolate_in(const DirectionFrame& frame, const IVec3<Fine>& v) const {
   const ChartedPair<Check> check(coarse_, frame);
-  const double half = widest_square({rough_, frame}, check, frame);
+  const ChartedPair<Look> look(rough_, frame);
+  const double half_by_slopes = widest_square(look, check, frame);
+  const double half = std::max(half_by_slopes, widest_square_about(look, check, frame, half_by_slopes));
   if (!(half > 0)) return {};
   const auto is_in_square = [&](const IVec3<Fine>& box) {
     return is_within<Fine>(frame.columns, IVec3<Fine>(frame.columns.cast<Fine>() * box), half);
@@ -284,7 +329,7 @@ std::optional<Isolated> Isolator::isolate_in(const DirectionFrame& frame, const 
   if (!is_nearly_orthonormal(frame.columns)) return {};
   for (int level = narrowest_level_by_signs; level >= widest_level_by_signs; --level) {
     const double small = std::ldexp(1, -level);
-    if (small > half) break;
+    if (small > half_by_slopes) break;
     const bool holds_solution = is_within<Fine>(frame.columns, frame.columns.cast<Fine>() * v, small);
     if (!holds_solution || !has_zero_by_signs(check, rough_map, small)) continue;
     const StationaryKind kind = kind_of_region(check, rough_map, square_about_axis<Check>(small));
@@ -339,6 +384,28 @@ std::optional<Isolated> Isolator::isolate(const ChartPair<Real50>& at) const {
   if (best->pair.kind != StationaryKind::minimum || best->frame.base >= 0) return best;
   best->half = std::max(best->half, widest_convex(coarse_, frame.columns, narrowed(v), best->half));
   return best;
+}
+
+std::optional<ChartPair<Real50>> Isolator::zero_near(const Vec3<double>& n) const {
+  const DirectionFrame frame{frame_about(n)};
+  const ChartedPair<Fine> charted(fine_, frame);
+  if (!fine_.body1.axis || !fine_.body2.axis) return {};
+  const PlaneMap<Fine> map = map_about<Fine>(charted, frame, *fine_.body1.axis);
+  Eigen::Matrix<Real50, 2, 1> at = Eigen::Matrix<Real50, 2, 1>::Zero();
+  const Real50 farthest_zero = 0.05, last_step = 1e-30;
+  for (int i = 0; i < 16; ++i) {
+    const Vec3<Real50> v(at[0], at[1], Real50(1));
+    const DirectionBox<Fine> box = direction_box<Fine>(charted, enclosed<Fine>(v));
+    const auto number = [](const Fine& x) { return middle<Real50>(x); };
+    const Eigen::Matrix<Real50, 2, 2> slope = map.jacobian(charted, box).unaryExpr(number);
+    const Eigen::Matrix<Real50, 2, 1> step = slope.inverse() * map.value(box).unaryExpr(number);
+    at -= step;
+    if (!(at.norm() < farthest_zero)) return {};
+    if (!(step.norm() < last_step)) continue;
+    const Vec3<Real50> normal = frame.columns.cast<Real50>() * Vec3<Real50>(at[0], at[1], Real50(1));
+    return charts_of_direction<Real50>(placed_, normal.normalized());
+  }
+  return {};
 }
 
 template bool is_inside_region(const ChartedPair<Look>&, const Cell&, const Isolated&);

@@ -30,6 +30,10 @@ class Isolator {
 
   [[nodiscard]] const EnclosedPair<Interval18>& coarse() const { return coarse_; }
 
+  /// Of bodies of revolution: the stationary direction that Newton's method finds near a unit direction (pair frame), by the functional of
+  /// body 1's axis. Where the bodies all but share their axes a local solve of the charts follows the ring without end.
+  [[nodiscard]] std::optional<ChartPair<Real50>> zero_near(const Vec3<double>& direction) const;
+
   /// The proof for a solution to 40 digits; empty where there is none.
   [[nodiscard]] std::optional<Isolated> isolate(const ChartPair<Real50>& at) const;
 

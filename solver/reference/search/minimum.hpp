@@ -61,6 +61,15 @@ struct Setting {
   static constexpr bool in_doubles = std::is_same_v<I, DoubleInterval>;
 };
 
+/// Whether a cell holds all of some chart points of a face.
+template <class I>
+[[nodiscard]] bool holds(const Cell& cell, const Cell& face, const IVec3<I>& v) {
+  if (face.axis != cell.axis || face.sign != cell.sign) return false;
+  const Vec3<double> middle = cell.at(0, 0);
+  const auto is_within = [&](int i) { return high(magnitude<I>(I(v[i] - I(middle[i])))) < cell.half; };
+  return is_within((cell.axis + 1) % 3) && is_within((cell.axis + 2) % 3);
+}
+
 /// A solution, and the region in which it is the only one.
 template <class I, class S>
 struct Minimum {
@@ -75,12 +84,7 @@ struct Minimum {
   [[nodiscard]] bool is_tight() const { return proof.located && high(proof.deficit) < bounds_gap / 2; }
   [[nodiscard]] I least() const { return low_end<I>(I(proof.value - proof.deficit)); }
   /// Whether the true one does.
-  [[nodiscard]] bool lies_in(const Cell& other) const {
-    if (region.axis != other.axis || region.sign != other.sign) return false;
-    const Vec3<double> middle = other.at(0, 0);
-    const auto is_within = [&](int i) { return high(magnitude<I>(I(box[i] - I(middle[i])))) < other.half; };
-    return is_within((region.axis + 1) % 3) && is_within((region.axis + 2) % 3);
-  }
+  [[nodiscard]] bool lies_in(const Cell& other) const { return holds<I>(other, region, box); }
 
   void widen(const I& reach) {
     for (const int step : {1, 2}) box[(region.axis + step) % 3] += hull<I>(I(-reach), reach);

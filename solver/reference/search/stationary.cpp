@@ -5,8 +5,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 #include "solver/reference/interval/direction_box.hpp"
+#include "solver/reference/meter.hpp"
 #include "solver/reference/search/isolation.hpp"
 #include "solver/reference/search/stationary_point.hpp"
 #include "solver/standard_arithmetic.hpp"
@@ -21,8 +23,10 @@ using Check = Interval18;
 constexpr double smallest_cell = 0x1p-46;
 
 /// Generic, so that no edge of a cell follows a plane of symmetry.
-Mat3<double> search_frame() {
-  return rotation<double>({0.83, 0.31, 0.42, 0.19});
+DirectionCells all_directions() {
+  DirectionCells out{rotation<double>({0.83, 0.31, 0.42, 0.19}), {}};
+  for (int face = 0; face < 6; ++face) out.cells.push_back(face_of_cube(face));
+  return out;
 }
 
 /// The two functionals of a cell's face, their values and slopes at the middle in double.
@@ -32,23 +36,71 @@ struct Middle {
   Eigen::Matrix2d slope;
 };
 
+/// Cells about the equator of a body of revolution, cut into slices across its axis. Where the axes all but coincide the slopes along the
+/// equator are a product of the tilt and of a latitude: they have a sign in slices thinner than the tilt and as long as may be.
+template <class I>
+class SlicedCells {
+ public:
+  SlicedCells(const ChartedPair<I>& search, std::size_t body)
+      : axis_(*search.body(body).axis), pair_(search.pair, {Mat3<double>::Identity(), static_cast<int>(body)}),
+        to_axes_(body == 0 ? search.to_body[0] : IMat3<I>(-search.to_body[1])),
+        along_{axis_functional<I>(pair_, *search.body(0).axis), axis_functional<I>(pair_, 3 + *search.body(1).axis)} {}
+
+  /// Whether each slice of the cell is without a stationary direction, by the slope across the equator or along it.
+  [[nodiscard]] bool exclude(const Cell& cell) const {
+    const IVec3<I> box = to_axes_ * box_of<I>(cell, cell.half);
+    const double first = low(box[axis_]), last = high(box[axis_]);
+    if (!(first < 0 && last > 0)) return false;
+    Vec3<double> middle;
+    for (int i = 0; i < 3; ++i) middle[i] = (low(box[i]) + high(box[i])) / 2;
+    const Functional<I> across = functional<I>(pair_, Vec3<double>::Unit(axis_).cross(middle).normalized());
+    int slices = most_slices;
+    return exclude(box, across, first, last, slices);
+  }
+
+ private:
+  static constexpr int most_slices = 100;
+
+  bool exclude(IVec3<I> box, const Functional<I>& across, double first, double last, int& slices) const {
+    if (slices-- == 0) return false;
+    box[axis_] = hull<I>(first, last);
+    const DirectionBox<I> directions = direction_box<I>(pair_, box);
+    for (const Functional<I>* phi : {&across, &along_[0], &along_[1]}) {
+      const I value = value_of<I>(directions, *phi);
+      if (low(value) > 0 || high(value) < 0) return true;
+    }
+    const double middle = (first + last) / 2;
+    return exclude(box, across, first, middle, slices) && exclude(box, across, middle, last, slices);
+  }
+
+  int axis_;
+  ChartedPair<I> pair_;  ///< in the body's axes
+  IMat3<I> to_axes_;
+  std::array<Functional<I>, 2> along_;
+};
+
 /// A leaf of the cover: excluded, or inside the region of an isolated pair.
 struct CoverLeaf {
   Cell cell;
-  int region = -1;
+  int region = -1, sliced = -1;  ///< the latter: which body's axis
   Exclusion exclusion;
 };
 
 class StationarySearch {
  public:
-  StationarySearch(const Pair& pair, const StationaryLimits& limits)
-      : limits_(limits), placed_(place<double>(pair)), fine_(place<Real50>(pair)), isolator_(pair),
-        frame_(search_frame()), check_(isolator_.coarse(), {frame_}), look_(rounded(isolator_.coarse()), {frame_}) {
-    for (int axis = 0; axis < 6; ++axis) axes_[static_cast<std::size_t>(axis)] = axis_functional<Look>(look_, axis);
+  StationarySearch(const Pair& pair, DirectionCells part, const StationaryLimits& limits)
+      : limits_(limits), placed_(place<double>(pair)), finer_(place<long double>(pair)), fine_(place<Real50>(pair)),
+        isolator_(pair), frame_(part.frame), check_(isolator_.coarse(), {frame_}),
+        look_(rounded(isolator_.coarse()), {frame_}), cells_(std::move(part.cells)) {
+    for (int axis = 0; axis < 6; ++axis) axes_.push_back(axis_functional<Look>(look_, axis));
+    if (!look_.body(0).axis || !look_.body(1).axis) return;
+    for (std::size_t body = 0; body < 2; ++body) {
+      look_sliced_.emplace_back(look_, body);
+      check_sliced_.emplace_back(check_, body);
+    }
   }
 
   StationarySet run() {
-    for (int face = 0; face < 6; ++face) cells_.push_back(face_of_cube(face));
     while (!cells_.empty() && out_.reason.empty()) {
       search();
       if (out_.reason.empty()) verify_leaves();
@@ -75,10 +127,11 @@ class StationarySearch {
   }
 
   void visit(const Cell& cell) {
-    CoverLeaf leaf{cell, region_of(cell), {}};
+    count_work(nanoseconds_of_a_node);
+    CoverLeaf leaf{cell, region_of(cell), -1, {}};
     if (leaf.region < 0) {
       const Middle middle = middle_of(cell);
-      if (!exclude(cell, middle, leaf.exclusion)) {
+      if (!exclude(cell, middle, leaf.exclusion) && !exclude_sliced(cell, leaf.sliced)) {
         look_for_solution(cell, middle);
         for (int i = 0; i < 4; ++i) cells_.push_back(cell.quarter(i));
         return;
@@ -89,14 +142,26 @@ class StationarySearch {
 
   /// What the search left is proved here; what does not stand is split.
   void verify_leaves() {
-    for (const CoverLeaf& leaf : leaves_) {
-      const bool stands =
-          leaf.region >= 0 ? is_inside_region<Check>(check_, leaf.cell, found_[static_cast<std::size_t>(leaf.region)])
-                           : holds<Check>(check_, leaf.cell, leaf.exclusion);
-      if (!stands)
+    for (const CoverLeaf& leaf : leaves_)
+      if (!stands(leaf))
         for (int i = 0; i < 4; ++i) cells_.push_back(leaf.cell.quarter(i));
-    }
     leaves_.clear();
+  }
+
+  [[nodiscard]] bool stands(const CoverLeaf& leaf) const {
+    if (leaf.region >= 0)
+      return is_inside_region<Check>(check_, leaf.cell, found_[static_cast<std::size_t>(leaf.region)]);
+    if (leaf.sliced >= 0) return check_sliced_[static_cast<std::size_t>(leaf.sliced)].exclude(leaf.cell);
+    return holds<Check>(check_, leaf.cell, leaf.exclusion);
+  }
+
+  [[nodiscard]] bool exclude_sliced(const Cell& cell, int& body) const {
+    for (std::size_t i = 0; i < look_sliced_.size(); ++i) {
+      if (!look_sliced_[i].exclude(cell)) continue;
+      body = static_cast<int>(i);
+      return true;
+    }
+    return false;
   }
 
   [[nodiscard]] int region_of(const Cell& cell) const {
@@ -164,14 +229,24 @@ class StationarySearch {
     const Vec3<double> normal = chart_residual<double>(placed_, {}, rough.at).normal1;
     const auto same = [&](const Vec3<double>& other) { return (normal - other).norm() < 1e-9; };
     if (is_known(normal) || std::any_of(out_.unproved.begin(), out_.unproved.end(), same)) return;
-    const StationaryPoint<Real50> found = polished<Real50>(fine_, rough);
-    if (!found.solved) return;
-    const Vec3<double> refined = found.normal.cast<double>();
+    const std::optional<ChartPair<Real50>> found = polished_to_digits(rough, normal);
+    if (!found) return;
+    const Vec3<double> refined = chart_residual<Real50>(fine_, {}, *found).normal1.cast<double>();
     if (is_known(refined)) return;
-    if (const auto isolated = isolator_.isolate(found.at))
+    if (const auto isolated = isolator_.isolate(*found))
       found_.push_back(*isolated);
     else
       out_.unproved.push_back(refined);
+  }
+
+  /// First in 19 digits, which is soon done where it leads nowhere or to what is known.
+  [[nodiscard]] std::optional<ChartPair<Real50>> polished_to_digits(const LocalSolution<double>& rough,
+                                                                    const Vec3<double>& normal) const {
+    const StationaryPoint<long double> finer = polished<long double>(finer_, rough);
+    if (finer.solved && is_known(finer.normal.cast<double>())) return {};
+    if (finer.solved)
+      if (const StationaryPoint<Real50> found = polished<Real50>(fine_, rough); found.solved) return found.at;
+    return isolator_.zero_near(normal);
   }
 
   [[nodiscard]] bool is_known(const Vec3<double>& direction) const {
@@ -194,12 +269,15 @@ class StationarySearch {
 
   const StationaryLimits limits_;
   const PlacedPair<double> placed_;
+  const PlacedPair<long double> finer_;
   const PlacedPair<Real50> fine_;
   const Isolator isolator_;
   const Mat3<double> frame_;
   const ChartedPair<Check> check_;
   const ChartedPair<Look> look_;
-  std::array<Functional<Look>, 6> axes_;
+  std::vector<Functional<Look>> axes_;          ///< of both bodies
+  std::vector<SlicedCells<Look>> look_sliced_;  ///< by both bodies' axes, of bodies of revolution
+  std::vector<SlicedCells<Check>> check_sliced_;
   std::deque<Cell> cells_;
   std::vector<CoverLeaf> leaves_;
   std::vector<Isolated> found_;
@@ -219,7 +297,12 @@ std::string_view name(StationaryKind kind) {
 
 StationarySet find_stationary(const Pair& pair, const StationaryLimits& limits) {
   const StandardArithmetic mode;
-  return StationarySearch(pair, limits).run();
+  return StationarySearch(pair, all_directions(), limits).run();
+}
+
+StationarySet find_stationary(const Pair& pair, DirectionCells part, const StationaryLimits& limits) {
+  const StandardArithmetic mode;
+  return StationarySearch(pair, std::move(part), limits).run();
 }
 
 std::optional<std::size_t> find_hit(const StationarySet& set, const Vec3<double>& normal, double overlap, double angle,

@@ -2,12 +2,14 @@
 // these are proved to be all. A method that converged to a wrong one can so be told which it hit.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "solver/contact.hpp"
+#include "solver/reference/cover.hpp"
 #include "solver/reference/real.hpp"
 
 namespace plumb {
@@ -46,8 +48,16 @@ struct StationaryLimits {
       12;  ///< stationary directions without a proof, after which the search ends: they come from a continuum
 };
 
+/// Directions F v, v in the cells, F the frame (cover.hpp).
+struct DirectionCells {
+  Mat3<double> frame;
+  std::deque<reference::Cell> cells;
+};
+
 /// Deterministic; takes any legal pair.
 [[nodiscard]] StationarySet find_stationary(const Pair& pair, const StationaryLimits& limits = {});
+/// The same of part of all directions: `complete` speaks of that part, and `euler` says nothing. Others may be among the pairs.
+[[nodiscard]] StationarySet find_stationary(const Pair& pair, DirectionCells part, const StationaryLimits& limits = {});
 
 /// The index of the pair whose normal is the nearest to `normal` (world, any length) within `angle` (rad) and whose overlap is
 /// that of the answer within `length`.
