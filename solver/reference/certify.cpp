@@ -205,7 +205,7 @@ class Certifier {
     bound(least);
     out_.open = std::move(found.open);
     out_.cover = std::move(found.cover);
-    if (!out_.open.empty() && settle_by_stationary_directions()) return;
+    if (!out_.open.empty() && settle_by_stationary_directions(least)) return;
     if (found.exhausted)
       out_.reason = "cell budget: directions are left open";
     else if (!out_.open.empty())
@@ -217,48 +217,69 @@ class Certifier {
   }
 
   /// Bodies of revolution whose axes all but coincide leave a ring of open cells. Its stationary directions are found one by one; whether
-  /// they are all there are: then the lowest overlap is that of one of them.
-  bool settle_by_stationary_directions() {
+  /// they are all there are: then the lowest overlap is that of one of them, or of a tight minimum. `by_cover`: a lower bound.
+  bool settle_by_stationary_directions(const I& by_cover) {
     if (on_.in_doubles || !on_.enclosed.body1.axis || !on_.enclosed.body2.axis) return false;
     const StationarySet all = find_stationary(pair_, undecided_cells(out_.cover), {most_cells_of_stationary});
     out_.cells += all.cells;
     if (!all.complete) return false;
-    out_.open.clear();
-    for (const StationaryPair& each : all.pairs)
-      if (each.kind == StationaryKind::minimum)
-        (void)know(point_from<S>(on_.rough, on_.fine, each.normal.template cast<double>()));
     I least = value_;
-    std::vector<const Min*> told;
-    bool are_told = true;
     for (const StationaryPair& each : all.pairs) {
       least = lower_of(least, to_pair(each.overlap_lower));
-      const Min* minimum = each.kind == StationaryKind::minimum ? locate_by(each) : nullptr;
-      const bool is_new = minimum != nullptr && std::find(told.begin(), told.end(), minimum) == told.end();
-      if (is_new) told.push_back(minimum);
-      are_told &= is_new || each.overlap_lower > to_world(value_, value_).upper;
+      if (each.kind == StationaryKind::minimum) look_at(each);
     }
-    std::erase_if(minima_, [](const Min& m) { return !m.exists; });
+    out_.open.clear();
+    tell(all);
     for (const Min& m : minima_)
       if (m.is_tight()) least = lower_of(least, m.least());
-    bound(least);
-    if (are_told) out_.unique = Claim::proved;
+    bound(is_lower<I>(least, by_cover) ? by_cover : least);
     return true;
+  }
+
+  void look_at(const StationaryPair& pair) {
+    const Vec3<S> n = pair.normal.template cast<S>();
+    know(point_from<S>(on_.rough, on_.fine, n.template cast<double>()));
+    if (!is_below<I>(to_pair(pair.overlap_upper), value_)) return;
+    const ChartPair<S> at = charts_of_direction<S>(on_.fine, n);  // no local solve leads there
+    look_at(point_at<S>(chart_residual<S>(on_.fine, {}, at), at, std::numeric_limits<S>::infinity()));
+  }
+
+  /// Keeps the minima that exist, and says whether each that may be as low as the lowest is among them. Beside a saddle and a maximum there
+  /// are lower directions.
+  void tell(const StationarySet& all) {
+    const Real50 highest = to_world(value_, value_).upper;
+    std::vector<const Min*> told;
+    for (const StationaryPair& each : all.pairs) {
+      if (each.kind != StationaryKind::minimum) continue;
+      const Min* minimum = locate_by(each);
+      if (minimum != nullptr && std::find(told.begin(), told.end(), minimum) == told.end())
+        told.push_back(minimum);
+      else if (!(each.overlap_lower > highest))
+        out_.open.push_back(each.normal.template cast<double>());
+    }
+    std::erase_if(minima_, [](const Min& m) { return !m.exists; });
+    if (out_.open.empty())
+      out_.unique = Claim::proved;
+    else
+      out_.reason = "a common normal that may be as low is proved and not located";
   }
 
   /// The minimum that a proved stationary direction is, located by it where it is not; null where none is known to be.
   const Min* locate_by(const StationaryPair& pair) {
-    const double same = 1e-9;
-    const ChartPoint<I> at = chart_point<I, Real50>(on_.frame, pair.normal);
+    const double same = 1e-9, rounding = 1e-45;  // the latter of a chart point in fifty digits
+    ChartPoint<I> at = chart_point<I, Real50>(on_.frame, pair.normal);
+    const I reach(8 * pair.normal_radius + rounding);
+    for (const int step : {1, 2}) at.v[(at.face.axis + step) % 3] += hull<I>(I(-reach), reach);
     for (Min& m : minima_) {
-      if (at.face.axis != m.region.axis || at.face.sign != m.region.sign) continue;
+      const bool is_in_region = is_in_cell<I>(m.region, at.face, at.v);
+      if (m.exists && is_in_region) return &m;
       const bool is_near = static_cast<double>((m.at.normal.template cast<Real50>() - pair.normal).norm()) < same;
-      if (m.exists ? !holds<I>(m.region, at.face, at.v) : !is_near) continue;
-      if (m.exists) return &m;
+      const bool is_on_face = at.face.axis == m.region.axis && at.face.sign == m.region.sign;
+      if (m.exists || !is_near || !is_on_face || !(is_in_region || m.region.half == 0)) continue;
       m.exists = m.proof.located = m.proof.convex = true;
       m.proof.value = hull<I>(to_pair(pair.overlap_lower), to_pair(pair.overlap_upper));
       m.proof.deficit = I(0.0);
       m.box = at.v;
-      m.widen(I(8 * pair.normal_radius));
       return &m;
     }
     return nullptr;

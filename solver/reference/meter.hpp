@@ -40,7 +40,10 @@ inline void count_work(int nanoseconds) {
   if (work_counted > work_allowed) throw WorkExceeded();
 }
 
-inline constexpr int nanoseconds_of_a_node = 3000;      ///< of a cover's search
+inline constexpr int nanoseconds_of_a_node = 3000;  ///< of a cover's search
+inline constexpr int nanoseconds_of_a_stationary_cell = 40'000, nanoseconds_of_a_slice = 3000,
+                     nanoseconds_of_a_local_solve =
+                         200'000;                       ///< of the search for stationary directions, in rough intervals
 inline constexpr int nanoseconds_of_a_power = 500;      ///< of Interval18, by double_power.hpp
 inline constexpr int nanoseconds_of_a_comparison = 10;  ///< of a proof's valleys, as many as its maker liked
 /// In 50 digits: a surface point with its derivatives, of an ellipsoid without powers; a step of the solver's on charts.

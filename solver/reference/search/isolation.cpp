@@ -104,7 +104,8 @@ bool has_one_zero_at_most(const IMat2<I>& j) {
   return is_positive(I(low_end<I>(a) * low_end<I>(d) - square<I>(b)));
 }
 
-/// Whether every matrix within j is regular: phi(x) - phi(y) is such a one times x - y, and phi has one zero at most.
+/// Whether every matrix within j is regular: phi(x) - phi(y) is such a one times x - y, and phi has one zero at most. Along a ridge, where an
+/// entry is infinite, the matrix lacks what that entry multiplies: it is the limit of those within j by ever higher entries.
 template <class I>
 bool is_regular(const IMat2<I>& j) {
   const I determinant = j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0);
@@ -387,9 +388,9 @@ std::optional<Isolated> Isolator::isolate(const ChartPair<Real50>& at) const {
 }
 
 std::optional<ChartPair<Real50>> Isolator::zero_near(const Vec3<double>& n) const {
+  if (!fine_.body1.axis || !fine_.body2.axis) return {};
   const DirectionFrame frame{frame_about(n)};
   const ChartedPair<Fine> charted(fine_, frame);
-  if (!fine_.body1.axis || !fine_.body2.axis) return {};
   const PlaneMap<Fine> map = map_about<Fine>(charted, frame, *fine_.body1.axis);
   Eigen::Matrix<Real50, 2, 1> at = Eigen::Matrix<Real50, 2, 1>::Zero();
   const Real50 farthest_zero = 0.05, last_step = 1e-30;

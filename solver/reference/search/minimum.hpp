@@ -61,9 +61,9 @@ struct Setting {
   static constexpr bool in_doubles = std::is_same_v<I, DoubleInterval>;
 };
 
-/// Whether a cell holds all of some chart points of a face.
+/// Whether all of some chart points of a face lie in a cell.
 template <class I>
-[[nodiscard]] bool holds(const Cell& cell, const Cell& face, const IVec3<I>& v) {
+[[nodiscard]] bool is_in_cell(const Cell& cell, const Cell& face, const IVec3<I>& v) {
   if (face.axis != cell.axis || face.sign != cell.sign) return false;
   const Vec3<double> middle = cell.at(0, 0);
   const auto is_within = [&](int i) { return high(magnitude<I>(I(v[i] - I(middle[i])))) < cell.half; };
@@ -84,7 +84,7 @@ struct Minimum {
   [[nodiscard]] bool is_tight() const { return proof.located && high(proof.deficit) < bounds_gap / 2; }
   [[nodiscard]] I least() const { return low_end<I>(I(proof.value - proof.deficit)); }
   /// Whether the true one does.
-  [[nodiscard]] bool lies_in(const Cell& other) const { return holds<I>(other, region, box); }
+  [[nodiscard]] bool lies_in(const Cell& other) const { return is_in_cell<I>(other, region, box); }
 
   void widen(const I& reach) {
     for (const int step : {1, 2}) box[(region.axis + step) % 3] += hull<I>(I(-reach), reach);

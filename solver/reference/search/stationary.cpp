@@ -47,7 +47,8 @@ class SlicedCells {
         along_{axis_functional<I>(pair_, *search.body(0).axis), axis_functional<I>(pair_, 3 + *search.body(1).axis)} {}
 
   /// Whether each slice of the cell is without a stationary direction, by the slope across the equator or along it.
-  [[nodiscard]] bool exclude(const Cell& cell) const {
+  [[nodiscard]] bool are_excluded(const Cell& cell) const {
+    if (cell.half > widest) return false;
     const IVec3<I> box = to_axes_ * box_of<I>(cell, cell.half);
     const double first = low(box[axis_]), last = high(box[axis_]);
     if (!(first < 0 && last > 0)) return false;
@@ -55,14 +56,16 @@ class SlicedCells {
     for (int i = 0; i < 3; ++i) middle[i] = (low(box[i]) + high(box[i])) / 2;
     const Functional<I> across = functional<I>(pair_, Vec3<double>::Unit(axis_).cross(middle).normalized());
     int slices = most_slices;
-    return exclude(box, across, first, last, slices);
+    return is_excluded(box, across, first, last, slices);
   }
 
  private:
   static constexpr int most_slices = 100;
+  static constexpr double widest = 1.0 / 16;
 
-  bool exclude(IVec3<I> box, const Functional<I>& across, double first, double last, int& slices) const {
+  bool is_excluded(IVec3<I> box, const Functional<I>& across, double first, double last, int& slices) const {
     if (slices-- == 0) return false;
+    count_work(nanoseconds_of_a_slice);
     box[axis_] = hull<I>(first, last);
     const DirectionBox<I> directions = direction_box<I>(pair_, box);
     for (const Functional<I>* phi : {&across, &along_[0], &along_[1]}) {
@@ -70,7 +73,7 @@ class SlicedCells {
       if (low(value) > 0 || high(value) < 0) return true;
     }
     const double middle = (first + last) / 2;
-    return exclude(box, across, first, middle, slices) && exclude(box, across, middle, last, slices);
+    return is_excluded(box, across, first, middle, slices) && is_excluded(box, across, middle, last, slices);
   }
 
   int axis_;
@@ -127,7 +130,7 @@ class StationarySearch {
   }
 
   void visit(const Cell& cell) {
-    count_work(nanoseconds_of_a_node);
+    count_work(nanoseconds_of_a_stationary_cell);
     CoverLeaf leaf{cell, region_of(cell), -1, {}};
     if (leaf.region < 0) {
       const Middle middle = middle_of(cell);
@@ -151,13 +154,13 @@ class StationarySearch {
   [[nodiscard]] bool stands(const CoverLeaf& leaf) const {
     if (leaf.region >= 0)
       return is_inside_region<Check>(check_, leaf.cell, found_[static_cast<std::size_t>(leaf.region)]);
-    if (leaf.sliced >= 0) return check_sliced_[static_cast<std::size_t>(leaf.sliced)].exclude(leaf.cell);
+    if (leaf.sliced >= 0) return check_sliced_[static_cast<std::size_t>(leaf.sliced)].are_excluded(leaf.cell);
     return holds<Check>(check_, leaf.cell, leaf.exclusion);
   }
 
   [[nodiscard]] bool exclude_sliced(const Cell& cell, int& body) const {
     for (std::size_t i = 0; i < look_sliced_.size(); ++i) {
-      if (!look_sliced_[i].exclude(cell)) continue;
+      if (!look_sliced_[i].are_excluded(cell)) continue;
       body = static_cast<int>(i);
       return true;
     }
@@ -242,9 +245,10 @@ class StationarySearch {
   /// First in 19 digits, which is soon done where it leads nowhere or to what is known.
   [[nodiscard]] std::optional<ChartPair<Real50>> polished_to_digits(const LocalSolution<double>& rough,
                                                                     const Vec3<double>& normal) const {
+    count_work(nanoseconds_of_a_local_solve);
     const StationaryPoint<long double> finer = polished<long double>(finer_, rough);
     if (finer.solved && is_known(finer.normal.cast<double>())) return {};
-    if (finer.solved)
+    if (finer.solved || look_sliced_.empty())  // of revolution it leads nowhere else
       if (const StationaryPoint<Real50> found = polished<Real50>(fine_, rough); found.solved) return found.at;
     return isolator_.zero_near(normal);
   }
