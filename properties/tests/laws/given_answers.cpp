@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "properties/generators/families.hpp"
 #include "properties/laws/laws.hpp"
@@ -72,7 +73,8 @@ TEST(Laws, WhatMayTieIsNotFlagged) {
 
 /// No local solve finds a common normal of these; the bounds are proved all the same.
 TEST(Laws, BoundsAloneContradictAnAnswer) {
-  Pair pair = concentric({1, 1, 1.1}, {1, 1, 1.1});
+  const Vec3<double> not_quite_round(1, std::nextafter(1.0, 2.0), 1.1);  // what is round is proved to more digits
+  Pair pair = concentric(not_quite_round, not_quite_round);
   pair.body2.position << 0, 0, 0.3;
   pair.body2.quaternion = {1, 1.5538308190117619e-09, 0, 0};
   Judge judge(pair);

@@ -2,6 +2,8 @@
 // soon which; the reference proves nearly all.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "properties/generators/draft.hpp"
 #include "properties/tests/draws.hpp"
 #include "solver/method/methods.hpp"
@@ -94,6 +96,30 @@ TEST(NearCoaxial, CommonNormalsAreFoundOneByOne) {
     EXPECT_GE(set.pairs.front().overlap_upper, found.overlap - rounding) << i;
   }
   EXPECT_GE(100 * complete, 99 * pairs);
+}
+
+/// One in the other and tilted: four or eight minima are as low as one another.
+TEST(NearCoaxial, ConcentricBodiesHaveAllTheirTiesNamed) {
+  std::uint64_t named = 0;
+  for (std::uint64_t i = 0; i < draws(300, 30); ++i) {
+    Stream stream("near coaxial, concentric", 1, i);
+    Pair pair;
+    pair.body1.shape = draw_revolved(stream);
+    pair.body2.shape = draw_revolved(stream);
+    pair.body2.quaternion = turn(Vec3<double>::UnitX(), stream.log_uniform(1e-10, 1e-1));
+    const StationarySet set = find_stationary(pair);
+    const Reference truth = reference_of(pair);
+    if (!set.complete || !names_all_lowest(truth)) continue;
+    ++named;
+    const auto is_low = [&](const StationaryPair& each) {
+      return each.kind == StationaryKind::minimum && each.overlap_lower <= truth.overlap.upper;
+    };
+    const auto low = static_cast<std::size_t>(std::count_if(set.pairs.begin(), set.pairs.end(), is_low));
+    EXPECT_EQ(low, 1 + truth.tied.size()) << i;
+    EXPECT_LE(set.pairs.front().overlap_lower, truth.overlap.upper) << i;
+    EXPECT_GE(set.pairs.front().overlap_upper, truth.overlap.lower) << i;
+  }
+  EXPECT_GE(named, 5U);
 }
 
 }  // namespace
