@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <utility>
 
@@ -41,10 +42,11 @@ struct Middle {
 template <class I>
 class SlicedCells {
  public:
-  SlicedCells(const ChartedPair<I>& search, std::size_t body)
-      : axis_(*search.body(body).axis), pair_(search.pair, {Mat3<double>::Identity(), static_cast<int>(body)}),
+  /// `axes`: those of the two bodies.
+  SlicedCells(const ChartedPair<I>& search, std::size_t body, const std::array<int, 2>& axes)
+      : axis_(axes[body]), pair_(search.pair, {Mat3<double>::Identity(), static_cast<int>(body)}),
         to_axes_(body == 0 ? search.to_body[0] : IMat3<I>(-search.to_body[1])),
-        along_{axis_functional<I>(pair_, *search.body(0).axis), axis_functional<I>(pair_, 3 + *search.body(1).axis)} {}
+        along_{axis_functional<I>(pair_, axes[0]), axis_functional<I>(pair_, 3 + axes[1])} {}
 
   /// Whether each slice of the cell is without a stationary direction, by the slope across the equator or along it.
   [[nodiscard]] bool are_excluded(const Cell& cell) const {
@@ -96,10 +98,11 @@ class StationarySearch {
         isolator_(pair), frame_(part.frame), check_(isolator_.coarse(), {frame_}),
         look_(rounded(isolator_.coarse()), {frame_}), cells_(std::move(part.cells)) {
     for (int axis = 0; axis < 6; ++axis) axes_.push_back(axis_functional<Look>(look_, axis));
-    if (!look_.body(0).axis || !look_.body(1).axis) return;
+    const auto &axis1 = look_.body(0).axis, &axis2 = look_.body(1).axis;
+    if (!axis1 || !axis2) return;
     for (std::size_t body = 0; body < 2; ++body) {
-      look_sliced_.emplace_back(look_, body);
-      check_sliced_.emplace_back(check_, body);
+      look_sliced_.emplace_back(look_, body, std::array{*axis1, *axis2});
+      check_sliced_.emplace_back(check_, body, std::array{*axis1, *axis2});
     }
   }
 
