@@ -101,15 +101,16 @@ TEST(NearCoaxial, CommonNormalsAreFoundOneByOne) {
 /// One in the other and tilted: four or eight minima are as low as one another.
 TEST(NearCoaxial, ConcentricBodiesHaveAllTheirTiesNamed) {
   std::uint64_t named = 0;
-  for (std::uint64_t i = 0; i < draws(300, 30); ++i) {
+  for (std::uint64_t i = 0; i < draws(300, 8); ++i) {
     Stream stream("near coaxial, concentric", 1, i);
     Pair pair;
     pair.body1.shape = draw_revolved(stream);
     pair.body2.shape = draw_revolved(stream);
     pair.body2.quaternion = turn(Vec3<double>::UnitX(), stream.log_uniform(1e-10, 1e-1));
     const StationarySet set = find_stationary(pair);
+    if (!set.complete) continue;
     const Reference truth = reference_of(pair);
-    if (!set.complete || !names_all_lowest(truth)) continue;
+    if (!names_all_lowest(truth)) continue;
     ++named;
     const auto is_low = [&](const StationaryPair& each) {
       return each.kind == StationaryKind::minimum && each.overlap_lower <= truth.overlap.upper;
@@ -119,7 +120,7 @@ TEST(NearCoaxial, ConcentricBodiesHaveAllTheirTiesNamed) {
     EXPECT_LE(set.pairs.front().overlap_lower, truth.overlap.upper) << i;
     EXPECT_GE(set.pairs.front().overlap_upper, truth.overlap.lower) << i;
   }
-  EXPECT_GE(named, 5U);
+  EXPECT_GE(named, 2U);
 }
 
 }  // namespace
