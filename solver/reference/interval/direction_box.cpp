@@ -277,7 +277,7 @@ bool holds(const ChartedPair<I>& pair, const Cell& cell, const Exclusion& exclus
   } else {
     value = value_of<I>(box, phi);
   }
-  return low(value) > 0 || high(value) < 0;
+  return has_no_zero<I>(value);
 }
 
 #define PLUMB_INSTANTIATE_DIRECTION_BOX(I)                                                       \

@@ -117,6 +117,11 @@ struct ChartedPair {
   [[nodiscard]] const EnclosedBody<I>& body(std::size_t which) const { return which == 0 ? pair.body1 : pair.body2; }
 };
 
+template <class I>
+[[nodiscard]] bool has_no_zero(const I& x) {
+  return low(x) > 0 || high(x) < 0;
+}
+
 /// The pair's enclosure, to the double.
 [[nodiscard]] EnclosedPair<RoughInterval> rounded(const EnclosedPair<Interval18>& pair);
 

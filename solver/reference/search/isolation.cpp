@@ -108,8 +108,7 @@ bool has_one_zero_at_most(const IMat2<I>& j) {
 /// entry is infinite, the matrix lacks what that entry multiplies: it is the limit of those within j by ever higher entries.
 template <class I>
 bool is_regular(const IMat2<I>& j) {
-  const I determinant = j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0);
-  return low(determinant) > 0 || high(determinant) < 0;
+  return has_no_zero<I>(j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0));
 }
 
 /// The functional of a body's axis of revolution (of axis_functional) in the place of the slope that is the more along its parallel. Where

@@ -70,10 +70,8 @@ class SlicedCells {
     count_work(nanoseconds_of_a_slice);
     box[axis_] = hull<I>(first, last);
     const DirectionBox<I> directions = direction_box<I>(pair_, box);
-    for (const Functional<I>* phi : {&across, &along_[0], &along_[1]}) {
-      const I value = value_of<I>(directions, *phi);
-      if (low(value) > 0 || high(value) < 0) return true;
-    }
+    for (const Functional<I>* phi : {&across, &along_[0], &along_[1]})
+      if (has_no_zero<I>(value_of<I>(directions, *phi))) return true;
     const double middle = (first + last) / 2;
     return is_excluded(box, across, first, middle, slices) && is_excluded(box, across, middle, last, slices);
   }
@@ -194,14 +192,13 @@ class StationarySearch {
     const DirectionBox<Look> box = direction_box<Look>(look_, box_of<Look>(cell, cell.half));
     const DirectionBox<Look> at = direction_box<Look>(look_, box_of<Look>(cell, 0));
     const Look reach(-cell.half, cell.half);
-    const auto has_no_zero = [](const Look& x) { return x.lower > 0 || x.upper < 0; };
     const auto works = [&](const Functional<Look>& phi) {
       out.by_slopes = false;
-      if (has_no_zero(value_of<Look>(box, phi))) return true;
+      if (has_no_zero<Look>(value_of<Look>(box, phi))) return true;
       out.by_slopes = true;
       Look value = value_of<Look>(at, phi);
       for (const int step : {1, 2}) value += slope_of<Look>(look_, box, phi, (cell.axis + step) % 3) * reach;
-      return has_no_zero(value);
+      return has_no_zero<Look>(value);
     };
     const Eigen::Matrix2d inverse = middle.slope.inverse();
     const std::array<Eigen::Vector2d, 3> tries{middle.value, inverse.row(0), inverse.row(1)};
