@@ -96,7 +96,7 @@ Part::Part(const PartSettings& settings)
   add_columns(world_, plan_);
   contact_forces_ = &world_.columns.add("contact_force", "contacts", {.of = ColumnKind::pair, .width = 3});
   movers_ = std::exchange(world_.movers, {});
-  contact_passes_ = take_contact_passes(world_, plan_);
+  contacts_ = contact_stage(world_, plan_);
   closing_ = take_closing_passes(world_);
   for (Column& column : world_.columns)
     if (column.kind().of == ColumnKind::pair && column.kind().is_kept) kept_.push_back(&column);
@@ -132,7 +132,7 @@ void Part::press(double time, double time_step) {
   world_.time_step = time_step;
   run_all(movers_);
   totals_ += solve_contacts(world_, plan_.want, nullptr);
-  run_all(contact_passes_);
+  run_all(contacts_);
 }
 
 void Part::close() {

@@ -86,7 +86,7 @@ class Part {
   Scene probe_;
   Plan plan_;
   World world_;
-  std::vector<Pass> movers_, contact_passes_, closing_;
+  std::vector<Pass> movers_, contacts_, closing_;
   std::vector<Column*> kept_;
   Column* contact_forces_ = nullptr;
   std::size_t width_ = 0;

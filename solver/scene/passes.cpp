@@ -1,11 +1,17 @@
 #include "solver/scene/passes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <memory>
 #include <utility>
+
+#include "solver/scene/threads.hpp"
 
 namespace plumb::scene {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 void clear_forces(World& world) {
   world.state.force->fill(0);
@@ -20,18 +26,64 @@ void forget(const Contacts& contacts, std::vector<Column*>& histories) {
     for (const std::uint32_t c : contacts.parted) std::ranges::fill(column->entry(c), column->kind().initial);
 }
 
-/// The elastic and cohesive forces along the normals, onto the bodies.
-void push_along_normals(World& world) {
-  for (const std::uint32_t c : world.contacts.touching) world.push_along_normal(c, (*world.contacts.normal_force)[c]);
+std::span<const std::uint32_t> within(const std::vector<std::uint32_t>& rising, std::size_t first, std::size_t end) {
+  return {std::ranges::lower_bound(rising, first), std::ranges::lower_bound(rising, end)};
 }
+
+/// So many that what they do stays in the cache from one pass to the next.
+constexpr std::size_t range_size = 512;
+
+/// What contacts do, and then, one after the other, what that adds to their bodies: the same sums with any number of threads.
+class ContactForces {
+ public:
+  explicit ContactForces(World& world) : world_(world) {}
+
+  void act() {
+    const Contacts& contacts = world_.contacts;
+    const std::size_t pairs = contacts.pairs.size(), passes = world_.contact_passes.size();
+    const bool is_shared = world_.threads > 1 && pairs > range_size;
+    if (is_shared) waiting_.resize(contacts.touching.size());
+    spent_.resize((pairs + range_size - 1) / range_size * passes);
+    for_each_part(pairs, range_size, world_.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
+      std::array<Action, range_size> actions;
+      const ContactRange range{first, end, within(contacts.touching, first, end), within(contacts.pressing, first, end),
+                               actions};
+      run_passes(range, std::span(spent_).subspan(part * passes, passes));
+      Action* waiting = waiting_.data() + (range.touching.data() - contacts.touching.data());
+      for (const std::uint32_t c : range.touching) {
+        range.action(c) += world_.along_normal(c, (*contacts.normal_force)[c]);
+        if (is_shared)
+          *waiting++ = range.action(c);
+        else
+          world_.act(c, range.action(c));
+      }
+    });
+    for (std::size_t k = 0; k < spent_.size(); ++k) world_.contact_passes[k % passes].spent += spent_[k];
+    for (std::size_t k = 0; is_shared && k < waiting_.size(); ++k) world_.act(contacts.touching[k], waiting_[k]);
+  }
+
+ private:
+  void run_passes(const ContactRange& range, std::span<Clock::duration> spent) {
+    auto start = Clock::now();
+    for (std::size_t k = 0; k < spent.size(); ++k) {
+      world_.contact_passes[k].run(range);
+      const auto now = Clock::now();
+      spent[k] = now - std::exchange(start, now);
+    }
+  }
+
+  World& world_;
+  std::vector<Action> waiting_;  ///< of the contacts that touch, in their order
+  std::vector<Clock::duration> spent_;
+};
 
 }  // namespace
 
 void run_all(std::vector<Pass>& passes) {
   for (Pass& pass : passes) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     pass.run();
-    pass.spent += std::chrono::steady_clock::now() - start;
+    pass.spent += Clock::now() - start;
   }
 }
 
@@ -39,17 +91,17 @@ void append(std::vector<Pass>& passes, std::vector<Pass> more) {
   std::ranges::move(more, std::back_inserter(passes));
 }
 
-std::vector<Pass> take_contact_passes(World& world, const Plan& plan) {
-  std::vector<Pass> passes;
+std::vector<Pass> contact_stage(World& world, const Plan& plan) {
+  std::vector<Pass> stage;
   std::vector<Column*> histories;
   for (Column& column : world.columns)
     if (column.kind().forgets) histories.push_back(&column);
   if (!histories.empty())
-    passes.push_back({"contacts", [&world, histories]() mutable { forget(world.contacts, histories); }});
-  passes.push_back({"motion", [&world] { clear_forces(world); }});
-  append(passes, std::exchange(world.contact_passes, {}));
-  if (plan.needs.normal_force) passes.push_back({"contacts", [&world] { push_along_normals(world); }});
-  return passes;
+    stage.push_back({"contacts", [&world, histories]() mutable { forget(world.contacts, histories); }});
+  stage.push_back({"motion", [&world] { clear_forces(world); }});
+  if (!plan.needs.normal_force) return stage;
+  stage.push_back({"contacts", [forces = std::make_shared<ContactForces>(world)] { forces->act(); }});
+  return stage;
 }
 
 std::vector<Pass> take_closing_passes(World& world) {

@@ -11,8 +11,9 @@ void run_all(std::vector<Pass>& passes);
 
 void append(std::vector<Pass>& passes, std::vector<Pass> more);
 
-/// Once the contacts are solved: ended ones forget, forces are set to 0, then those of contacts. Takes them out of the world.
-[[nodiscard]] std::vector<Pass> take_contact_passes(World& world, const Plan& plan);
+/// Once the contacts are solved: ended ones forget, forces are set to 0, the world's passes of contacts run, and what contacts do acts on
+/// their bodies.
+[[nodiscard]] std::vector<Pass> contact_stage(World& world, const Plan& plan);
 
 /// Forces of bodies, and those that go by the velocities to which all others lead. Takes them out of the world.
 [[nodiscard]] std::vector<Pass> take_closing_passes(World& world);

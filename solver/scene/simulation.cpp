@@ -109,7 +109,7 @@ void Simulation::list_passes() {
   if (plan_.needs.contacts) forces_.push_back({"solver", [this] { solve(); }});
   if (plan_.analysis != Analysis::motion) return;
   if (plan_.needs.lives) forces_.push_back({"lives", [this] { ended_lives_ = scene::ended_lives(*world_); }});
-  append(forces_, take_contact_passes(world, plan_));
+  append(forces_, contact_stage(world, plan_));
   append(forces_, take_closing_passes(world));
   if (plan_.needs.lives) forces_.push_back({"lives", [&world] { follow_lives(world); }});
 }

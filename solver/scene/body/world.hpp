@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "solver/scene/body/columns.hpp"
 #include "solver/scene/body/rotation.hpp"
@@ -99,11 +100,49 @@ struct Levers {
   Vec3<double> r1, r2;
 };
 
+/// What a contact does: a force on body 2, and its moments about the centre of body 1 and of body 2.
+struct Action {
+  Vec3<double> force = Vec3<double>::Zero(), moment1 = Vec3<double>::Zero(), moment2 = Vec3<double>::Zero();
+
+  /// Adds a force at the point of contact.
+  void push(const Vec3<double>& more, const Levers& levers) {
+    force += more;
+    moment1 += levers.r1.cross(more);
+    moment2 += levers.r2.cross(more);
+  }
+  void turn(const Vec3<double>& couple) {
+    moment1 += couple;
+    moment2 += couple;
+  }
+  Action& operator+=(const Action& more) {
+    force += more.force;
+    moment1 += more.moment1;
+    moment2 += more.moment2;
+    return *this;
+  }
+};
+
 /// One step of work on all bodies or on all contacts.
 struct Pass {
   std::string_view owner;
   std::function<void()> run;
   std::chrono::steady_clock::duration spent{};
+};
+
+/// Contacts that follow each other in the list: pairs [first, end), those of them that touch and press, and what they do so far.
+struct ContactRange {
+  std::size_t first, end;
+  std::span<const std::uint32_t> touching, pressing;
+  std::span<Action> actions;  ///< a pair's at its place from `first`
+
+  [[nodiscard]] Action& action(std::size_t contact) const { return actions[contact - first]; }
+};
+
+/// One step of work on contacts. Threads share the list: it changes what is these contacts' own, and no body.
+struct ContactPass {
+  std::string_view owner;
+  std::function<void(const ContactRange& range)> run;
+  std::chrono::steady_clock::duration spent{};  ///< of all threads
 };
 
 /// What an effect stores, for who asks: nothing of a step.
@@ -125,7 +164,8 @@ struct World {
 
   /// In the order of a step, each in that of effects(): what moves by itself, forces of contacts, forces of bodies, and forces
   /// that go by the velocities to which all others lead.
-  std::vector<Pass> movers, contact_passes, body_passes, closing_passes;
+  std::vector<Pass> movers, body_passes, closing_passes;
+  std::vector<ContactPass> contact_passes;
   std::vector<StoredEnergy> energies;
   /// What sets an effect's columns once they have their size.
   std::vector<std::function<void(const Scene&)>> starts;
@@ -155,12 +195,10 @@ struct World {
   [[nodiscard]] Vec3<double> relative_turn(std::size_t contact) const;
   /// The inverse inertia of a body, world axes, times a vector; 0 of what nothing turns.
   [[nodiscard]] Vec3<double> yield(std::uint32_t body, const Vec3<double>& torque) const;
-  /// Adds a force on body 2 at the point of contact, and its opposite on body 1.
-  void push(std::size_t contact, const Vec3<double>& force, const Levers& levers);
-  /// The same of a force along the normal, with the arms of the normal.
-  void push_along_normal(std::size_t contact, double size);
-  /// Adds a couple on body 2, and its opposite on body 1.
-  void turn(std::size_t contact, const Vec3<double>& couple);
+  /// A force along the normal.
+  [[nodiscard]] Action along_normal(std::size_t contact, double size) const;
+  /// Adds it to what acts on the two bodies.
+  void act(std::size_t contact, const Action& action);
 };
 
 inline double Contacts::patch_radius(std::size_t contact) const {
@@ -231,15 +269,12 @@ inline double World::normal_acceleration(std::size_t contact) const {
                   state.torque->vector(i).dot(contacts.yield1->vector(contact)));
 }
 
-inline void World::push_along_normal(std::size_t contact, double size) {
-  const auto [i, j] = contacts.pairs[contact];
-  const Vec3<double> force = size * contacts.normal->vector(contact);
-  state.force->vector(i) -= force;
-  state.force->vector(j) += force;
-  if (contacts.force != nullptr) contacts.force->vector(contact) += force;
-  if (contacts.arm1 == nullptr) return;
-  state.torque->vector(i) -= size * contacts.arm1->vector(contact);
-  state.torque->vector(j) += size * contacts.arm2->vector(contact);
+inline Action World::along_normal(std::size_t contact, double size) const {
+  Action out{.force = size * contacts.normal->vector(contact)};
+  if (contacts.arm1 == nullptr) return out;
+  out.moment1 = size * contacts.arm1->vector(contact);
+  out.moment2 = size * contacts.arm2->vector(contact);
+  return out;
 }
 
 inline Vec3<double> World::relative_turn(std::size_t contact) const {
@@ -253,19 +288,14 @@ inline Vec3<double> World::yield(std::uint32_t body, const Vec3<double>& torque)
   return angular_velocity(state.orientation_of(body), torque, inverse_inertia);
 }
 
-inline void World::push(std::size_t contact, const Vec3<double>& force, const Levers& levers) {
+inline void World::act(std::size_t contact, const Action& action) {
   const auto [i, j] = contacts.pairs[contact];
-  state.force->vector(i) -= force;
-  state.force->vector(j) += force;
-  if (contacts.force != nullptr) contacts.force->vector(contact) += force;
-  state.torque->vector(i) -= levers.r1.cross(force);
-  state.torque->vector(j) += levers.r2.cross(force);
-}
-
-inline void World::turn(std::size_t contact, const Vec3<double>& couple) {
-  const auto [i, j] = contacts.pairs[contact];
-  state.torque->vector(i) -= couple;
-  state.torque->vector(j) += couple;
+  state.force->vector(i) -= action.force;
+  state.force->vector(j) += action.force;
+  if (contacts.force != nullptr) contacts.force->vector(contact) += action.force;
+  if (state.torque == nullptr) return;
+  state.torque->vector(i) -= action.moment1;
+  state.torque->vector(j) += action.moment2;
 }
 
 }  // namespace plumb::scene

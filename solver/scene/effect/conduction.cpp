@@ -57,7 +57,7 @@ void install(const Conduction& conduction, World& world) {
     for (const SceneBody& b : scene.bodies) temperature[i++] = b.temperature.value_or(0);
     for (const Wall& wall : scene.walls) temperature[i++] = wall.temperature.value_or(0);
   });
-  world.contact_passes.push_back(
+  world.body_passes.push_back(
       {Conduction::name, [conduction, &temperature, &heat, &world] { conduct(conduction, temperature, heat, world); }});
 }
 

@@ -15,9 +15,10 @@ namespace plumb::scene {
 
 /// Turns the bodies of each pressing contact against their relative rotation; `springs` holds how far each has turned.
 template <class Part>
-void resist(const ByPair<Couple<Part>>& laws, const Stiffening& stiffening, Column& springs, World& world) {
+void resist(const ByPair<Couple<Part>>& laws, const Stiffening& stiffening, Column& springs, const ContactRange& range,
+            World& world) {
   const Contacts& contacts = world.contacts;
-  for (const std::uint32_t c : contacts.pressing) {
+  for (const std::uint32_t c : range.pressing) {
     const Couple<Part>& parameters = laws.at(c);
     const Vec3<double> normal = contacts.normal->vector(c);
     const double radius = (*contacts.radius)[c], square = radius * radius;
@@ -26,7 +27,7 @@ void resist(const ByPair<Couple<Part>>& laws, const Stiffening& stiffening, Colu
     const StickSlip law{stiffness, parameters.damping * critical,
                         parameters.coefficient * radius * (*contacts.normal_force)[c]};
     springs.vector(c) = stiffening.kept(c, stiffness) * Part::of(springs.vector(c), normal);
-    world.turn(c, law.pull(springs.vector(c), Part::of(world.relative_turn(c), normal), world.time_step));
+    range.action(c).turn(law.pull(springs.vector(c), Part::of(world.relative_turn(c), normal), world.time_step));
   }
 }
 
@@ -71,8 +72,9 @@ void install_couple(const Couple<Part>& couple, World& world, std::optional<Coup
   const ByPair<Couple<Part>> laws = by_pair(world, couple, slot);
   Column& springs = world.columns.add(column, Part::name, history(3));
   const Stiffening stiffening(world, stiffness_column, Part::name);
-  world.contact_passes.push_back(
-      {Part::name, [laws, stiffening, &springs, &world] { resist(laws, stiffening, springs, world); }});
+  world.contact_passes.push_back({Part::name, [laws, stiffening, &springs, &world](const ContactRange& range) {
+                                    resist(laws, stiffening, springs, range, world);
+                                  }});
   world.energies.push_back({Part::name, [laws, &springs, &world] { return spring_energy(laws, springs, world); }});
 }
 

@@ -49,29 +49,29 @@ Laws laws_of(const Friction& friction, const World& world) {
   return out;
 }
 
-void slide(const Laws& laws, const Stiffening& stiffening, Column& springs, World& world) {
+void slide(const Laws& laws, const Stiffening& stiffening, Column& springs, const ContactRange& range, World& world) {
   Contacts& contacts = world.contacts;
-  for (const std::uint32_t c : contacts.pressing) {
+  for (const std::uint32_t c : range.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const Levers levers = world.levers(c);
     const Vec3<double> velocity = world.relative_velocity(c, levers);
     const Vec3<double> across = velocity - normal.dot(velocity) * normal;
     const StickSlip law = laws.at(contacts, c);
     springs.vector(c) = stiffening.kept(c, law.stiffness) * turned_across(springs.vector(c), normal);
-    world.push(c, law.pull(springs.vector(c), across, world.time_step), levers);
+    range.action(c).push(law.pull(springs.vector(c), across, world.time_step), levers);
   }
 }
 
 /// A patch that turns about its normal slides at its radius.
-void turn(const Laws& laws, const Stiffening& stiffening, Column& angles, World& world) {
+void turn(const Laws& laws, const Stiffening& stiffening, Column& angles, const ContactRange& range, World& world) {
   Contacts& contacts = world.contacts;
-  for (const std::uint32_t c : contacts.pressing) {
+  for (const std::uint32_t c : range.pressing) {
     const Vec3<double> normal = contacts.normal->vector(c);
     const double radius = contacts.patch_radius(c), square = radius * radius;
     const StickSlip slip = laws.at(contacts, c);
     const StickSlip law{slip.stiffness * square, slip.viscous * square, slip.limit * radius};
     angles.vector(c) = stiffening.kept(c, law.stiffness) * normal.dot(angles.vector(c)) * normal;
-    world.turn(c, law.pull(angles.vector(c), normal.dot(world.relative_turn(c)) * normal, world.time_step));
+    range.action(c).turn(law.pull(angles.vector(c), normal.dot(world.relative_turn(c)) * normal, world.time_step));
   }
 }
 
@@ -122,14 +122,16 @@ void install(const Friction& friction, World& world) {
   Column& springs = world.columns.add("friction_spring", Friction::name, history(3));
   const Laws laws = laws_of(friction, world);
   const Stiffening sliding = stiffening_of(world, "friction_stiffness");
-  world.contact_passes.push_back(
-      {Friction::name, [laws, sliding, &springs, &world] { slide(laws, sliding, springs, world); }});
+  world.contact_passes.push_back({Friction::name, [laws, sliding, &springs, &world](const ContactRange& range) {
+                                    slide(laws, sliding, springs, range, world);
+                                  }});
   Column* angles = nullptr;
   if (world.contacts.patch_arms != nullptr) {
     angles = &world.columns.add("friction_angle", Friction::name, history(3));
     const Stiffening turning = stiffening_of(world, "friction_turning");
-    world.contact_passes.push_back(
-        {Friction::name, [laws, turning, angles, &world] { turn(laws, turning, *angles, world); }});
+    world.contact_passes.push_back({Friction::name, [laws, turning, angles, &world](const ContactRange& range) {
+                                      turn(laws, turning, *angles, range, world);
+                                    }});
   }
   world.energies.push_back(
       {Friction::name, [laws, &springs, angles, &world] { return stored(laws, springs, angles, world.contacts); }});

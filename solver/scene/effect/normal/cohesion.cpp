@@ -34,9 +34,9 @@ Role role(const Cohesion& cohesion, const Scene& scene) {
 
 void install(const Cohesion& cohesion, World& world) {
   const ByPair<Cohesion> laws = by_pair(world, cohesion, &Effects::cohesion);
-  world.contact_passes.push_back({Cohesion::name, [laws, &world] {
+  world.contact_passes.push_back({Cohesion::name, [laws, &world](const ContactRange& range) {
                                     Contacts& contacts = world.contacts;
-                                    for (const std::uint32_t c : contacts.touching)
+                                    for (const std::uint32_t c : range.touching)
                                       (*contacts.normal_force)[c] -=
                                           laws.at(c).pull_off * share(laws.at(c), (*contacts.overlap)[c]);
                                   }});

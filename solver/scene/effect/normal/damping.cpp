@@ -7,6 +7,7 @@
 #include "solver/scene/effect.hpp"
 #include "solver/scene/facts.hpp"
 #include "solver/scene/material/by_pair.hpp"
+#include "solver/scene/threads.hpp"
 
 namespace plumb::scene {
 namespace {
@@ -67,25 +68,33 @@ struct Damped {
   Column* couples;  ///< nullptr where there is no patch, or nothing turns
 };
 
+void set_damped(const Dashpots& dashpots, const ByPair<double>& pulls, const Damped& out, const World& world,
+                std::size_t c) {
+  const Contacts& contacts = world.contacts;
+  const double step = world.time_step, inverse_mass = (*contacts.inverse_mass)[c], viscous = dashpots.at(c);
+  const double before = world.normal_velocity(c), ahead = before + step / 2 * world.normal_acceleration(c);
+  const double now = damped(ahead, step / 2, inverse_mass, viscous);
+  Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(out.phases[c])};
+  const double steps = steps_of(sample);
+  out.forces[c] = with_pull(-viscous * now * steps, (*contacts.normal_force)[c], pulls.at(c));
+  if (out.couples != nullptr) out.couples->vector(c) = steps * couple_of(world, c, viscous);
+  out.phases[c] = sample.phase;
+}
+
 /// The dashpots' forces act when all are known.
 void damp(const Dashpots& dashpots, const ByPair<double>& pulls, const Damped& out, World& world) {
+  constexpr std::size_t worth_waking = 512;
   const Contacts& contacts = world.contacts;
-  const double step = world.time_step;
+  for_each_part(contacts.pressing.size(), worth_waking, world.threads,
+                [&](std::size_t, std::size_t first, std::size_t end) {
+                  for (std::size_t k = first; k < end; ++k)
+                    set_damped(dashpots, pulls, out, world, contacts.pressing[k]);
+                });
   for (const std::uint32_t c : contacts.pressing) {
-    const double inverse_mass = (*contacts.inverse_mass)[c];
-    const double viscous = dashpots.at(c);
-    const double before = world.normal_velocity(c), ahead = before + step / 2 * world.normal_acceleration(c);
-    const double now = damped(ahead, step / 2, inverse_mass, viscous);
-    Sample sample{(*contacts.overlap)[c], -before * step, (2 * now - before) * step, static_cast<Phase>(out.phases[c])};
-    const double steps = steps_of(sample);
-    out.forces[c] = with_pull(-viscous * now * steps, (*contacts.normal_force)[c], pulls.at(c));
-    if (out.couples != nullptr) out.couples->vector(c) = steps * couple_of(world, c, viscous);
-    out.phases[c] = sample.phase;
-  }
-  for (const std::uint32_t c : contacts.pressing) {
+    Action action = world.along_normal(c, out.forces[c]);
+    if (out.couples != nullptr) action.turn(out.couples->vector(c));
     (*contacts.normal_force)[c] += out.forces[c];
-    world.push_along_normal(c, out.forces[c]);
-    if (out.couples != nullptr) world.turn(c, out.couples->vector(c));
+    world.act(c, action);
   }
 }
 

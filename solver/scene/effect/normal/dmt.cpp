@@ -11,8 +11,8 @@ namespace plumb::scene {
 namespace {
 
 /// `pulls`: of each contact's life; 0 of one that has just begun.
-void pull(const ByPair<Dmt>& laws, Column& pulls, Contacts& contacts) {
-  for (const std::uint32_t c : contacts.pressing) {
+void pull(const ByPair<Dmt>& laws, Column& pulls, const ContactRange& range, Contacts& contacts) {
+  for (const std::uint32_t c : range.pressing) {
     if (pulls[c] == 0) {
       const auto curvature = contacts.curvature->entry(c);
       pulls[c] = std::numbers::pi * laws.at(c).work_of_adhesion / std::sqrt(curvature[0] * curvature[1]);
@@ -43,7 +43,9 @@ Role role(const Dmt& dmt, const Scene& scene) {
 void install(const Dmt& dmt, World& world) {
   Column& pulls = world.columns.add("dmt_pull", Dmt::name, history(1));
   world.contact_passes.push_back(
-      {Dmt::name, [laws = by_pair(world, dmt, &Effects::dmt), &pulls, &world] { pull(laws, pulls, world.contacts); }});
+      {Dmt::name, [laws = by_pair(world, dmt, &Effects::dmt), &pulls, &world](const ContactRange& range) {
+         pull(laws, pulls, range, world.contacts);
+       }});
   world.energies.push_back({Dmt::name, [&pulls, &world] { return stored(pulls, world.contacts); }});
 }
 

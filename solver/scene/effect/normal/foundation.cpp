@@ -8,15 +8,14 @@ namespace plumb::scene {
 namespace {
 
 /// The force at the centre of the volume, which is pushed with all others; the couple that moves it on at once.
-void press(const Foundation& law, World& world) {
-  Contacts& contacts = world.contacts;
-  for (const std::uint32_t c : contacts.pressing) {
+void press(const Foundation& law, const ContactRange& range, Contacts& contacts) {
+  for (const std::uint32_t c : range.pressing) {
     const double area = (*contacts.area)[c];  // 0 of a body within another, which nothing pushes out
     const double force = area > 0 ? law.stiffness * (*contacts.volume)[c] : 0;
     (*contacts.normal_force)[c] = force;
     (*contacts.stiffness)[c] = law.stiffness * area;
     if (law.tilt_ratio != 1 && force > 0 && contacts.arm1 != nullptr)
-      world.turn(c, (1 - law.tilt_ratio) * force / area * contacts.area_moment->vector(c));
+      range.action(c).turn((1 - law.tilt_ratio) * force / area * contacts.area_moment->vector(c));
   }
 }
 
@@ -38,7 +37,9 @@ Role role(const Foundation& foundation, const Scene& scene) {
 }
 
 void install(const Foundation& foundation, World& world) {
-  world.contact_passes.push_back({Foundation::name, [foundation, &world] { press(foundation, world); }});
+  world.contact_passes.push_back({Foundation::name, [foundation, &world](const ContactRange& range) {
+                                    press(foundation, range, world.contacts);
+                                  }});
   world.energies.push_back({Foundation::name, [foundation, &world] {
                               double sum = 0;
                               for (const std::uint32_t c : world.contacts.pressing)

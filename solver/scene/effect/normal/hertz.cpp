@@ -10,8 +10,8 @@ namespace plumb::scene {
 namespace {
 
 /// Of pairs that have the law. `factors`: hertz_contact's, of each contact's life; 0 of one that has just begun.
-void press_hertz(const ByPair<double>& moduli, Column& factors, Contacts& contacts) {
-  for (const std::uint32_t c : contacts.pressing) {
+void press_hertz(const ByPair<double>& moduli, Column& factors, const ContactRange& range, Contacts& contacts) {
+  for (const std::uint32_t c : range.pressing) {
     if (moduli.at(c) == 0) continue;
     if (!(factors[c] > 0)) {
       const auto curvature = contacts.curvature->entry(c);
@@ -38,8 +38,9 @@ void install(const Hertz& hertz, World& world) {
   const ByPair<double> moduli(world, hertz, &Effects::hertz,
                               [](const Hertz& of_pair) { return of_pair.contact_modulus(); });
   Column& factors = world.columns.add("hertz_factor", Hertz::name, history(1));
-  world.contact_passes.push_back(
-      {Hertz::name, [moduli, &factors, &world] { press_hertz(moduli, factors, world.contacts); }});
+  world.contact_passes.push_back({Hertz::name, [moduli, &factors, &world](const ContactRange& range) {
+                                    press_hertz(moduli, factors, range, world.contacts);
+                                  }});
   world.energies.push_back({Hertz::name, [moduli, &factors, &world] {
                               double sum = 0;
                               for (const std::uint32_t c : world.contacts.pressing)

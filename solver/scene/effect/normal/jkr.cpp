@@ -58,18 +58,17 @@ class Holding {
         moduli_(world, world.effects.hertz.value_or(Hertz{}), &Effects::hertz,
                 [](const Hertz& of_pair) { return of_pair.contact_modulus(); }) {}
 
-  void begin_and_end() const {
-    const Contacts& contacts = world_.contacts;
-    auto touching = contacts.touching.begin();
-    for (std::size_t c = 0; c < contacts.pairs.size(); ++c)
-      if (touching != contacts.touching.end() && *touching == c)
+  void begin_and_end(const ContactRange& range) const {
+    auto touching = range.touching.begin();
+    for (std::size_t c = range.first; c < range.end; ++c)
+      if (touching != range.touching.end() && *touching == c)
         follow(*touching++);
       else
         radii_[c] = 0;
   }
 
-  void pull() const {
-    for (const std::uint32_t c : world_.contacts.touching) {
+  void pull(const ContactRange& range) const {
+    for (const std::uint32_t c : range.touching) {
       if (!(radii_[c] > 0)) continue;
       const Adhesive law = law_of(c);
       (*world_.contacts.normal_force)[c] += law.force(law.place_of(overlap(c))) - hertz(c, 1.5);
@@ -136,9 +135,9 @@ Role role(const Jkr& jkr, const Scene& scene) {
 
 void install(const Jkr& jkr, World& world) {
   const auto holding = std::make_shared<const Holding>(jkr, world);
-  world.contact_passes.push_back({Jkr::name, [holding] {
-                                    holding->begin_and_end();
-                                    holding->pull();
+  world.contact_passes.push_back({Jkr::name, [holding](const ContactRange& range) {
+                                    holding->begin_and_end(range);
+                                    holding->pull(range);
                                   }});
   world.energies.push_back({Jkr::name, [holding] { return holding->energy(); }});
 }

@@ -8,8 +8,8 @@
 namespace plumb::scene {
 namespace {
 
-void press_linear(const ByPair<Linear>& laws, Contacts& contacts) {
-  for (const std::uint32_t c : contacts.pressing) {
+void press_linear(const ByPair<Linear>& laws, const ContactRange& range, Contacts& contacts) {
+  for (const std::uint32_t c : range.pressing) {
     const double stiffness = laws.at(c).stiffness;
     (*contacts.normal_force)[c] = stiffness * (*contacts.overlap)[c];
     (*contacts.stiffness)[c] = stiffness;
@@ -29,7 +29,8 @@ Role role(const Linear& linear, const Scene& scene) {
 
 void install(const Linear& linear, World& world) {
   const ByPair<Linear> laws = by_pair(world, linear, &Effects::linear);
-  world.contact_passes.push_back({Linear::name, [laws, &world] { press_linear(laws, world.contacts); }});
+  world.contact_passes.push_back(
+      {Linear::name, [laws, &world](const ContactRange& range) { press_linear(laws, range, world.contacts); }});
   world.energies.push_back({Linear::name, [laws, &world] {
                               double sum = 0;
                               for (const std::uint32_t c : world.contacts.pressing) {

@@ -16,14 +16,13 @@ double slope_of(const Volume& law, double force, double overlap, double volume, 
 }
 
 /// The force along the patch's normal, which is pushed with all others; the couple of its moment at once.
-void press(const Volume& law, World& world) {
-  Contacts& contacts = world.contacts;
-  for (const std::uint32_t c : contacts.pressing) {
+void press(const Volume& law, const ContactRange& range, Contacts& contacts) {
+  for (const std::uint32_t c : range.pressing) {
     const double volume = (*contacts.volume)[c], area = (*contacts.area)[c];
     const double pressure = volume > 0 ? law.pressure(volume) : 0, force = pressure * area;
     (*contacts.normal_force)[c] = force;
     (*contacts.stiffness)[c] = force > 0 ? slope_of(law, force, (*contacts.overlap)[c], volume, area) : 0;
-    if (contacts.arm1 != nullptr) world.turn(c, pressure * contacts.area_moment->vector(c));
+    if (contacts.arm1 != nullptr) range.action(c).turn(pressure * contacts.area_moment->vector(c));
   }
 }
 
@@ -39,7 +38,8 @@ Role role(const Volume& volume, const Scene& scene) {
 }
 
 void install(const Volume& volume, World& world) {
-  world.contact_passes.push_back({Volume::name, [volume, &world] { press(volume, world); }});
+  world.contact_passes.push_back(
+      {Volume::name, [volume, &world](const ContactRange& range) { press(volume, range, world.contacts); }});
   world.energies.push_back({Volume::name, [volume, &world] {
                               double sum = 0;
                               for (const std::uint32_t c : world.contacts.pressing)
