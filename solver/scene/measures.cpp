@@ -73,9 +73,8 @@ std::map<std::string, double> Simulation::seconds() const {
   for (const auto* passes : {&kicks_, &drifts_, &forces_})
     for (const Pass& pass : *passes) out[std::string(pass.owner)] += std::chrono::duration<double>(pass.spent).count();
   for (const ContactPass& pass : world_->contact_passes) {
-    const double spent = std::chrono::duration<double>(pass.spent).count() / world_->threads;
-    out[std::string(pass.owner)] += spent;
-    out["contacts"] -= spent;  // whose pass runs them
+    out[std::string(pass.owner)] += pass.seconds;
+    out["contacts"] -= pass.seconds;  // whose pass runs them
   }
   return out;
 }

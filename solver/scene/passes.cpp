@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "solver/scene/threads.hpp"
@@ -36,45 +37,64 @@ constexpr std::size_t range_size = 512;
 /// What contacts do, and then, one after the other, what that adds to their bodies: the same sums with any number of threads.
 class ContactForces {
  public:
-  explicit ContactForces(World& world) : world_(world) {}
+  explicit ContactForces(World& world) : world_(world), passes_(world.contact_passes), steps_(passes_.size() + 1) {}
 
   void act() {
-    const Contacts& contacts = world_.contacts;
-    const std::size_t pairs = contacts.pairs.size(), passes = world_.contact_passes.size();
-    const bool is_shared = world_.threads > 1 && pairs > range_size;
-    if (is_shared) waiting_.resize(contacts.touching.size());
-    spent_.resize((pairs + range_size - 1) / range_size * passes);
+    const std::size_t pairs = world_.contacts.pairs.size();
+    is_shared_ = world_.threads > 1 && pairs > range_size;
+    if (is_shared_) waiting_.resize(world_.contacts.touching.size());
+    spent_.resize((pairs + range_size - 1) / range_size * steps_);
+    const auto start = Clock::now();
     for_each_part(pairs, range_size, world_.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
-      std::array<Action, range_size> actions;
-      const ContactRange range{first, end, within(contacts.touching, first, end), within(contacts.pressing, first, end),
-                               actions};
-      run_passes(range, std::span(spent_).subspan(part * passes, passes));
-      Action* waiting = waiting_.data() + (range.touching.data() - contacts.touching.data());
-      for (const std::uint32_t c : range.touching) {
-        range.action(c) += world_.along_normal(c, (*contacts.normal_force)[c]);
-        if (is_shared)
-          *waiting++ = range.action(c);
-        else
-          world_.act(c, range.action(c));
-      }
+      act(first, end, std::span(spent_).subspan(part * steps_, steps_));
     });
-    for (std::size_t k = 0; k < spent_.size(); ++k) world_.contact_passes[k % passes].spent += spent_[k];
-    for (std::size_t k = 0; is_shared && k < waiting_.size(); ++k) world_.act(contacts.touching[k], waiting_[k]);
+    share(Clock::now() - start);
+    for (std::size_t k = 0; is_shared_ && k < waiting_.size(); ++k)
+      world_.act(world_.contacts.touching[k], waiting_[k]);
   }
 
  private:
-  void run_passes(const ContactRange& range, std::span<Clock::duration> spent) {
+  /// A range of the list, and onto the bodies where no other thread is at work.
+  void act(std::size_t first, std::size_t end, std::span<Clock::duration> spent) {
+    const Contacts& contacts = world_.contacts;
+    std::array<Action, range_size> actions;
+    const ContactRange range{first, end, within(contacts.touching, first, end), within(contacts.pressing, first, end),
+                             actions};
+    for (const std::uint32_t c : range.touching) range.action(c) = Action::none();
     auto start = Clock::now();
-    for (std::size_t k = 0; k < spent.size(); ++k) {
-      world_.contact_passes[k].run(range);
+    const auto lap = [&start] {
       const auto now = Clock::now();
-      spent[k] = now - std::exchange(start, now);
+      return now - std::exchange(start, now);
+    };
+    for (std::size_t k = 0; k < passes_.size(); ++k) {
+      passes_[k].run(range);
+      spent[k] = lap();
     }
+    auto place = static_cast<std::size_t>(range.touching.data() - contacts.touching.data());
+    for (const std::uint32_t c : range.touching) {
+      range.action(c) += world_.along_normal(c, (*contacts.normal_force)[c]);
+      if (is_shared_)
+        waiting_[place++] = range.action(c);
+      else
+        world_.act(c, range.action(c));
+    }
+    spent.back() = lap();
+  }
+
+  /// Of the time that has passed, each pass has what it has of the time that all threads spent.
+  void share(std::chrono::duration<double> passed) {
+    const std::chrono::duration<double> spent = std::accumulate(spent_.begin(), spent_.end(), Clock::duration());
+    for (std::size_t k = 0; k < spent_.size(); ++k)
+      if (const std::size_t pass = k % steps_; pass < passes_.size())
+        passes_[pass].seconds += spent_[k] / spent * passed.count();
   }
 
   World& world_;
-  std::vector<Action> waiting_;  ///< of the contacts that touch, in their order
-  std::vector<Clock::duration> spent_;
+  std::vector<ContactPass>& passes_;
+  std::size_t steps_;  ///< of a range: its passes, and what follows
+  bool is_shared_ = false;
+  std::vector<Action> waiting_;         ///< of the contacts that touch, in their order
+  std::vector<Clock::duration> spent_;  ///< by ranges and their steps
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ void for_each_part(std::size_t count, std::size_t size, int threads, const Work&
     const std::size_t part = static_cast<std::size_t>(k), first = part * size;
     work(part, first, std::min(first + size, count));
   };
-  if (threads == 1 || parts <= 1) {  // not by a clause: a loop that could be shared takes longer, also for one thread
+  if (threads <= 1 || parts <= 1) {  // not by a clause: a loop that could be shared takes longer, also for one thread
     for (std::int64_t k = 0; k < parts; ++k) run(k);
     return;
   }

@@ -102,7 +102,9 @@ struct Levers {
 
 /// What a contact does: a force on body 2, and its moments about the centre of body 1 and of body 2.
 struct Action {
-  Vec3<double> force = Vec3<double>::Zero(), moment1 = Vec3<double>::Zero(), moment2 = Vec3<double>::Zero();
+  Vec3<double> force, moment1, moment2;
+
+  [[nodiscard]] static Action none() { return {Vec3<double>::Zero(), Vec3<double>::Zero(), Vec3<double>::Zero()}; }
 
   /// Adds a force at the point of contact.
   void push(const Vec3<double>& more, const Levers& levers) {
@@ -133,7 +135,7 @@ struct Pass {
 struct ContactRange {
   std::size_t first, end;
   std::span<const std::uint32_t> touching, pressing;
-  std::span<Action> actions;  ///< a pair's at its place from `first`
+  std::span<Action> actions;  ///< at a pair's place from `first`, of those that touch
 
   [[nodiscard]] Action& action(std::size_t contact) const { return actions[contact - first]; }
 };
@@ -142,7 +144,7 @@ struct ContactRange {
 struct ContactPass {
   std::string_view owner;
   std::function<void(const ContactRange& range)> run;
-  std::chrono::steady_clock::duration spent{};  ///< of all threads
+  double seconds = 0;
 };
 
 /// What an effect stores, for who asks: nothing of a step.
@@ -270,11 +272,9 @@ inline double World::normal_acceleration(std::size_t contact) const {
 }
 
 inline Action World::along_normal(std::size_t contact, double size) const {
-  Action out{.force = size * contacts.normal->vector(contact)};
-  if (contacts.arm1 == nullptr) return out;
-  out.moment1 = size * contacts.arm1->vector(contact);
-  out.moment2 = size * contacts.arm2->vector(contact);
-  return out;
+  const Vec3<double> force = size * contacts.normal->vector(contact);
+  if (contacts.arm1 == nullptr) return {force, Vec3<double>::Zero(), Vec3<double>::Zero()};
+  return {force, size * contacts.arm1->vector(contact), size * contacts.arm2->vector(contact)};
 }
 
 inline Vec3<double> World::relative_turn(std::size_t contact) const {

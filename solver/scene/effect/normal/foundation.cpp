@@ -7,7 +7,7 @@
 namespace plumb::scene {
 namespace {
 
-/// The force at the centre of the volume, which is pushed with all others; the couple that moves it on at once.
+/// The force at the centre of the volume, which acts with all others along normals, and the couple that moves it on.
 void press(const Foundation& law, const ContactRange& range, Contacts& contacts) {
   for (const std::uint32_t c : range.pressing) {
     const double area = (*contacts.area)[c];  // 0 of a body within another, which nothing pushes out

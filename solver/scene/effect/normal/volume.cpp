@@ -15,7 +15,7 @@ double slope_of(const Volume& law, double force, double overlap, double volume, 
   return force / overlap * std::max(1.0, q * law.exponent - 1);
 }
 
-/// The force along the patch's normal, which is pushed with all others; the couple of its moment at once.
+/// The force along the patch's normal, which acts with all others of that kind, and the couple of its moment.
 void press(const Volume& law, const ContactRange& range, Contacts& contacts) {
   for (const std::uint32_t c : range.pressing) {
     const double volume = (*contacts.volume)[c], area = (*contacts.area)[c];
