@@ -80,8 +80,8 @@ struct Reference {
   Claim global = Claim::open;            ///< no direction has a lower overlap: the bounds are within 1e-12 of the size
   Claim unique = Claim::open;            ///< no other common normal has as low an overlap
   std::string reason;                    ///< what is not proved, and why
-  std::vector<Vec3<double>> open;  ///< unit directions (world) of cells that are neither excluded nor in a region,
-                                   ///< and of regions whose one minimum may be as low and is not located
+  std::vector<Vec3<double>> open;  ///< unit directions (world) about which one as low may be that is not located: of
+                                   ///< cells neither excluded nor in a region, of regions, of stationary directions
   std::vector<Ring> rings;         ///< every direction of lowest overlap lies in one, where there are any
   Vec3<Real50> direction = not_valid<Real50>();  ///< unit, world: the upper bound is its overlap
   reference::Cover cover;                        ///< empty for bodies apart: one direction and two points prove it all

@@ -84,6 +84,7 @@ class ContactForces {
   /// Of the time that has passed, each pass has what it has of the time that all threads spent.
   void share(std::chrono::duration<double> passed) {
     const std::chrono::duration<double> spent = std::accumulate(spent_.begin(), spent_.end(), Clock::duration());
+    if (spent.count() == 0) return;
     for (std::size_t k = 0; k < spent_.size(); ++k)
       if (const std::size_t pass = k % steps_; pass < passes_.size())
         passes_[pass].seconds += spent_[k] / spent * passed.count();
