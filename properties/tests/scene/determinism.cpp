@@ -48,7 +48,8 @@ Scene block(const Effects& effects) {
   constexpr int side = 9;
   Scene scene;
   for (int k = 0; k < side * side * side; ++k) {
-    const Vec3<double> place(k % side, k / side % side, k / (side * side));
+    const int row = k / side % side, layer = k / (side * side);
+    const Vec3<double> place(k % side, row, layer);
     SceneBody b =
         made::body({{0.52, 0.51, 0.505}, 2, k % 2 == 0 ? 2.0 : 4.0}, place, 0.1 * Vec3<double>(k % 3, k % 5, -k % 7));
     b.angular_velocity = {0.1, -0.2, 0.3};

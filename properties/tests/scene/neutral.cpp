@@ -26,6 +26,13 @@ TEST(NeutralEffect, ChangesNoBitOfWhatBothCarry) {
   }
 }
 
+// Both follow the curvature at the contact (fuzz/seeds/scene/a_viscoelastic_dashpot_and_conduction).
+TEST(NeutralEffect, IsConductionBesideViscoelasticDashpots) {
+  Scene scene = without(crowd(), Conduction::name);
+  scene.effects.damping->viscoelastic = 10;
+  expect_same_state(scene, scene, Conduction::name);
+}
+
 TEST(NeutralEffect, IsAnElasticForceOfStiffnessZero) {
   const Scene scene = without_elastic_forces(crowd());
   for (const std::string_view name : {Linear::name, Hertz::name, Volume::name, Foundation::name})

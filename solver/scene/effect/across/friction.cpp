@@ -111,7 +111,7 @@ Role role(const Friction& friction, const Scene& scene) {
     out.needs.fastest = std::min(out.needs.fastest, std::numbers::pi * std::sqrt(sliding_mass / friction.stiffness));
   if (friction.normal_share > 0 && scene.effects.damping) {
     const Damping& damping = *scene.effects.damping;
-    out.needs.curvature = damping.viscoelastic > 0;
+    out.needs.curvature = out.needs.curvature_each_step = damping.viscoelastic > 0;
     out.needs.fastest =
         std::min(out.needs.fastest, dashpot_time(damping, scene) / std::max(1.0, 3.5 * friction.normal_share));
   }

@@ -106,7 +106,8 @@ Role role(const Damping& damping, const Scene& scene) {
   if (!has_elastic_force(scene.effects)) out.off = "the elastic force is 0";
   if (damping.restitution == 1 && damping.mass_velocity == 0 && damping.viscoelastic == 0)
     out.off = "the restitution is 1";
-  out.needs = {.contacts = true, .curvature = damping.viscoelastic > 0, .normal_force = true, .normal_mass = true};
+  out.needs = {.contacts = true, .normal_force = true, .normal_mass = true};
+  out.needs.curvature = out.needs.curvature_each_step = damping.viscoelastic > 0;
   out.needs.fastest = dashpot_time(damping, scene);
   return out;
 }

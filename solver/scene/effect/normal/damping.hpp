@@ -5,7 +5,7 @@
 // force's slope and mass the one that the contact feels along its normal, turning included, so that e is that of the
 // normal velocity at the contact, also off centre (linear: exact; Hertz: Antypov & Elliott 2011, EPL 94, 50004).
 // Those of LAMMPS's pair_style granular: -mass_velocity * m * normal velocity, m = m1 m2 / (m1 + m2) of the two bodies' masses; and
-// -viscoelastic * a m * normal velocity, a = sqrt(overlap R), 1/R = A + B of the gap A x^2 + B y^2 as the contact began (Brilliantov et al.
+// -viscoelastic * a m * normal velocity, a = sqrt(overlap R), 1/R = A + B of the gap A x^2 + B y^2 (Brilliantov et al.
 // 1996, Phys. Rev. E 53, 5382).
 // Of a patch (volume, foundation) the dashpots are spread as its volume is: tilting by w turns each axis's ends by +-w.arm along the
 // normal, and the couple -viscous sum (w.arm) arm resists it: that of flat faces, which
