@@ -29,7 +29,9 @@ TEST(NeutralEffect, ChangesNoBitOfWhatBothCarry) {
 // Both follow the curvature at the contact (fuzz/seeds/scene/a_viscoelastic_dashpot_and_conduction).
 TEST(NeutralEffect, IsConductionBesideViscoelasticDashpots) {
   Scene scene = without(crowd(), Conduction::name);
-  scene.effects.damping->viscoelastic = 10;
+  Damping damping{0.7};
+  damping.viscoelastic = 10;
+  scene.effects.damping = damping;
   expect_same_state(scene, scene, Conduction::name);
 }
 
