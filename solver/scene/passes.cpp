@@ -41,9 +41,9 @@ class ContactForces {
 
   void act() {
     const std::size_t pairs = world_.contacts.pairs.size();
-    is_shared_ = world_.threads > 1 && pairs > range_size;
+    is_shared_ = are_shared(pairs, range_size, world_.threads);
     if (is_shared_) waiting_.resize(world_.contacts.touching.size());
-    spent_.resize((pairs + range_size - 1) / range_size * steps_);
+    spent_.resize(parts_of(pairs, range_size) * steps_);
     const auto start = Clock::now();
     for_each_part(pairs, range_size, world_.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
       act(first, end, std::span(spent_).subspan(part * steps_, steps_));

@@ -258,7 +258,7 @@ Totals solve_contacts(World& world, const Want& want, std::vector<SolveNote>* no
   std::vector<SolveNote> all(notes == nullptr ? 0 : pairs);
   std::vector<char> touches(pairs);
   follow_turns(world);
-  std::vector<Totals> rounds((pairs + Block::capacity - 1) / Block::capacity);
+  std::vector<Totals> rounds(parts_of(pairs, Block::capacity));
   for_each_part(pairs, Block::capacity, world.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
     rounds[part] = Block(world, want, first, end, touches, all).meet();
   });

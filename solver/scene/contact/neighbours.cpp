@@ -200,7 +200,7 @@ Pairs meeting_pairs(const World& world, const Column& boxes) {
   const std::size_t bodies = world.bodies.count;
   const Tree tree = tree_of(world, boxes);
   const double margin = wall_margin(world);
-  std::vector<Pairs> parts(bodies / worth_waking + 1);
+  std::vector<Pairs> parts(parts_of(bodies, worth_waking));
   for_each_part(bodies, worth_waking, world.threads, [&](std::size_t part, std::size_t first, std::size_t end) {
     for (auto i = static_cast<std::uint32_t>(first); i < end; ++i) {
       add_bodies(world, boxes, tree, i, parts[part]);
