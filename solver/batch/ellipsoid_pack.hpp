@@ -57,7 +57,7 @@ class EllipsoidPack {
   /// Lanes of coinciding centres get NaN, and are not settled.
   [[nodiscard, gnu::always_inline]] Vector3<P> begin_cold() const {
     const Vector3<P> n = blend(pair_.reach > tolerance::far_apart.of<P>(), pair_.c, start_by_centres(pair_));
-    return cold_start(pair_, n * (P(1.0) / largest(n)));
+    return cold_start(pair_, of_middle_length(n));
   }
 
   [[nodiscard, gnu::always_inline]] Lanes is_small_enough() const {

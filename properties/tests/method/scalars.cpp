@@ -43,6 +43,17 @@ TEST(Scalars, FloatIsRoundedInThePairsFrame) {
   EXPECT_LE((a.normal - b.normal).norm(), 1e-5);
 }
 
+// The start says the answer, and its correction has a length without a reciprocal.
+TEST(Scalars, NeedlesThatTouchByTheirEndsKeepTheirStart) {
+  Pair pair;
+  pair.body1.shape.semi_axes = pair.body2.shape.semi_axes = {1.9, 1.4e-10, 1.4e-10};
+  pair.body2.position = {3.8, 0, 0};
+  const Contact<float> c = find_method_in<float>("auto")->solve(pair, {}, nullptr);
+  EXPECT_EQ(c.status, Status::converged);
+  EXPECT_EQ(c.iterations, 0);
+  EXPECT_LE((c.normal - Vec3<float>::UnitX()).norm(), 4 * epsilon<float>());
+}
+
 /// How far the normals of a solve's first iterates are from its last one's.
 template <class S>
 std::vector<double> errors(SolveFunction<S> solve, const Pair& pair, int most) {

@@ -67,8 +67,10 @@ inline constexpr double settled_multiple = 8;  ///< of the floor: what the settl
 inline constexpr double longest_turn = 0.8;    ///< 0.7 .. 1 do as well; at 1.5 needles take 19 steps instead of 12
 inline constexpr double shorter = 0.3;         ///< a step that does not lower o is cut to this
 inline constexpr double tie = 0.01;  ///< of o: the eigenvalue along a circle of minima or between ties, made positive
-inline constexpr double tie_on_circle = 1e-9;                            ///< the same where the rotation is held anyway
-inline constexpr double least_correction = 0.01, most_correction = 100;  ///< of a start; beyond them it says nothing
+inline constexpr double tie_on_circle = 1e-9;     ///< the same where the rotation is held anyway
+inline constexpr double least_correction = 0.01;  ///< of the length before: less, or more than the next, says nothing
+inline constexpr double most_correction = 100;
+inline constexpr double short_direction = 1e-3, long_direction = 1e3;  ///< largest components: beyond them n is scaled
 inline constexpr double determinant_noise = 16;       ///< of epsilon: below it a determinant of needles has no sign
 inline constexpr ByPrecision short_turn{1e-4, 1e-2};  ///< from here on o is too flat to tell what is lower
 inline constexpr ByPrecision last_turn{1e-9, 1e-4};   ///< its square, the error of the linear step, is below rounding
