@@ -9,7 +9,7 @@
 #include "fuzz/targets/target.hpp"
 #include "fuzz/targets/target_settings.hpp"
 #include "properties/generators/paths.hpp"
-#include "properties/laws/laws_path.hpp"
+#include "properties/laws/motion/path.hpp"
 
 namespace plumb {
 namespace {

@@ -8,7 +8,7 @@
 #include "fuzz/layouts/decode_scene.hpp"
 #include "fuzz/targets/target.hpp"
 #include "fuzz/targets/target_settings.hpp"
-#include "properties/laws/laws_scene.hpp"
+#include "properties/laws/motion/scene.hpp"
 
 namespace plumb {
 namespace {

@@ -8,7 +8,7 @@
 #include "corpus/command/interrupt.hpp"
 #include "corpus/solvers/solver.hpp"
 #include "properties/generators/paths.hpp"
-#include "properties/laws/laws_path.hpp"
+#include "properties/laws/motion/path.hpp"
 
 namespace plumb {
 namespace {

@@ -13,7 +13,7 @@
 #include "corpus/command/in_parallel.hpp"
 #include "properties/doors/host_modes.hpp"
 #include "properties/laws/laws_convex.hpp"
-#include "properties/laws/laws_path.hpp"
+#include "properties/laws/motion/path.hpp"
 #include "solver/method/convex.hpp"
 #include "solver/method/methods.hpp"
 

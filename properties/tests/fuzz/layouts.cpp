@@ -9,7 +9,7 @@
 #include "fuzz/layouts/decode_scene.hpp"
 #include "fuzz/layouts/decode_shapes.hpp"
 #include "properties/generators/shapes.hpp"
-#include "properties/laws/laws_path.hpp"
+#include "properties/laws/motion/path.hpp"
 #include "properties/tests/fuzz/noise.hpp"
 #include "solver/scene/plan.hpp"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "properties/generators/families.hpp"
-#include "properties/laws/laws_path.hpp"
+#include "properties/laws/motion/path.hpp"
 #include "properties/tests/kept_references.hpp"
 #include "solver/method/methods.hpp"
 #include "solver/pose.hpp"

@@ -1,7 +1,7 @@
 // The same bits: with any number of threads, and after a snapshot in mid-run.
 #include <gtest/gtest.h>
 
-#include "properties/laws/laws_scene.hpp"
+#include "properties/laws/motion/scene.hpp"
 #include "properties/tests/scene/crowd.hpp"
 #include "properties/tests/scene/made.hpp"
 #include "solver/scene/named.hpp"

@@ -1,7 +1,7 @@
 // An effect at its neutral value, forced on, changes no bit of what the scene without it carries as well.
 #include <gtest/gtest.h>
 
-#include "properties/laws/laws_scene.hpp"
+#include "properties/laws/motion/scene.hpp"
 #include "properties/tests/scene/crowd.hpp"
 #include "solver/scene/contact/stick_slip.hpp"
 

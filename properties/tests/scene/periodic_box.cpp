@@ -4,7 +4,7 @@
 #include <functional>
 #include <numeric>
 
-#include "properties/laws/laws_scene.hpp"
+#include "properties/laws/motion/scene.hpp"
 #include "properties/tests/scene/crowded_box.hpp"
 #include "solver/method/automatic.hpp"
 #include "solver/scene/bulk/bulk.hpp"

@@ -33,6 +33,3 @@ foreach(effect IN LISTS variants)
                    $<TARGET_FILE:count_steps_without_${effect}> ${effect} ${type})
   set_tests_properties(scene/left_out.${effect} PROPERTIES TIMEOUT 300)
 endforeach()
-
-# Walls with seeded bugs: fuzz/bugs/walls.
-plumb_add_sown_library(test_scene walls scene/wall plumb_solver Boost::headers)

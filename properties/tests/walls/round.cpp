@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "properties/tests/scene/wall_made.hpp"
+#include "properties/tests/walls/made.hpp"
 #include "solver/scene/wall/touches.hpp"
 
 namespace plumb::scene {

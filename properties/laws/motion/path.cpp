@@ -1,4 +1,4 @@
-#include "properties/laws/laws_path.hpp"
+#include "properties/laws/motion/path.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <ctime>
 
 #include "properties/tests/draws.hpp"
-#include "properties/tests/scene/wall_made.hpp"
+#include "properties/tests/walls/made.hpp"
 #include "solver/method/convex.hpp"
 #include "solver/scene/wall/touches.hpp"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "corpus/json/json_text.hpp"
-#include "properties/tests/scene/wall_made.hpp"
+#include "properties/tests/walls/made.hpp"
 #include "solver/method/convex.hpp"
 #include "solver/scene/wall/body_at_wall.hpp"
 

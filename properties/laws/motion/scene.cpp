@@ -1,4 +1,4 @@
-#include "properties/laws/laws_scene.hpp"
+#include "properties/laws/motion/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The named scenes in containers, with fewer bodies and for a shorter time.
 #include <gtest/gtest.h>
 
-#include "properties/tests/scene/wall_made.hpp"
+#include "properties/tests/walls/made.hpp"
 #include "solver/scene/named.hpp"
 #include "solver/scene/named/named_scenes.hpp"
 
