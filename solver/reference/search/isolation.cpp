@@ -7,6 +7,7 @@
 #include "solver/reference/frame.hpp"
 #include "solver/reference/interval/digits.hpp"
 #include "solver/reference/proof/verify.hpp"
+#include "solver/reference/search/plane_map.hpp"
 
 namespace plumb::reference {
 namespace {
@@ -21,9 +22,6 @@ constexpr int widest_level_by_signs = 20,
 constexpr double wide_region = 1.0 / 32;      // wide enough not to look for better
 constexpr double ridge_width = 1.0 / 32;      // of a unit normal's component, for a ridge to be tried
 
-template <class I>
-using IMat2 = Eigen::Matrix<I, 2, 2>;
-
 /// Whether the columns are orthonormal to a sixteenth.
 bool is_nearly_orthonormal(const Mat3<double>& frame) {
   const IMat3<Check> f = frame.cast<Check>();
@@ -34,31 +32,6 @@ bool is_nearly_orthonormal(const Mat3<double>& frame) {
     if (!(high(sum) < 1.0 / 16)) return false;
   }
   return true;
-}
-
-/// phi of c = -e2 and c = e1 is (G x d) along e1 and e2; their Jacobian by the frame's two coordinates.
-template <class I>
-struct PlaneMap {
-  std::array<Functional<I>, 2> phi;
-
-  PlaneMap(const ChartedPair<I>& pair, const DirectionFrame& frame)
-      : phi{functional<I>(pair, Vec3<double>(-frame.columns.col(1))),
-            functional<I>(pair, Vec3<double>(frame.columns.col(0)))} {}
-
-  [[nodiscard]] IVec2<I> value(const DirectionBox<I>& box) const {
-    return {value_of<I>(box, phi[0]), value_of<I>(box, phi[1])};
-  }
-  [[nodiscard]] IMat2<I> jacobian(const ChartedPair<I>& pair, const DirectionBox<I>& box) const {
-    IMat2<I> out;
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) out(i, j) = slope_of<I>(pair, box, phi[static_cast<std::size_t>(i)], j);
-    return out;
-  }
-};
-
-template <class I>
-IVec3<I> square_about_axis(double half) {
-  return box_of<I>(Cell{2, 1, 0, 0, half}, half);
 }
 
 /// A frame about n whose first two axes are along the eigenvectors of the Hessian of o.
@@ -93,73 +66,34 @@ IVec3<Fine> chart_point(const Mat3<double>& frame, const Vec3<Real50>& n) {
   return enclosed<Fine>(Vec3<Real50>(v / v[2]));
 }
 
-// sym(Q J) > 0 on a convex set, Q = diag(sign J11, sign J22): phi(x) = phi(y) would give (x - y)'Q (phi(x) - phi(y)) > 0, so
-// that phi has one zero at most. For a saddle this is convexity along one axis and concavity along the other.
-template <class I>
-bool has_one_zero_at_most(const IMat2<I>& j) {
-  const I a = magnitude<I>(j(0, 0)), d = magnitude<I>(j(1, 1));
-  if (!is_positive(a) || !is_positive(d)) return false;
-  const bool opposite = (low(j(0, 0)) > 0) != (low(j(1, 1)) > 0);
-  const I b = I(0.5) * (opposite ? I(j(0, 1) - j(1, 0)) : I(j(0, 1) + j(1, 0)));
-  return is_positive(I(low_end<I>(a) * low_end<I>(d) - square<I>(b)));
-}
-
-/// Whether every matrix within j is regular: phi(x) - phi(y) is such a one times x - y, and phi has one zero at most. Along a ridge, where an
-/// entry is infinite, the matrix lacks what that entry multiplies: it is the limit of those within j by ever higher entries.
-template <class I>
-bool is_regular(const IMat2<I>& j) {
-  return has_no_zero<I>(j(0, 0) * j(1, 1) - j(0, 1) * j(1, 0));
-}
-
-/// The functional of a body's axis of revolution (of axis_functional) in the place of the slope that is the more along its parallel. Where
-/// the other body all but shares that axis o is level along the parallel, which is nothing to these two.
-template <class I>
-PlaneMap<I> map_about(const ChartedPair<I>& pair, const DirectionFrame& frame, int axis) {
-  PlaneMap<I> map(pair, frame);
-  const IVec3<I> line = pair.from_base[static_cast<std::size_t>(axis / 3)].row(axis % 3);
-  const auto along = [&](int column) {
-    return high(magnitude<I>(dot<I>(line, enclosed<I>(Vec3<double>(frame.columns.col(column))))));
-  };
-  map.phi[along(0) < along(1) ? 0 : 1] = axis_functional<I>(pair, axis);
-  return map;
-}
-
-template <class I>
-bool has_one_zero_at_most(const ChartedPair<I>& pair, const DirectionFrame& frame, int axis, double half) {
-  const DirectionBox<I> box = direction_box<I>(pair, square_about_axis<I>(half));
-  return is_regular<I>(map_about<I>(pair, frame, axis).jacobian(pair, box));
-}
-
-template <class I>
-bool has_one_zero_at_most(const ChartedPair<I>& pair, const DirectionFrame& frame, double half) {
-  const PlaneMap<I> map(pair, frame);
-  return has_one_zero_at_most<I>(map.jacobian(pair, direction_box<I>(pair, square_about_axis<I>(half))));
-}
-
-/// The widest of the squares tried about the normal with one stationary direction at most; 0: none.
-double widest_square(const ChartedPair<Look>& look, const ChartedPair<Check>& check, const DirectionFrame& frame) {
-  for (int level = widest_level; level < narrowest_level; ++level) {
-    const double half = std::ldexp(1, -level);
-    if (has_one_zero_at_most<Look>(look, frame, half) && has_one_zero_at_most<Check>(check, frame, half)) return half;
-  }
+/// The widest of the squares tried about the normal, above `beyond`, of which `is_proved` holds; 0: none.
+template <class Proof>
+double widest_square(double beyond, const Proof& is_proved) {
+  for (int level = widest_level; level < narrowest_level && std::ldexp(1, -level) > beyond; ++level)
+    if (is_proved(std::ldexp(1, -level))) return std::ldexp(1, -level);
   return 0;
 }
 
-/// The same above `beyond`, of bodies of revolution by their axes; 0: none.
-double widest_square_about(const ChartedPair<Look>& look, const ChartedPair<Check>& check, const DirectionFrame& frame,
-                           double beyond) {
-  for (int level = widest_level; level < narrowest_level; ++level) {
-    const double half = std::ldexp(1, -level);
-    if (half <= beyond) break;
+/// With one stationary direction at most.
+double widest_by_slopes(const ChartedPair<Look>& look, const ChartedPair<Check>& check, const DirectionFrame& frame) {
+  return widest_square(0, [&](double half) {
+    return has_one_zero_at_most<Look>(look, frame, half) && has_one_zero_at_most<Check>(check, frame, half);
+  });
+}
+
+/// The same above `beyond`, of bodies of revolution by their axes.
+double widest_by_axes(const ChartedPair<Look>& look, const ChartedPair<Check>& check, const DirectionFrame& frame,
+                      double beyond) {
+  return widest_square(beyond, [&](double half) {
     for (int body = 0; body < 2; ++body) {
       const auto own = check.body(static_cast<std::size_t>(body)).axis;
-      if (!own) continue;
-      const int axis = 3 * body + *own;
-      if (has_one_zero_at_most<Look>(look, frame, axis, half) && has_one_zero_at_most<Check>(check, frame, axis, half))
-        return half;
+      const int axis = 3 * body + own.value_or(0);
+      if (own && has_one_zero_at_most<Look>(look, frame, axis, half) &&
+          has_one_zero_at_most<Check>(check, frame, axis, half))
+        return true;
     }
-  }
-  return 0;
+    return false;
+  });
 }
 
 /// A square of directions that is proved to hold a stationary one, by Krawczyk's operator.
@@ -274,13 +208,11 @@ IVec3<Check> narrowed(const IVec3<Fine>& v) {
   });
 }
 
-/// The widest of the squares tried, above `beyond`, on which o is proved convex, as it may be where second derivatives are
-/// infinite.
+/// Above `beyond`, on which o is proved convex, as it may be where second derivatives are infinite.
 double widest_convex(const EnclosedPair<Check>& pair, const Mat3<double>& frame, const IVec3<Check>& v, double beyond) {
   const FramedPair<Check> framed(pair, frame);
-  for (int level = widest_level; level < narrowest_level && std::ldexp(1, -level) > beyond; ++level)
-    if (verify_region<Check>(framed, Cell{2, 1, 0, 0, std::ldexp(1, -level)}, v).located) return std::ldexp(1, -level);
-  return 0;
+  return widest_square(beyond,
+                       [&](double half) { return verify_region<Check>(framed, Cell{2, 1, 0, 0, half}, v).located; });
 }
 
 template <class I>
@@ -314,8 +246,8 @@ Isolator::Isolator(const Pair& pair)
 std::optional<Isolated> Isolator::isolate_in(const DirectionFrame& frame, const IVec3<Fine>& v) const {
   const ChartedPair<Check> check(coarse_, frame);
   const ChartedPair<Look> look(rough_, frame);
-  const double half_by_slopes = widest_square(look, check, frame);
-  const double half = std::max(half_by_slopes, widest_square_about(look, check, frame, half_by_slopes));
+  const double half_by_slopes = widest_by_slopes(look, check, frame);
+  const double half = std::max(half_by_slopes, widest_by_axes(look, check, frame, half_by_slopes));
   if (!(half > 0)) return {};
   const auto is_in_square = [&](const IVec3<Fine>& box) {
     return is_within<Fine>(frame.columns, IVec3<Fine>(frame.columns.cast<Fine>() * box), half);

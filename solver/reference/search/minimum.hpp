@@ -1,5 +1,5 @@
 // Where a common normal of low overlap is: a region of directions in which it is the only one, and a bound of how low o is
-// there. Used by certify.cpp alone.
+// there. Used by the certifier alone.
 #pragma once
 
 #include <algorithm>
