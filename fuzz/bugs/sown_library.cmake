@@ -12,7 +12,7 @@ function(plumb_add_sown_library test name folder)
   set(source ${PLUMB_BUGS}/${name}/${library}.cpp)
   set(table ${PLUMB_BUGS}/${name}/${name}.json)
   set(sown ${CMAKE_CURRENT_BINARY_DIR}/${library})
-  file(GLOB_RECURSE pristine CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solver/${folder}/*)
+  file(GLOB_RECURSE pristine CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solver/*.hpp ${PROJECT_SOURCE_DIR}/solver/${folder}/*)
   add_custom_command(OUTPUT ${sown}/stamp
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D TABLES=${table} -D OUT=${sown} -P ${PLUMB_BUGS}/seed.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${sown}/stamp
