@@ -180,6 +180,11 @@ class Prose(InAFolder):
         self.breaks(f"[{long}](there)", "1: 40")
         self.breaks(f"w:\n\n    {long}\n\n{long}\n", "5: 40")
 
+    def test_what_is_quoted_is_no_prose(self):
+        quoted, long = "<!-- quoted: x.txt . -->\n\n    * {}\n\n<!-- end of quotation -->\n", "w " * 40
+        self.holds(quoted.format(long))
+        self.breaks(quoted.format(long) + f"\n{long}\n", "7: 40")
+
     def test_the_front_page_and_a_room_page_have_so_many_lines(self):
         self.write("README.md", "\n" * 150)
         self.write("room/README.md", "\n" * 80)
