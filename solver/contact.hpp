@@ -138,6 +138,12 @@ struct Witnesses {
   std::array<Superellipsoid<double>, 2> shapes;     ///< whose: of others they may be no points
 };
 
+/// By how much the last step of a chart (body axes) differs from the one before: a correction, for which floats will do. NaN where one is.
+template <class S>
+[[nodiscard]] Vec3<float> chart_bend(const Vec3<S>& chart, const Vec3<S>& last, const Vec3<S>& before_last) {
+  return Vec3<S>(chart - last - (last - before_last)).template cast<float>();
+}
+
 /// The answer to a pair. Only with Status::converged are its numbers an answer; world frame, the caller's unit.
 template <class S = double>
 struct Contact {
@@ -152,8 +158,9 @@ struct Contact {
   /// The points' chart directions in body axes (shape/chart.hpp), of `auto` only: what its warm start takes, for they stay
   /// good whatever way the bodies move together. Of other shapes than superellipsoids the outward normals in body axes.
   Vec3<S> chart1 = not_valid<S>(), chart2 = not_valid<S>();
-  /// Those of the contact that this one was warm started from: what moves steadily is ahead of where it was.
+  /// Those of the contact that this one was warm started from, and their bends: what moves steadily is ahead of where it was.
   Vec3<S> last_chart1 = not_valid<S>(), last_chart2 = not_valid<S>();
+  Vec3<float> bend1 = not_valid<float>(), bend2 = not_valid<float>();
   /// Of `auto`, where a short search showed that nothing is lower, now or at an earlier step: it takes the next one less.
   std::optional<Witnesses<S>> witnesses;
   std::array<PrincipalCurvature<S>, 2> curvature;
@@ -162,6 +169,15 @@ struct Contact {
   int iterations = 0;          ///< steps of the outer loop, of the local solve that answered (all its attempts)
   int evaluations = 0;         ///< of the residual, over all there was: line searches, other attempts, the guard
 };
+
+/// Tells a contact with charts which one it was warm started from.
+template <class S>
+void keep_steps(Contact<S>& contact, const Contact<S>& last) {
+  contact.last_chart1 = last.chart1;
+  contact.last_chart2 = last.chart2;
+  contact.bend1 = chart_bend(contact.chart1, last.chart1, last.last_chart1);
+  contact.bend2 = chart_bend(contact.chart2, last.chart2, last.last_chart2);
+}
 
 /// The question that a method answers; each is judged against its own.
 enum class Problem {

@@ -40,6 +40,22 @@ ContactArrays ContactColumns::arrays() {
           iterations, evaluations, spans(chart1), spans(chart2)};
 }
 
+BendColumns::BendColumns(std::size_t size) {
+  for (auto* bend : {&bend1, &bend2}) bend->fill(std::vector<float>(size, std::numeric_limits<float>::quiet_NaN()));
+}
+
+void BendColumns::set(std::size_t i, const Vec3<float>& of1, const Vec3<float>& of2) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    bend1[axis][i] = of1[static_cast<Eigen::Index>(axis)];
+    bend2[axis][i] = of2[static_cast<Eigen::Index>(axis)];
+  }
+}
+
+BendArrays BendColumns::arrays() const {
+  const auto spans = [](const auto& v) { return std::array<std::span<const float>, 3>{v[0], v[1], v[2]}; };
+  return {spans(bend1), spans(bend2)};
+}
+
 ChartArrays ContactColumns::charts() const {
   const auto spans = [](const auto& v) { return std::array<std::span<const double>, 3>{v[0], v[1], v[2]}; };
   return {spans(chart1), spans(chart2)};

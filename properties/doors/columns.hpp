@@ -37,6 +37,15 @@ struct ContactColumns {
   std::vector<int> iterations, evaluations;
 };
 
+/// The bends of each pair's charts, NaN until they are set.
+struct BendColumns {
+  explicit BendColumns(std::size_t size);
+  void set(std::size_t i, const Vec3<float>& of1, const Vec3<float>& of2);
+  [[nodiscard]] BendArrays arrays() const;
+
+  std::array<std::vector<float>, 3> bend1, bend2;
+};
+
 /// Those that this machine runs, the narrowest first.
 [[nodiscard]] std::vector<InstructionSet> available_instruction_sets();
 

@@ -41,13 +41,20 @@ ContactColumns starts_of(const Job& job, Vec3<double> Contact<double>::* chart1,
   return out;
 }
 
+BendColumns bends_of(const Job& job) {
+  BendColumns out(job.tasks.size());
+  for (std::size_t i = 0; i < job.tasks.size(); ++i)
+    if (const auto& last = job.tasks[i].last) out.set(i, last->bend1, last->bend2);
+  return out;
+}
+
 /// All tasks of a job, as one loop and as one batch.
 class Race {
  public:
   explicit Race(const Job& job)
       : job_(job), columns_(pairs_of(job)), last_(starts_of(job, &Contact<double>::chart1, &Contact<double>::chart2)),
         before_last_(starts_of(job, &Contact<double>::last_chart1, &Contact<double>::last_chart2)),
-        contacts_(job.tasks.size()) {}
+        bends_(bends_of(job)), contacts_(job.tasks.size()) {}
 
   [[nodiscard]] double loop() const {
     return time_of([&] {
@@ -62,6 +69,7 @@ class Race {
     } else {
       pairs.last = last_.charts();
       pairs.before_last = before_last_.charts();
+      pairs.bend = bends_.arrays();
     }
     return time_of([&] { report_ = solve_batch(pairs, {}, contacts, set); });
   }
@@ -72,7 +80,9 @@ class Race {
  private:
   const Job& job_;
   PairColumns columns_;
-  ContactColumns last_, before_last_, contacts_;
+  ContactColumns last_, before_last_;
+  BendColumns bends_;
+  ContactColumns contacts_;
   BatchReport report_;
 };
 

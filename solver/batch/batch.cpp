@@ -54,23 +54,29 @@ template <class Check>
 }
 
 template <class Check>
-[[nodiscard]] bool each_chart(const ChartArrays& charts, const Check& check) {
+[[nodiscard]] bool each_of(const ChartArrays& charts, const Check& check) {
   return std::ranges::all_of(charts.chart1, check) && std::ranges::all_of(charts.chart2, check);
+}
+template <class Check>
+[[nodiscard]] bool each_of(const BendArrays& bends, const Check& check) {
+  return std::ranges::all_of(bends.bend1, check) && std::ranges::all_of(bends.bend2, check);
 }
 
 [[nodiscard]] BatchError find_error(const PairArrays& pairs, const ContactArrays& to, InstructionSet set) {
   const auto fits = [&](const auto& span) { return span.size() == pairs.size(); };
   const auto fits_or_empty = [&](const auto& span) { return span.empty() || fits(span); };
-  const auto has_all_or_none = [&](const ChartArrays& charts) {
-    return each_chart(charts, fits) || each_chart(charts, [](const auto& span) { return span.empty(); });
+  const auto has_all_or_none = [&](const auto& arrays) {
+    return each_of(arrays, fits) || each_of(arrays, [](const auto& span) { return span.empty(); });
   };
   if (!each_input(pairs.body1, fits) || !each_input(pairs.body2, fits)) return BatchError::input_lengths;
-  if (!has_all_or_none(pairs.last) || !has_all_or_none(pairs.before_last)) return BatchError::input_lengths;
+  if (!has_all_or_none(pairs.last) || !has_all_or_none(pairs.before_last) || !has_all_or_none(pairs.bend))
+    return BatchError::input_lengths;
   if (!each_output(to, fits_or_empty)) return BatchError::output_lengths;
   return is_available(set) ? BatchError::none : BatchError::instruction_set;
 }
 
-[[nodiscard]] Vec3<double> vector_at(const std::array<std::span<const double>, 3>& spans, std::size_t i) {
+template <class T>
+[[nodiscard]] Vec3<T> vector_at(const std::array<std::span<const T>, 3>& spans, std::size_t i) {
   return {spans[0][i], spans[1][i], spans[2][i]};
 }
 
@@ -89,6 +95,9 @@ template <class Check>
   if (from.before_last.chart1[0].empty()) return out;
   out.last_chart1 = vector_at(from.before_last.chart1, i);
   out.last_chart2 = vector_at(from.before_last.chart2, i);
+  if (from.bend.bend1[0].empty()) return out;
+  out.bend1 = vector_at(from.bend.bend1, i);
+  out.bend2 = vector_at(from.bend.bend2, i);
   return out;
 }
 

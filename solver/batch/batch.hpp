@@ -31,12 +31,19 @@ struct ChartArrays {
   std::array<std::span<const double>, 3> chart1{}, chart2{};
 };
 
+/// Of each pair's contact at one step, as in Contact. NaN: none.
+struct BendArrays {
+  std::array<std::span<const float>, 3> bend1{}, bend2{};
+};
+
 /// As many pairs as body1.semi_axes[0] has entries.
 struct PairArrays {
   BodyArrays body1, body2;
   ChartArrays last{};  ///< of the step before, for warm starts; empty: cold ones
-  ChartArrays
-      before_last{};  ///< of the step before that: a warm start is ahead by as much as it moved since; empty: not known
+  /// Of the step before that: a warm start is ahead by as much as it moved since; empty: not known.
+  ChartArrays before_last{};
+  BendArrays
+      bend{};  ///< `chart_bend` of the three last steps' charts: ahead along a parabola; empty, or no step before: not known
 
   /// Pairs.
   [[nodiscard]] std::size_t size() const { return body1.semi_axes[0].size(); }

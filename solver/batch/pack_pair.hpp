@@ -22,11 +22,13 @@ struct PackIndex {
     contiguous = count >= width && pair[width - 1] - pair[0] == width - 1;
   }
 
-  [[nodiscard, gnu::always_inline]] P load(const std::span<const double>& from) const {
+  template <class T>
+  [[nodiscard, gnu::always_inline]] P load(const std::span<const T>& from) const {
     if (contiguous) return P(&from[pair[0]], std::experimental::element_aligned);
-    return P([&](auto lane) { return from[pair[lane]]; });
+    return P([&](auto lane) { return static_cast<double>(from[pair[lane]]); });
   }
-  [[nodiscard, gnu::always_inline]] Vector3<P> load(const std::array<std::span<const double>, 3>& from) const {
+  template <class T>
+  [[nodiscard, gnu::always_inline]] Vector3<P> load(const std::array<std::span<const T>, 3>& from) const {
     return {load(from[0]), load(from[1]), load(from[2])};
   }
   [[gnu::always_inline]] void store(const P& value, const std::span<double>& to) const {
@@ -137,13 +139,13 @@ struct PackStart {
 template <class P>
 [[nodiscard, gnu::always_inline]] inline PackStart<P> load_start(const PackIndex<P>& index, const PairArrays& pairs) {
   if (pairs.last.chart1[0].empty()) return {for_each_body(absent<P>()), typename P::mask_type(false)};
-  const auto chart = [&](const std::array<std::span<const double>, 3>& last,
-                         const std::array<std::span<const double>, 3>& before) {
+  const auto chart = [&](const auto& last, const auto& before, const auto& bend) {
     const Vector3<P> at = index.load(last);
-    return before[0].empty() ? at : chart_ahead(at, index.load(before));
+    if (before[0].empty()) return at;
+    return chart_ahead(at, index.load(before), bend[0].empty() ? absent<P>() : index.load(bend));
   };
-  const Vector3<P> chart1 = chart(pairs.last.chart1, pairs.before_last.chart1),
-                   chart2 = chart(pairs.last.chart2, pairs.before_last.chart2);
+  const Vector3<P> chart1 = chart(pairs.last.chart1, pairs.before_last.chart1, pairs.bend.bend1),
+                   chart2 = chart(pairs.last.chart2, pairs.before_last.chart2, pairs.bend.bend2);
   const P finite(std::numeric_limits<double>::max());
   return {per_body(chart1, chart2), largest(chart1) <= finite && largest(chart2) <= finite};
 }

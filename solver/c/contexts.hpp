@@ -15,7 +15,7 @@ namespace plumb {
 /// What a context holds.
 inline constexpr double nothing = 0, points = 1, charts = 2;
 
-/// plumb_context::state: both charts; both points, or, of `auto`, the charts of the solve before; the normal; what there is.
+/// plumb_context::state: both charts; both points and the normal, or, of `auto`, the charts of the solve before and the bends; what there is.
 struct ContextState {
   Eigen::Map<Eigen::Matrix<double, 3, 5>> vectors;
   double& holds;
@@ -23,6 +23,16 @@ struct ContextState {
 
 [[nodiscard]] inline ContextState state_of(plumb_context& context) {
   return {Eigen::Map<Eigen::Matrix<double, 3, 5>>(context.state), context.state[15]};
+}
+
+/// Both bends, in the place of three doubles.
+using Bends = std::array<float, 6>;
+[[nodiscard]] inline Vec3<double> packed(const Vec3<float>& bend1, const Vec3<float>& bend2) {
+  const Bends bends{bend1[0], bend1[1], bend1[2], bend2[0], bend2[1], bend2[2]};
+  return Vec3<double>::Map(std::bit_cast<std::array<double, 3>>(bends).data());
+}
+[[nodiscard]] inline Bends unpacked(const Vec3<double>& numbers) {
+  return std::bit_cast<Bends>(std::array{numbers[0], numbers[1], numbers[2]});
 }
 
 /// Where the next solve starts, if anywhere.
@@ -34,9 +44,17 @@ struct ContextState {
   Contact<double> out;
   out.chart1 = from.col(0);
   out.chart2 = from.col(1);
-  (state.holds == charts ? out.last_chart1 : out.point1) = from.col(2);
-  (state.holds == charts ? out.last_chart2 : out.point2) = from.col(3);
-  out.normal = from.col(4);
+  if (state.holds == points) {
+    out.point1 = from.col(2);
+    out.point2 = from.col(3);
+    out.normal = from.col(4);
+    return out;
+  }
+  const Bends bends = unpacked(from.col(4));
+  out.last_chart1 = from.col(2);
+  out.last_chart2 = from.col(3);
+  out.bend1 = Vec3<float>::Map(bends.data());
+  out.bend2 = Vec3<float>::Map(bends.data() + 3);
   return out;
 }
 
@@ -45,8 +63,10 @@ inline void keep(const Contact<double>& found, plumb_context& context) {
   ContextState state = state_of(context);
   const bool has_charts = found.chart1.allFinite() && found.chart2.allFinite();
   state.holds = found.status != Status::converged ? nothing : has_charts ? charts : points;
-  state.vectors << found.chart1, found.chart2, has_charts ? found.last_chart1 : found.point1,
-      has_charts ? found.last_chart2 : found.point2, found.normal;
+  if (has_charts)
+    state.vectors << found.chart1, found.chart2, found.last_chart1, found.last_chart2, packed(found.bend1, found.bend2);
+  else
+    state.vectors << found.chart1, found.chart2, found.point1, found.point2, found.normal;
 }
 
 /// plumb_witnesses::state: how many, the points of body 1 and of body 2, the bodies' shapes, and a sum of them all.
@@ -104,55 +124,67 @@ inline void keep(const std::optional<Witnesses<double>>& found, plumb_witnesses*
   to->state[WitnessState::numbers] = std::bit_cast<double>(check_sum(*to));
 }
 
-/// The charts of a part of a batch, from its contexts and back. A context that another method filled has none: NaN.
+/// The charts of a part of a batch, from its contexts and back. A context that another method filled has none: NaN. Those found take the place
+/// of those before last, for a small stack: a pair's are read before its own are written.
 template <std::size_t capacity>
 class ContextColumns {
  public:
   void load(std::span<plumb_context> contexts) {
     for (std::size_t i = 0; i < contexts.size(); ++i) {
       const Contact<double> last = last_of(&contexts[i]).value_or(Contact<double>());
-      put(0, i, last.chart1);
-      put(1, i, last.chart2);
-      put(2, i, last.last_chart1);
-      put(3, i, last.last_chart2);
+      put(last_[0], i, last.chart1);
+      put(last_[1], i, last.chart2);
+      put(before_or_found_[0], i, last.last_chart1);
+      put(before_or_found_[1], i, last.last_chart2);
+      put(bends_[0], i, last.bend1);
+      put(bends_[1], i, last.bend2);
     }
   }
   /// Of the pairs that are settled.
   void store(Unsettled unsettled, std::span<plumb_context> contexts) const {
     for (std::size_t i = 0; i < contexts.size(); ++i) {
       if ((unsettled >> i & 1U) != 0) continue;
+      const Contact<double> last = last_of(&contexts[i]).value_or(Contact<double>());
       Contact<double> found;
       found.status = Status::converged;
-      found.chart1 = at(4, i);
-      found.chart2 = at(5, i);
-      found.last_chart1 = at(0, i);
-      found.last_chart2 = at(1, i);
+      found.chart1 = at(before_or_found_[0], i);
+      found.chart2 = at(before_or_found_[1], i);
+      keep_steps(found, last);
       keep(found, contexts[i]);
     }
   }
 
-  [[nodiscard]] ChartArrays last(std::size_t count) const { return {spans(0, count), spans(1, count)}; }
-  [[nodiscard]] ChartArrays before_last(std::size_t count) const { return {spans(2, count), spans(3, count)}; }
+  [[nodiscard]] ChartArrays last(std::size_t count) const { return {spans(last_[0], count), spans(last_[1], count)}; }
+  [[nodiscard]] ChartArrays before_last(std::size_t count) const {
+    return {spans(before_or_found_[0], count), spans(before_or_found_[1], count)};
+  }
+  [[nodiscard]] BendArrays bends(std::size_t count) const { return {spans(bends_[0], count), spans(bends_[1], count)}; }
   void set_outputs(ContactArrays& to, std::size_t count) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      to.chart1[axis] = std::span(columns_[4][axis]).first(count);
-      to.chart2[axis] = std::span(columns_[5][axis]).first(count);
+      to.chart1[axis] = std::span(before_or_found_[0][axis]).first(count);
+      to.chart2[axis] = std::span(before_or_found_[1][axis]).first(count);
     }
   }
 
  private:
-  void put(std::size_t vector, std::size_t i, const Vec3<double>& from) {
-    for (std::size_t axis = 0; axis < 3; ++axis) columns_[vector][axis][i] = from[static_cast<Eigen::Index>(axis)];
+  template <class T>
+  using Vectors = std::array<std::array<T, capacity>, 3>;
+
+  template <class T>
+  static void put(Vectors<T>& columns, std::size_t i, const Vec3<T>& from) {
+    for (std::size_t axis = 0; axis < 3; ++axis) columns[axis][i] = from[static_cast<Eigen::Index>(axis)];
   }
-  [[nodiscard]] Vec3<double> at(std::size_t vector, std::size_t i) const {
-    return {columns_[vector][0][i], columns_[vector][1][i], columns_[vector][2][i]};
+  [[nodiscard]] static Vec3<double> at(const Vectors<double>& columns, std::size_t i) {
+    return {columns[0][i], columns[1][i], columns[2][i]};
   }
-  [[nodiscard]] std::array<std::span<const double>, 3> spans(std::size_t vector, std::size_t count) const {
-    const auto& of = columns_[vector];
-    return {std::span(of[0]).first(count), std::span(of[1]).first(count), std::span(of[2]).first(count)};
+  template <class T>
+  [[nodiscard]] static std::array<std::span<const T>, 3> spans(const Vectors<T>& columns, std::size_t count) {
+    return {std::span(columns[0]).first(count), std::span(columns[1]).first(count), std::span(columns[2]).first(count)};
   }
 
-  std::array<std::array<std::array<double, capacity>, 3>, 6> columns_;  ///< of last, before it, and found: both charts
+  // Of both bodies.
+  std::array<Vectors<double>, 2> last_, before_or_found_;
+  std::array<Vectors<float>, 2> bends_;
 };
 
 }  // namespace plumb

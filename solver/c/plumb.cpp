@@ -150,7 +150,7 @@ int solve_cold(std::size_t n, const plumb_body_arrays bodies[2], const Want& wan
   ContactArrays to = contact_part(contacts, codes, begin, length);
   charts.set_outputs(to, length);
   const PairArrays pairs{body_part(bodies[0], begin, length), body_part(bodies[1], begin, length), charts.last(length),
-                         charts.before_last(length)};
+                         charts.before_last(length), charts.bends(length)};
   const Unsettled unsettled = solve_together({pairs, want, to, 0, length}, InstructionSet::best);
   charts.store(unsettled, contexts);
   codes.copy_to(contacts, begin, length);

@@ -173,7 +173,8 @@ std::vector<double> Part::energies() {
 
 std::string Part::history_names() const {
   std::string names;
-  for (const Column* column : kept_) names += std::string(column->name()) + " ";
+  for (const Column* column : kept_)
+    names += std::string(column->name()) + ":" + std::to_string(column->kind().width) + " ";
   return names;
 }
 

@@ -1,6 +1,8 @@
 // Warm starts in a batch: along a motion the answers of `auto`, warm; and a yes or no.
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "properties/doors/columns.hpp"
 #include "properties/generators/draft.hpp"
 #include "properties/generators/families.hpp"
@@ -42,26 +44,43 @@ struct Step {
   std::size_t alone = 0;
 };
 
-/// From the charts of one step before or of two.
-Step stepped(const std::vector<Pair>& pairs, InstructionSet set, const ContactColumns* last = nullptr,
-             const ContactColumns* before_last = nullptr) {
+/// The steps before, the newest last.
+using Steps = std::span<const ContactColumns>;
+const ContactColumns* step_before(Steps steps, std::size_t back) {
+  return back <= steps.size() ? &steps[steps.size() - back] : nullptr;
+}
+
+/// What `auto` would start from.
+Contact<double> start_of(Steps before, std::size_t i) {
+  Contact<double> out = before.back().at(i);
+  const ContactColumns *last = step_before(before, 2), *older = step_before(before, 3);
+  if (last == nullptr) return out;
+  out.last_chart1 = last->at(i).chart1;
+  out.last_chart2 = last->at(i).chart2;
+  if (older == nullptr) return out;
+  out.bend1 = chart_bend(out.chart1, out.last_chart1, older->at(i).chart1);
+  out.bend2 = chart_bend(out.chart2, out.last_chart2, older->at(i).chart2);
+  return out;
+}
+
+/// From the charts of the steps before: of one, of two, or, with the bends, of three.
+Step stepped(const std::vector<Pair>& pairs, InstructionSet set, Steps before = {}) {
   const PairColumns columns(pairs);
   PairArrays arrays = columns.arrays();
-  if (last != nullptr) arrays.last = last->charts();
-  if (before_last != nullptr) arrays.before_last = before_last->charts();
+  BendColumns bends(pairs.size());
+  if (const auto* step = step_before(before, 1)) arrays.last = step->charts();
+  if (const auto* step = step_before(before, 2)) arrays.before_last = step->charts();
+  if (before.size() > 2) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const Contact<double> start = start_of(before, i);
+      bends.set(i, start.bend1, start.bend2);
+    }
+    arrays.bend = bends.arrays();
+  }
   Step out{ContactColumns(pairs.size())};
   const BatchReport report = solve_batch(arrays, {}, out.contacts.arrays(), set);
   EXPECT_EQ(report.error, BatchError::none);
   out.alone = report.alone;
-  return out;
-}
-
-/// What `auto` would start from.
-Contact<double> start_of(const ContactColumns& last, const ContactColumns* before_last, std::size_t i) {
-  Contact<double> out = last.at(i);
-  if (before_last == nullptr) return out;
-  out.last_chart1 = before_last->at(i).chart1;
-  out.last_chart2 = before_last->at(i).chart2;
   return out;
 }
 
@@ -93,10 +112,9 @@ TEST(WarmBatch, FollowsMotionsAsAutoDoes) {
       std::vector<ContactColumns> steps{stepped(moving.pairs, set).contacts};
       for (int k = 0; k < 12; ++k) {
         moving.step();
-        const ContactColumns &last = steps.back(), *before = steps.size() > 1 ? &steps[steps.size() - 2] : nullptr;
-        ContactColumns now = stepped(moving.pairs, set, &last, before).contacts;
+        ContactColumns now = stepped(moving.pairs, set, steps).contacts;
         for (std::size_t i = 0; i < moving.pairs.size(); ++i) {
-          const Contact<double> start = start_of(last, before, i);
+          const Contact<double> start = start_of(steps, i);
           SCOPED_TRACE(testing::Message() << family << ' ' << i << ", step " << k << ", " << name(set));
           const bool is_same = family == "spheroid" || family == "ellipsoid";
           expect_near(moving.pairs[i], now.at(i), method.solve(moving.pairs[i], {}, &start), is_same);
@@ -112,9 +130,9 @@ TEST(WarmBatch, EveryInstructionSetHasTheSameBits) {
     std::vector<ContactColumns> ends;
     for (const InstructionSet set : available_instruction_sets()) {
       Moving moving(family, 130);
-      ContactColumns last = stepped(moving.pairs, set).contacts;
-      moving.step();
-      ends.push_back(stepped(moving.pairs, set, &last).contacts);
+      std::vector<ContactColumns> steps;
+      for (int k = 0; k < 4; ++k, moving.step()) steps.push_back(stepped(moving.pairs, set, steps).contacts);
+      ends.push_back(steps.back());
     }
     for (const ContactColumns& other : ends) {
       EXPECT_EQ(std::memcmp(other.overlap.data(), ends[0].overlap.data(), other.overlap.size() * sizeof(double)), 0);
@@ -126,25 +144,33 @@ TEST(WarmBatch, EveryInstructionSetHasTheSameBits) {
   }
 }
 
-/// Some lanes have a start, some none, some one of another contact altogether.
+/// The charts of one pair alone.
+ContactColumns charts_of(const ContactColumns& step, std::size_t i) {
+  ContactColumns out(1);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    out.chart1[axis][0] = step.chart1[axis][i];
+    out.chart2[axis][0] = step.chart2[axis][i];
+  }
+  return out;
+}
+
+/// Some lanes have a start and a bend, some none, some those of another contact altogether.
 TEST(WarmBatch, NoStartTouchesAnother) {
-  Moving moving("superquadric", 130);
   for (const InstructionSet set : available_instruction_sets()) {
-    ContactColumns last = stepped(moving.pairs, set).contacts;
+    Moving moving("superquadric", 130);
+    std::vector<ContactColumns> steps;
+    for (int k = 0; k < 3; ++k, moving.step()) steps.push_back(stepped(moving.pairs, set, steps).contacts);
     for (std::size_t i = 0; i < moving.pairs.size(); ++i)
-      for (auto* chart : {&last.chart1, &last.chart2})
+      for (auto* chart : {&steps.back().chart1, &steps.back().chart2})
         for (auto& component : *chart)
           component[i] = i % 3 == 0   ? std::numeric_limits<double>::quiet_NaN()
                          : i % 7 == 0 ? component[(i * 31) % moving.pairs.size()]
                                       : component[i];
-    const ContactColumns all = stepped(moving.pairs, set, &last).contacts;
+    const ContactColumns all = stepped(moving.pairs, set, steps).contacts;
     for (std::size_t i = 0; i < moving.pairs.size(); ++i) {
-      ContactColumns own(1);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        own.chart1[axis][0] = last.chart1[axis][i];
-        own.chart2[axis][0] = last.chart2[axis][i];
-      }
-      const ContactColumns alone = stepped({moving.pairs[i]}, set, &own).contacts;
+      std::vector<ContactColumns> own;
+      for (const ContactColumns& step : steps) own.push_back(charts_of(step, i));
+      const ContactColumns alone = stepped({moving.pairs[i]}, set, own).contacts;
       ASSERT_EQ(all.status[i], alone.status[0]) << i;
       if (all.status[i] == Status::converged) {
         ASSERT_EQ(all.overlap[i], alone.overlap[0]) << i << ' ' << name(set);
@@ -192,6 +218,10 @@ TEST(WarmBatch, ChartsOfAnotherLengthAreAnError) {
   EXPECT_EQ(solve_batch(arrays, {}, out.arrays()).error, BatchError::input_lengths);
   arrays.last = last.charts();
   arrays.before_last.chart1 = last.charts().chart1;
+  EXPECT_EQ(solve_batch(arrays, {}, out.arrays()).error, BatchError::input_lengths);
+  arrays.before_last = last.charts();
+  const BendColumns bends(4);
+  arrays.bend = bends.arrays();
   EXPECT_EQ(solve_batch(arrays, {}, out.arrays()).error, BatchError::input_lengths);
 }
 

@@ -68,7 +68,7 @@ TEST_P(CSolve, IsEveryMethodsSolveColdAndWarm) {
     }
 }
 
-/// A context holds what a Contact does: a method may take over from another, and `auto` from its own last two answers.
+/// A context holds what `auto` takes from a Contact, to the bit; and a method may take over from another.
 TEST(CApi, AContextIsTheLastContact) {
   Pair pair = generate("ellipsoid", 5, 2).pair;
   plumb_context context{};
@@ -83,7 +83,7 @@ TEST(CApi, AContextIsTheLastContact) {
     EXPECT_EQ(found.overlap, last.overlap) << step;
   }
   plumb_options options = PLUMB_OPTIONS;
-  for (const char* method : {"new_cn", "auto", "original_cn"}) {
+  for (const char* method : {"new_cn", "auto", "minimum_distance", "auto", "original_cn"}) {
     options.method = method;
     const plumb_pair c_pair = door::c_pair(pair);
     ASSERT_EQ(plumb_solve(&c_pair, &options, &context, &found, nullptr), PLUMB_OK);

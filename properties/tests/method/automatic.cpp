@@ -140,25 +140,30 @@ TEST(Automatic, AlongAPathOfBlocksWarmIsCold) {
   EXPECT_LT(walked.warm_steps, 0.8 * static_cast<double>(walked.cold_steps));
 }
 
-/// Steps of a motion that goes on steadily, where each solve knows the last two contacts, or the last alone.
+/// Steps of a motion that goes on steadily, where each solve knows the last three contacts, two, or the last alone.
 TEST(Automatic, WhatMovesSteadilyIsAheadOfItsLastContact) {
   const Method& method = *find_method("auto");
-  long knows_two = 0, knows_one = 0;
+  long knows_three = 0, knows_two = 0, knows_one = 0;
   for (const char* family : {"ellipsoid", "superquadric"})
     for (std::uint64_t index = 0; index < 12; ++index) {
       Pair pair = generate(family, 19, index).pair;
-      Contact<double> two = method.solve(pair, {}, nullptr), one = two;
+      Contact<double> three = method.solve(pair, {}, nullptr), two = three, one = three;
       for (int step = 0; step < 40; ++step) {
         pair.body2.quaternion = product(turn(Vec3<double>(0.6, 0, 0.8), 1e-4), pair.body2.quaternion);
+        three = method.solve(pair, {}, &three);
+        two.bend1 = two.bend2 = not_valid<float>();
         two = method.solve(pair, {}, &two);
         one.last_chart1 = one.last_chart2 = not_valid<double>();
         one = method.solve(pair, {}, &one);
         EXPECT_NEAR(two.overlap, one.overlap, 3e-14 * size_of(pair)) << family << index << ", step " << step;
+        EXPECT_NEAR(three.overlap, one.overlap, 3e-14 * size_of(pair)) << family << index << ", step " << step;
+        knows_three += three.iterations;
         knows_two += two.iterations;
         knows_one += one.iterations;
       }
     }
   EXPECT_LT(static_cast<double>(knows_two), 0.75 * static_cast<double>(knows_one));
+  EXPECT_LT(static_cast<double>(knows_three), 0.8 * static_cast<double>(knows_two));
 }
 
 /// While the bodies stay shallow the normal is a Lipschitz function of the poses: a hundredth of a step turns it a

@@ -189,7 +189,7 @@ template <class S>
   detail::take_witnesses(out, pair, last);
   detail::set_contact<S>(out, solve(pair, framed, want, last, out.witnesses), want, frame, framed.size, pair);
   if (out.witnesses) out.witnesses->shapes = {pair.body1.shape, pair.body2.shape};
-  if (last != nullptr) out.last_chart1 = last->chart1, out.last_chart2 = last->chart2;
+  if (last != nullptr) keep_steps(out, *last);
   return out;
 }
 

@@ -49,17 +49,24 @@ template <class S>
   return last != nullptr && last->chart1.allFinite() && last->chart2.allFinite();
 }
 
-/// A chart where it will be if it moves on as it did, any length; where it is if it jumped, or if `before` is NaN.
+/// A chart where it will be if it moves on as it did, any length: along a parabola, or, where it turned or `bend` is NaN, a line; where it is
+/// if it jumped, or if `before` is NaN.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline Vector3<S> chart_ahead(const Vector3<S>& chart, const Vector3<S>& before) {
+[[nodiscard, gnu::always_inline]] inline Vector3<S> chart_ahead(const Vector3<S>& chart, const Vector3<S>& before,
+                                                                const Vector3<S>& bend) {
   const Vector3<S> step = chart - before;
-  return blend(dot(step, step) < S(tolerance::steady_step * tolerance::steady_step), chart + step, chart);
+  const S square = dot(step, step);
+  const auto is_steady = dot(bend, bend) < S(tolerance::steady_bend * tolerance::steady_bend) * square;
+  const Vector3<S> next = blend(is_steady, step + bend, step);
+  return blend(square < S(tolerance::steady_step * tolerance::steady_step), chart + next, chart);
 }
 
 template <class S>
 [[nodiscard]] Vector3<PerBody<S>> charts_ahead(const Contact<S>& last) {
-  return per_body(chart_ahead(Vector3<S>::of(last.chart1), Vector3<S>::of(last.last_chart1)),
-                  chart_ahead(Vector3<S>::of(last.chart2), Vector3<S>::of(last.last_chart2)));
+  const auto ahead = [](const Vec3<S>& chart, const Vec3<S>& before, const Vec3<float>& bend) {
+    return chart_ahead(Vector3<S>::of(chart), Vector3<S>::of(before), Vector3<S>::of(Vec3<S>(bend.cast<S>())));
+  };
+  return per_body(ahead(last.chart1, last.last_chart1, last.bend1), ahead(last.chart2, last.last_chart2, last.bend2));
 }
 
 template <class S>

@@ -50,6 +50,8 @@ inline constexpr double beside_saddle = 0.4, across_saddle = 0.07;  ///< starts 
 inline constexpr double promising_residual = 0.05;                  ///< small, and by
 inline constexpr double promising_factor = 0.8;                     ///< falling: more steps are worth it
 inline constexpr double steady_step = 0.1;  ///< of a chart's unit vector: a longer one was a jump
+inline constexpr double steady_bend =
+    0.25;                            ///< of that step: by how much it may differ from the one before and go on so
 inline constexpr double blocky = 3;  ///< an exponent above it: the direction does not say where on a face a point is
 
 // A step from surface point to surface point (surface_step.hpp).
@@ -112,6 +114,8 @@ inline constexpr ByPrecision least_power{1e-300, 1e-35};
 inline constexpr ByPrecision least_logarithm{-690, -80};
 /// For a pivot of zero: the step is cut in any case.
 inline constexpr ByPrecision smallest_pivot{1e-300, 1e-36};
+/// A direction's largest component that has a reciprocal.
+inline constexpr ByPrecision smallest_direction{1e-300, 1e-36};
 /// For an infinite curvature.
 inline constexpr ByPrecision largest_curvature{1e60, 1e12};
 /// For an infinite t*: the arc is followed in c alone.

@@ -74,7 +74,7 @@ double widest_square(double beyond, const Proof& is_proved) {
   return 0;
 }
 
-/// With one stationary direction at most.
+/// The widest square with one stationary direction at most.
 double widest_by_slopes(const ChartedPair<Look>& look, const ChartedPair<Check>& check, const DirectionFrame& frame) {
   return widest_square(0, [&](double half) {
     return has_one_zero_at_most<Look>(look, frame, half) && has_one_zero_at_most<Check>(check, frame, half);
@@ -208,7 +208,7 @@ IVec3<Check> narrowed(const IVec3<Fine>& v) {
   });
 }
 
-/// Above `beyond`, on which o is proved convex, as it may be where second derivatives are infinite.
+/// The widest square above `beyond` on which o is proved convex, as it may be where second derivatives are infinite.
 double widest_convex(const EnclosedPair<Check>& pair, const Mat3<double>& frame, const IVec3<Check>& v, double beyond) {
   const FramedPair<Check> framed(pair, frame);
   return widest_square(beyond,

@@ -57,6 +57,12 @@ struct State {
 };
 
 /// The contact list: pairs that may touch (body 2 has the higher index, a wall is body 2), and those of them that do.
+/// A contact's entry of `Contacts::chart`, three numbers for each body: the charts where the solver starts next time, those of the step before,
+/// and their bends.
+struct ChartEntry {
+  static constexpr std::size_t last = 0, before_last = 6, bend = 12, width = 18;
+};
+
 struct Contacts {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   std::vector<std::uint32_t> touching;  ///< indices in pairs, rising: overlap > -range
@@ -66,7 +72,7 @@ struct Contacts {
   Column* is_pressing = nullptr;  ///< 1 or 0
   Column* image =
       nullptr;  ///< 3: from body 2 to the image of it that is nearest to body 1, in a box that repeats itself
-  Column* chart = nullptr;       ///< 12: where the solver starts next time, the step before's last
+  Column* chart = nullptr;       ///< of ChartEntry
   Column* separation = nullptr;  ///< of separation.hpp
   Column* overlap = nullptr;     ///< 1
   Column* normal = nullptr;      ///< 3, from body 1 to body 2

@@ -51,7 +51,7 @@ void add_contacts(World& world, const Plan& plan) {
   Contacts& contacts = world.contacts;
   contacts.range = plan.needs.range;
   contacts.is_pressing = pair("is_pressing", "contacts", 1, true);
-  contacts.chart = pair("chart", "solver", 12, true, none);
+  contacts.chart = pair("chart", "solver", ChartEntry::width, true, none);
   if (plan.want.overlap) contacts.overlap = answer("overlap", "solver", 1);
   if (plan.want.normal) contacts.normal = answer("normal", "solver", 3);
   if (plan.want.points) contacts.point = answer("point", "solver", 3);

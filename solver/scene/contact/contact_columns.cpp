@@ -127,10 +127,15 @@ bool keep_patch(World& world, std::size_t c, Contact<double>& answer, const Find
 }  // namespace
 
 void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answer) {
-  const auto chart = contacts.chart->entry(c);
-  std::copy_n(chart.begin(), 6, chart.begin() + 6);
-  Vec3<double>::Map(chart.data()) = answer.chart1;
-  Vec3<double>::Map(chart.data() + 3) = answer.chart2;
+  double* const kept = contacts.chart->entry(c).data();
+  for (const auto& [body, now] : {std::pair(0, answer.chart1), std::pair(1, answer.chart2)}) {
+    double* const of_body = kept + 3 * body;
+    Eigen::Map<Vec3<double>> last(of_body + ChartEntry::last), before_last(of_body + ChartEntry::before_last),
+        bend(of_body + ChartEntry::bend);
+    bend = chart_bend<double>(now, last, before_last).cast<double>();
+    before_last = last;
+    last = now;
+  }
 }
 
 bool keep_contact(World& world, std::size_t c, Contact<double> answer) {

@@ -5,7 +5,7 @@
 
 namespace plumb::scene {
 
-/// The charts where the solver starts next time; those of the step before move back.
+/// The charts where the solver starts next time; those of the step before move back, and the bends are told.
 void keep_charts(Contacts& contacts, std::size_t contact, const Contact<double>& answer);
 
 /// All that is wanted, by the answer's overlap, normal and points. Of a ball, what its shape says exactly instead. False where a patch is

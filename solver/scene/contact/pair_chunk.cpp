@@ -7,7 +7,8 @@ namespace {
 
 template <class Vectors, class From>
 void put(Vectors& columns, std::size_t k, const From& from) {
-  for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis][k] = from[axis];
+  using Number = std::remove_reference_t<decltype(columns[0][0])>;
+  for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis][k] = static_cast<Number>(from[axis]);
 }
 
 template <class Vectors>
@@ -41,10 +42,13 @@ void PairChunk::add(const World& world, std::size_t contact) {
   set(world, i, world.state.position->vector(i), count_, side1_);
   set(world, j, world.second_position(contact), count_, side2_);
   const auto charts = world.contacts.chart->entry(contact);
-  put(side1_.last, count_, charts.subspan(0, 3));
-  put(side2_.last, count_, charts.subspan(3, 3));
-  put(side1_.before_last, count_, charts.subspan(6, 3));
-  put(side2_.before_last, count_, charts.subspan(9, 3));
+  std::size_t of_body = 0;
+  for (Side* side : {&side1_, &side2_}) {
+    put(side->last, count_, charts.subspan(ChartEntry::last + of_body, 3));
+    put(side->before_last, count_, charts.subspan(ChartEntry::before_last + of_body, 3));
+    put(side->bend, count_, charts.subspan(ChartEntry::bend + of_body, 3));
+    of_body += 3;
+  }
   ++count_;
 }
 
@@ -57,7 +61,8 @@ PairArrays PairChunk::pairs() const {
   return {arrays(side1_),
           arrays(side2_),
           {firsts(side1_.last, count_), firsts(side2_.last, count_)},
-          {firsts(side1_.before_last, count_), firsts(side2_.before_last, count_)}};
+          {firsts(side1_.before_last, count_), firsts(side2_.before_last, count_)},
+          {firsts(side1_.bend, count_), firsts(side2_.bend, count_)}};
 }
 
 ContactArrays PairChunk::verdicts() {

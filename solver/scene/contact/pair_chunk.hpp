@@ -30,6 +30,7 @@ class PairChunk {
   using Vectors = std::array<Column, 3>;
   struct Side {
     Vectors semi_axes, position, last, before_last;
+    std::array<std::array<float, capacity>, 3> bend;
     Column n1, n2;
     std::array<Column, 4> quaternion;
   };

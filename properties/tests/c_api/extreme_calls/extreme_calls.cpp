@@ -98,7 +98,7 @@ class Caller {
     const auto context = std::make_unique<plumb_context>();
     if (draw_.one_in(4)) {
       for (double& number : context->state) number = draw_.anything();
-      context->state[15] = 1;
+      context->state[15] = draw_.one_in(2) ? 1 : 2;
     }
     std::string wrong = solve(bodies, options, draw_.one_in(3) ? nullptr : context.get());
     if (!wrong.empty() || draw_.one_in(2)) return wrong;

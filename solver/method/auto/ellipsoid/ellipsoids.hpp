@@ -180,7 +180,7 @@ template <class S>
   const Vector3<S> next = inverse.matrix * pair.c;
   const S size = largest(next), unit = inverse.determinant * largest(n);
   const auto says = is_positive(m, inverse) && size > S(tolerance::least_correction) * unit &&
-                    size < S(tolerance::most_correction) * unit && size > tolerance::smallest_pivot.of<S>();
+                    size < S(tolerance::most_correction) * unit && size > tolerance::smallest_direction.of<S>();
   return of_middle_length(blend(says, next, n));
 }
 
