@@ -124,18 +124,21 @@ bool keep_patch(World& world, std::size_t c, Contact<double>& answer, const Find
   return true;
 }
 
+/// `of_body`: where a contact's entry begins, for this body.
+void keep_chart(double* of_body, const Vec3<double>& now) {
+  Eigen::Map<Vec3<double>> last(of_body + ChartEntry::last), before_last(of_body + ChartEntry::before_last),
+      bend(of_body + ChartEntry::bend);
+  bend = chart_bend<double>(now, last, before_last).cast<double>();
+  before_last = last;
+  last = now;
+}
+
 }  // namespace
 
 void keep_charts(Contacts& contacts, std::size_t c, const Contact<double>& answer) {
   double* const kept = contacts.chart->entry(c).data();
-  for (const auto& [body, now] : {std::pair(0, answer.chart1), std::pair(1, answer.chart2)}) {
-    double* const of_body = kept + 3 * body;
-    Eigen::Map<Vec3<double>> last(of_body + ChartEntry::last), before_last(of_body + ChartEntry::before_last),
-        bend(of_body + ChartEntry::bend);
-    bend = chart_bend<double>(now, last, before_last).cast<double>();
-    before_last = last;
-    last = now;
-  }
+  keep_chart(kept, answer.chart1);
+  keep_chart(kept + 3, answer.chart2);
 }
 
 bool keep_contact(World& world, std::size_t c, Contact<double> answer) {
