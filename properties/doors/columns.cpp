@@ -4,6 +4,14 @@
 #include <iterator>
 
 namespace plumb {
+namespace {
+
+template <class T>
+std::array<std::span<const T>, 3> spans_of(const std::array<std::vector<T>, 3>& vector) {
+  return {vector[0], vector[1], vector[2]};
+}
+
+}  // namespace
 
 PairColumns::PairColumns(std::span<const Pair> pairs) {
   for (const Pair& pair : pairs) {
@@ -52,13 +60,11 @@ void BendColumns::set(std::size_t i, const Vec3<float>& of1, const Vec3<float>& 
 }
 
 BendArrays BendColumns::arrays() const {
-  const auto spans = [](const auto& v) { return std::array<std::span<const float>, 3>{v[0], v[1], v[2]}; };
-  return {spans(bend1), spans(bend2)};
+  return {spans_of(bend1), spans_of(bend2)};
 }
 
 ChartArrays ContactColumns::charts() const {
-  const auto spans = [](const auto& v) { return std::array<std::span<const double>, 3>{v[0], v[1], v[2]}; };
-  return {spans(chart1), spans(chart2)};
+  return {spans_of(chart1), spans_of(chart2)};
 }
 
 Contact<double> ContactColumns::at(std::size_t i) const {
